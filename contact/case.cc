@@ -1,0 +1,32 @@
+#include "contact/case.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tricontact::contact {
+
+std::unique_ptr<AxisymmetricIndenter> Case::make_indenter() const {
+    if (indenter.shape == Shape::sphere) return std::make_unique<Sphere>(indenter.radius);
+    return std::make_unique<Paraboloid>(indenter.radius);
+}
+
+// Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
+HertzScales hertz_scales(const Case& c) {
+    const MaterialPair materials = c.materials();
+    const double e_star = materials.effective_modulus();
+    const double radius = c.indenter.radius;
+    const double d = c.load.indentation
+                         ? *c.load.indentation
+                         : std::pow(3 * *c.load.normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
+    return {.contact_radius = std::sqrt(radius * d),
+            .indentation = d,
+            .normal_force = 4. / 3 * e_star * std::sqrt(radius) * std::pow(d, 1.5),
+            .peak_pressure = 2 / std::numbers::pi * e_star * std::sqrt(d / radius),
+            .unit_shift = c.friction_coefficient * e_star / materials.effective_shear_modulus() * d};
+}
+
+double rolling_amplitude(const Case::Rolling& rolling, double reference_radius) {
+    return rolling.amplitude ? *rolling.amplitude : *rolling.amplitude_ratio * reference_radius;
+}
+
+}  // namespace tricontact::contact

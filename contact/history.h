@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/audit.h"
+#include "contact/surface.h"
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// One row per quasi-static step, values at its end.
+struct StepRecord {
+    double phase = 0;              ///< rolling periods since the start
+    Vector2 offset{};              ///< rolling offset [m]
+    double normal_force = 0;       ///< F_N [N]
+    Vector2 tangential_force{};    ///< on the substrate [N]
+    double indentation = 0;        ///< d [m]
+    Vector2 shift{};               ///< rigid tangential shift U of the indenter since the start [m]
+    double dissipation = 0;        ///< frictional, in this step: sum tau . ds dA [J]
+    double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
+    int normal_iterations = 0, tangential_iterations = 0;
+    double normal_residual = 0, tangential_residual = 0;  ///< as their solvers define them [-]
+    double force_residual = 0;     ///< worst force balance over F_N or mu F_N [-]
+};
+
+/// What makes a model's numbers dimensionless: its own pressed, upright, unsheared state.
+struct Scales {
+    double normal_force = 0;    ///< F_N [N]
+    double contact_radius = 0;  ///< a [m]
+    double indentation = 0;     ///< d [m]
+    double peak_pressure = 0;   ///< p0 [Pa]
+    double unit_shift = 0;      ///< U_max [m]: u_x at the contact centre under the traction mu p
+};
+
+enum class State { shakedown, ratcheting, undecided };
+const char* name_of(State state);
+
+/// A surface kept for plots, at a phase of the load path.
+struct Snapshot {
+    double phase = 0;
+    Surface surface;
+};
+
+/// Everything one model has to say about one case.
+struct History {
+    std::string model;
+    Scales scales;
+    double amplitude = 0;         ///< W of the rolling [m]
+    double tangential_force = 0;  ///< F_T after loading [N]
+    double friction_limit = 0;    ///< mu F_N of the pressed state [N]
+    std::vector<StepRecord> steps;
+    double static_shift = 0;                     ///< U after loading, before rolling [m]
+    std::vector<double> shift_per_period;        ///< U with the roller upright, n = 1, 2, ... [m]
+    std::vector<double> dissipation_per_period;  ///< [J]
+    State state = State::undecided;
+    double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA
+    std::vector<Snapshot> snapshots;
+    Audit audit;
+    double cpu_s = 0, wall_s = 0;
+};
+
+}  // namespace tricontact::contact

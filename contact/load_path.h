@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/case.h"
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// What is prescribed normal to the surface.
+struct NormalControl {
+    enum class Kind { force, indentation };
+    Kind kind = Kind::force;
+    double value = 0;  ///< F_N [N], compression positive, or d [m]
+
+    bool operator==(const NormalControl&) const = default;
+};
+
+/// What is prescribed in one tangential direction.
+struct TangentialControl {
+    enum class Kind { force, shift };
+    Kind kind = Kind::force;
+    double value = 0;  ///< force on the substrate [N] or rigid shift of the indenter [m]
+};
+
+/// One quasi-static step; all values are those at its end.
+struct LoadStep {
+    double phase = 0;  ///< rolling periods since the start, 0 while loading
+    Vector2 offset{};  ///< position of the indenter's lowest point over the substrate [m]
+    NormalControl normal;
+    std::array<TangentialControl, 2> tangential;  ///< x, y
+};
+
+/// Loading once, then the same period again and again.
+struct LoadPath {
+    std::vector<LoadStep> loading;
+    std::vector<LoadStep> period;  ///< phases in (0, 1]; the last step has the roller upright
+    int max_periods = 0;
+    bool run_all = false;
+    double amplitude = 0;  ///< W [m]
+};
+
+/// The indenter pressed at the mean normal control, upright, without tangential load.
+LoadStep press_step(const Case& c);
+
+/// The path after pressing. `normal_force` [N] and `contact_radius` [m] are the pressed model's own:
+/// what ratios over "the model" refer to.
+/// Throws InputError when F_T exceeds mu F_N somewhere on the path (force control).
+LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
+
+/// Triangular wave of period 1 and amplitude 1: 0, 1, 0, -1, 0 at phases 0, 1/4, 1/2, 3/4, 1.
+double triangle_wave(double phase);
+
+}  // namespace tricontact::contact

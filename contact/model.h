@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+#include "contact/audit.h"
+#include "contact/history.h"
+#include "contact/load_path.h"
+#include "contact/surface.h"
+
+namespace tricontact::contact {
+
+/// A model of the contact: remembers its state and takes quasi-static steps.
+class Model {
+  public:
+    virtual ~Model() = default;
+
+    virtual std::string name() const = 0;
+    /// Takes the step and returns its record. Throws NotConverged.
+    virtual StepRecord advance(const LoadStep& step) = 0;
+    /// Scales of the present normal state.
+    virtual Scales scales() const = 0;
+    /// Fields of the present state.
+    virtual Surface surface() const = 0;
+    /// (1/F_N) ∫ min p dA, the minimum taken over all states since `start_limit`: the exact
+    /// shakedown limit of F_T/(mu F_N) in uncoupled contact.
+    virtual double limit_tangential_ratio() const = 0;
+    virtual void start_limit() = 0;
+    /// Checks of all solutions so far.
+    virtual const Audit& audit() const = 0;
+};
+
+}  // namespace tricontact::contact

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "contact/case.h"
+#include "contact/history.h"
+#include "contact/model.h"
+
+namespace tricontact::contact {
+
+/// Called after every step with the model in its new state: progress bars, file output.
+struct Progress {
+    int step = 0;            ///< steps done
+    int steps_at_most = 0;   ///< total if every period is run
+    bool quarter = false;    ///< the indenter is upright or at a turning point, or rolling has not begun
+};
+using Observer = std::function<void(const StepRecord&, const Model&, const Progress&)>;
+
+/// Presses, loads and rolls until shakedown, steady ratcheting or the last period.
+/// Throws NotConverged (also when a solution fails its audit) and InputError.
+History run(const Case& c, Model& model, const Observer& observer = {});
+
+}  // namespace tricontact::contact
