@@ -1,0 +1,64 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "contact/case.h"
+#include "io/units.h"
+
+namespace tricontact::io {
+
+/// Place in a case that a key fills; empty where the key does not apply to the case at hand.
+using Field = std::variant<std::monostate, std::string*, std::vector<std::string>*, double*,
+                           std::optional<double>*, int*, bool*, contact::Case::Shape*,
+                           contact::Case::AmplitudeReference*, contact::Case::Steps*,
+                           contact::Case::VtkOutput*>;
+
+/// Admissible numbers, in the key's SI unit.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_included = true;
+    bool high_included = true;
+
+    bool contains(double value) const;
+};
+
+/// A word a key may take, and the enumerator it stands for (-1: the word itself is stored).
+struct Choice {
+    std::string_view word;
+    int enumerator = -1;
+};
+
+/// Declaration of one key of the case file: reader, writer and reference all use it.
+struct Key {
+    enum class Kind { text, choice, choice_list, number, integer, boolean, quantity };
+
+    std::string_view path;  ///< "section.key", or "key" at the top
+    Kind kind = Kind::text;
+    Dimension dimension = Dimension::none;  ///< of a quantity
+    Range range = {};
+    std::vector<Choice> choices = {};
+    std::string_view default_value = {};  ///< TOML; empty: none
+    bool required = false;                ///< in its section, if the section is there
+    int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
+    std::string_view needs = {};  ///< key without which this one says nothing
+    std::string_view example;     ///< TOML
+    std::string_view text;        ///< what it means, one line
+    Field (*field)(contact::Case&) = nullptr;
+
+    std::string_view section() const;  ///< "" at the top
+    std::string_view name() const;
+};
+
+/// All keys in the order in which they are written.
+std::span<const Key> case_keys();
+const Key* find_key(std::string_view path);
+bool is_section(std::string_view name);
+
+}  // namespace tricontact::io

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace tricontact::io {
+
+/// How far a run is: a bar with the remaining time on a terminal, a line each ten per cent
+/// elsewhere, nothing when silent.
+class ProgressBar {
+  public:
+    enum class Style { bar, lines, silent };
+    using Clock = std::function<std::chrono::duration<double>()>;
+
+    /// What fits standard error: `bar` on a terminal, `lines` elsewhere, `silent` if `quiet`.
+    static Style style_of_stderr(bool quiet);
+
+    /// `label` leads every line, e.g. the model's name; `clock` is replaceable for tests.
+    ProgressBar(std::ostream& out, Style style, std::string label, Clock clock = {});
+
+    /// `done` of at most `total` steps are done.
+    void update(int done, int total);
+    /// Ends the bar with the number of steps and the time taken, and `remark` if there is one.
+    void finish(const std::string& remark = {});
+
+  private:
+    void draw_bar(int total, double fraction, double elapsed);
+    void print_line(int total, double fraction, double elapsed);
+
+    std::ostream& out_;
+    Style style_;
+    std::string label_;
+    Clock clock_;
+    std::chrono::duration<double> start_, drawn_{-1};
+    int done_ = 0;
+    int tenths_ = 0;  // lines: tenths already reported
+};
+
+}  // namespace tricontact::io
