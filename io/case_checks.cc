@@ -1,0 +1,226 @@
+#include "io/case_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "io/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::HertzScales;
+
+// Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
+constexpr double largest_beta = 1e-3;
+constexpr double largest_sphere_ratio = 0.5;  // a/R: a half-space contact is far from the equator
+constexpr double fewest_cells = 2;            // per Hertz radius
+constexpr double fewest_springs = 10;         // in the contact
+constexpr double most_cells = 4096;           // along one side of the grid: 16.8 million cells
+constexpr double most_steps = 1e6;
+constexpr double most_point_steps = 1e11;  // days of computing
+
+std::string rounded(double value) {
+    std::array<char, 32> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
+    return buffer.data();
+}
+
+[[noreturn]] void refuse(const Document& document, const std::string& path, const std::string& rule,
+                         const std::string& remedy) {
+    const Entry* entry = document.find(path);
+    fail(document.place_of(path), entry ? entry->subject() : path + " (default)", rule, remedy);
+}
+
+// The key of an alternative pair that the case uses.
+std::string used(const Document& document, const std::string& first, const std::string& second) {
+    return document.find(second) ? second : first;
+}
+
+void check_scales(const HertzScales& s, const Document& document) {
+    for (const double scale :
+         {s.contact_radius, s.indentation, s.normal_force, s.peak_pressure, s.unit_shift})
+        if (!(scale > 0) || !std::isfinite(scale))
+            refuse(document, used(document, "load.normal_force", "load.indentation"),
+                   "contact radius, force or pressure of Hertz' solution overflow double precision",
+                   "check the units of radius, moduli and load");
+}
+
+void check_sphere(const Case& c, const HertzScales& s, const Document& document) {
+    if (c.indenter.shape != Case::Shape::sphere) return;
+    const std::string load = used(document, "load.normal_force", "load.indentation");
+    if (s.indentation >= c.indenter.radius)
+        refuse(document, load,
+               "the indentation " + rounded(s.indentation) + " m must be less than the radius " +
+                   rounded(c.indenter.radius) + " m of the sphere",
+               "reduce the load or enlarge indenter.radius");
+    if (s.contact_radius > largest_sphere_ratio * c.indenter.radius)
+        refuse(document, load,
+               "the contact radius " + rounded(s.contact_radius) + " m exceeds " +
+                   rounded(largest_sphere_ratio) + " of the sphere's radius " +
+                   rounded(c.indenter.radius) + " m: no half-space contact",
+               "reduce the load or enlarge indenter.radius");
+}
+
+void check_coupling(const Case& c, const Document& document) {
+    const double beta = c.materials().dundurs_beta();
+    if (std::abs(beta) <= largest_beta) return;
+    refuse(document, "substrate.poisson",
+           "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
+               " in magnitude: normal and tangential contact are coupled, which mdr and bem do not "
+               "model",
+           "take an incompressible substrate (poisson = 0.5) under a stiff indenter, or two bodies "
+           "of the same young and poisson");
+}
+
+// Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
+// linear functions is largest at a kink of either: at the crests and troughs.
+double largest_ratio(const Case::Load& load, double mean_ratio) {
+    auto triangle = [](double phase) {
+        const double t = phase - std::floor(phase);
+        return t < 0.25 ? 4 * t : t < 0.75 ? 2 - 4 * t : 4 * t - 4;
+    };
+    const double normal_shift = load.normal_phase / (2 * std::numbers::pi);
+    const double tangential_shift = load.tangential_phase / (2 * std::numbers::pi);
+    double worst = mean_ratio;
+    for (const double shift : {normal_shift, tangential_shift})
+        for (const double kink : {0.25, 0.75}) {
+            const double phase = kink - shift;
+            const double normal = 1 + load.normal_amplitude_ratio * triangle(phase + normal_shift);
+            const double tangential =
+                1 + load.tangential_amplitude_ratio * triangle(phase + tangential_shift);
+            worst = std::max(worst, mean_ratio * std::abs(tangential) / normal);
+        }
+    return worst;
+}
+
+// With a prescribed indentation the models find F_N, and they check.
+void check_friction_limit(const Case& c, const Document& document) {
+    if (!c.load.normal_force) return;
+    const double mean =
+        c.load.tangential_ratio
+            ? *c.load.tangential_ratio
+            : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force);
+    const std::string key = used(document, "load.tangential_ratio", "load.tangential_force");
+    if (mean >= 1)
+        refuse(document, key,
+               "F_T/(mu F_N) = " + rounded(mean) + " is not below 1: the contact slides",
+               "reduce it below mu F_N = " +
+                   rounded(c.friction_coefficient * *c.load.normal_force) + " N");
+    const double worst = largest_ratio(c.load, mean);
+    if (worst >= 1)
+        refuse(document, key,
+               "with the oscillating loads F_T/(mu F_N) reaches " + rounded(worst) +
+                   ", not below 1: the contact slides",
+               "reduce it or the amplitude ratios in [load]");
+}
+
+void check_oscillation(const Case& c, const Document& document) {
+    const bool turning_points = c.rolling && c.rolling->steps == Case::Steps::turning_points;
+    for (const auto& [key, ratio] :
+         {std::pair("load.normal_amplitude_ratio", c.load.normal_amplitude_ratio),
+          std::pair("load.tangential_amplitude_ratio", c.load.tangential_amplitude_ratio)}) {
+        if (ratio == 0) continue;
+        if (!c.rolling)
+            refuse(document, key, "loads oscillate in the phase of the rolling, and there is none",
+                   "add a section [rolling] (its amplitude may be 0), or omit the oscillation");
+        if (turning_points)
+            refuse(document, key,
+                   "oscillating loads need small steps, but rolling.steps = \"turning-points\"",
+                   "give rolling.steps_per_quarter or rolling.increment instead of rolling.steps");
+    }
+}
+
+double rolling_amplitude(const Case& c, const HertzScales& s) {
+    return c.rolling ? contact::rolling_amplitude(*c.rolling, s.contact_radius) : 0;
+}
+
+double steps_per_period(const Case::Rolling& rolling, double amplitude) {
+    if (rolling.steps == Case::Steps::turning_points) return 4;
+    if (rolling.steps == Case::Steps::per_quarter) return 4. * rolling.steps_per_quarter;
+    return 4 * std::max(1., std::ceil(amplitude / rolling.increment));
+}
+
+double check_steps(const Case& c, const HertzScales& s, const Document& document) {
+    if (!c.rolling) return 2;
+    const double amplitude = rolling_amplitude(c, s);
+    const bool increment = c.rolling->steps == Case::Steps::increment;
+    if (increment && amplitude > 0 && c.rolling->increment > amplitude)
+        refuse(document, "rolling.increment",
+               "a step is longer than the rolling amplitude of " + rounded(amplitude) + " m",
+               "reduce it, or use rolling.steps = \"turning-points\"");
+    const double per_period = steps_per_period(*c.rolling, amplitude);
+    const double steps = 2 + c.rolling->periods * per_period;
+    if (steps > most_steps)
+        refuse(document,
+               per_period < c.rolling->periods ? "rolling.periods"
+               : increment                     ? "rolling.increment"
+                                               : "rolling.steps_per_quarter",
+               rounded(steps) + " steps exceed " + rounded(most_steps),
+               "use fewer periods or larger steps");
+    return steps;
+}
+
+double largest_contact_radius(const Case& c, const HertzScales& s) {
+    const double growth = 1 + c.load.normal_amplitude_ratio;
+    return s.contact_radius * (c.load.normal_force ? std::cbrt(growth) : std::sqrt(growth));
+}
+
+void check_bem(const Case& c, const HertzScales& s, double steps, const Document& document) {
+    const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
+    const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
+    if (s.contact_radius < fewest_cells * h)
+        refuse(document, key,
+               "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
+                   rounded(s.contact_radius) + " m: too coarse",
+               "use a spacing of at most " + rounded(s.contact_radius / 10) + " m");
+    const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
+    const double a = largest_contact_radius(c, s);
+    const double n_x = 2 * (a + w * std::abs(std::cos(angle))) / h;
+    const double n_y = 2 * (a + w * std::abs(std::sin(angle))) / h;
+    if (std::max(n_x, n_y) > most_cells)
+        refuse(document, key,
+               "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +
+                   rounded(std::ceil(n_y)) + " cells, more than " + rounded(most_cells) +
+                   " along a side",
+               "use larger cells or a smaller rolling amplitude");
+    if (n_x * n_y * steps > most_point_steps)
+        refuse(document, key,
+               rounded(n_x * n_y) + " cells times " + rounded(steps) + " steps would take days",
+               "use larger cells, fewer periods or larger steps");
+}
+
+void check_mdr(const Case& c, const HertzScales& s, double steps, const Document& document) {
+    const double a = s.contact_radius;
+    const double in_contact = c.mdr.springs * a / (a + rolling_amplitude(c, s));
+    if (in_contact < fewest_springs)
+        refuse(document, "mdr.springs",
+               "fewer than " + rounded(fewest_springs) + " springs in the contact: too coarse",
+               "use more springs or a smaller rolling amplitude");
+    if (c.mdr.springs * steps > most_point_steps)
+        refuse(document, "mdr.springs",
+               std::to_string(c.mdr.springs) + " springs times " + rounded(steps) +
+                   " steps would take days",
+               "use fewer springs, fewer periods or larger steps");
+}
+
+}  // namespace
+
+void check_case(const Case& c, const Document& document) {
+    const HertzScales scales = contact::hertz_scales(c);
+    check_scales(scales, document);
+    check_coupling(c, document);
+    check_sphere(c, scales, document);
+    check_oscillation(c, document);
+    check_friction_limit(c, document);
+    const double steps = check_steps(c, scales, document);
+    for (const std::string& model : c.models) {
+        if (model == "bem") check_bem(c, scales, steps, document);
+        if (model == "mdr") check_mdr(c, scales, steps, document);
+    }
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,179 @@
+#include "io/case_keys.h"
+
+#include <algorithm>
+
+#include "io/key_declarations.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using Kind = Key::Kind;
+
+void add_top(std::vector<Key>& keys) {
+    keys.push_back({.path = "title",
+                    .kind = Kind::text,
+                    .default_value = "\"\"",
+                    .example = R"("Sphere on rubber")",
+                    .text = "what the case is",
+                    .field = [](Case& c) -> Field { return &c.title; }});
+    keys.push_back({.path = "models",
+                    .kind = Kind::choice_list,
+                    .choices = {{"mdr"}, {"bem"}},
+                    .required = true,
+                    .example = R"(["mdr", "bem"])",
+                    .text = "models that compute the case",
+                    .field = [](Case& c) -> Field { return &c.models; }});
+}
+
+void add_indenter(std::vector<Key>& keys) {
+    keys.push_back({.path = "indenter.shape",
+                    .kind = Kind::choice,
+                    .choices = {choice("paraboloid", Case::Shape::paraboloid),
+                                choice("sphere", Case::Shape::sphere)},
+                    .default_value = R"("paraboloid")",
+                    .example = R"("paraboloid")",
+                    .text = "paraboloid r^2/(2R), or the exact sphere",
+                    .field = [](Case& c) -> Field { return &c.indenter.shape; }});
+    keys.push_back({.path = "indenter.radius",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .required = true,
+                    .example = R"("40 mm")",
+                    .text = "radius R of curvature",
+                    .field = [](Case& c) -> Field { return &c.indenter.radius; }});
+    keys.push_back(
+        {.path = "indenter.young",
+         .kind = Kind::quantity,
+         .dimension = Dimension::pressure,
+         .range = above_zero(1e15),
+         .needs = "indenter.poisson",
+         .example = R"("206 GPa")",
+         .text = "Young's modulus; without it the indenter is rigid",
+         .field = [](Case& c) { return in(c.indenter.material, &contact::Material::young); }});
+    keys.push_back(
+        {.path = "indenter.poisson",
+         .kind = Kind::number,
+         .range = {-1, 0.5, false, true},
+         .needs = "indenter.young",
+         .example = "0.3",
+         .text = "Poisson's ratio; 0.5 is incompressible",
+         .field = [](Case& c) { return in(c.indenter.material, &contact::Material::poisson); }});
+}
+
+void add_substrate(std::vector<Key>& keys) {
+    keys.push_back({.path = "substrate.young",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::pressure,
+                    .range = above_zero(1e15),
+                    .required = true,
+                    .example = R"("5.2 MPa")",
+                    .text = "Young's modulus",
+                    .field = [](Case& c) -> Field { return &c.substrate.young; }});
+    keys.push_back({.path = "substrate.poisson",
+                    .kind = Kind::number,
+                    .range = {-1, 0.5, false, true},
+                    .required = true,
+                    .example = "0.5",
+                    .text = "Poisson's ratio; 0.5 is incompressible",
+                    .field = [](Case& c) -> Field { return &c.substrate.poisson; }});
+    keys.push_back({.path = "friction.coefficient",
+                    .kind = Kind::number,
+                    .range = above_zero(100),
+                    .required = true,
+                    .example = "0.57",
+                    .text = "Coulomb's coefficient of friction",
+                    .field = [](Case& c) -> Field { return &c.friction_coefficient; }});
+}
+
+void add_bem(std::vector<Key>& keys) {
+    keys.push_back({.path = "bem.cells_per_radius",
+                    .kind = Kind::number,
+                    .range = {2, 4096},
+                    .default_value = "22.5",
+                    .alternative = cell_size,
+                    .example = "22.5",
+                    .text = "cells in Hertz' contact radius",
+                    .field = [](Case& c) -> Field { return &c.bem.cells_per_radius; }});
+    keys.push_back({.path = "bem.spacing",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .alternative = cell_size,
+                    .example = R"("0.2 mm")",
+                    .text = "edge length of a cell",
+                    .field = [](Case& c) -> Field { return &c.bem.spacing; }});
+    keys.push_back({.path = "bem.tolerance",
+                    .kind = Kind::number,
+                    .range = {1e-14, 1e-2, false, true},
+                    .default_value = "1e-07",
+                    .example = "1e-7",
+                    .text = "relative tolerance of the solvers",
+                    .field = [](Case& c) -> Field { return &c.bem.tolerance; }});
+}
+
+void add_mdr_and_output(std::vector<Key>& keys) {
+    using Vtk = Case::VtkOutput;
+    keys.push_back({.path = "mdr.springs",
+                    .kind = Kind::integer,
+                    .range = {10, 1e7},
+                    .default_value = "1000",
+                    .example = "1000",
+                    .text = "springs of the whole bed, contact and rolling path",
+                    .field = [](Case& c) -> Field { return &c.mdr.springs; }});
+    keys.push_back({.path = "output.vtk",
+                    .kind = Kind::choice,
+                    .choices = {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
+                                choice("all", Vtk::all)},
+                    .default_value = R"("quarters")",
+                    .example = R"("quarters")",
+                    .text = "surfaces written for ParaView: none, each quarter period, all steps",
+                    .field = [](Case& c) -> Field { return &c.output.vtk; }});
+}
+
+}  // namespace
+
+bool Range::contains(double value) const {
+    return (low_included ? value >= low : value > low) &&
+           (high_included ? value <= high : value < high);
+}
+
+std::string_view Key::section() const {
+    const auto dot = path.find('.');
+    return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+}
+
+std::string_view Key::name() const {
+    return path.substr(path.find('.') + 1);
+}
+
+std::span<const Key> case_keys() {
+    static const std::vector<Key> keys = [] {
+        std::vector<Key> all;
+        add_top(all);
+        add_indenter(all);
+        add_substrate(all);
+        add_loading_keys(all);
+        add_bem(all);
+        add_mdr_and_output(all);
+        return all;
+    }();
+    return keys;
+}
+
+const Key* find_key(std::string_view path) {
+    const auto keys = case_keys();
+    const auto it =
+        std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; });
+    return it == keys.end() ? nullptr : &*it;
+}
+
+bool is_section(std::string_view name) {
+    const auto keys = case_keys();
+    return !name.empty() && std::any_of(keys.begin(), keys.end(),
+                                        [&](const Key& key) { return key.section() == name; });
+}
+
+}  // namespace tricontact::io

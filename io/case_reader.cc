@@ -1,0 +1,169 @@
+#include "io/case_reader.h"
+
+#include <algorithm>
+#include <set>
+
+#include "io/case_checks.h"
+#include "io/case_keys.h"
+#include "io/field_reader.h"
+#include "io/input_file.h"
+#include "io/messages.h"
+#include "io/overrides.h"
+#include "io/toml_document.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+
+std::string join(const std::vector<std::string_view>& words) {
+    std::string out;
+    for (const auto word : words) out.append(out.empty() ? "" : ", ").append(word);
+    return out;
+}
+
+// The keys that exclude each other with this one, itself included; none if it has no alternative.
+std::vector<std::string_view> alternatives(const Key& key) {
+    std::vector<std::string_view> paths;
+    for (const Key& other : case_keys())
+        if (key.alternative > 0 && other.alternative == key.alternative)
+            paths.push_back(other.path);
+    return paths;
+}
+
+// Names that may stand where the unknown one stands, else full paths with the same last word.
+std::string guess(std::string_view path) {
+    const auto dot = path.find('.');
+    const std::string_view section = dot == std::string_view::npos ? "" : path.substr(0, dot);
+    std::vector<std::string_view> all, siblings;
+    for (const Key& key : case_keys()) {
+        all.push_back(key.path);
+        if (key.section() == section) siblings.push_back(key.path);
+        if (key.name() == path.substr(dot + 1)) return std::string(key.path);
+    }
+    const std::string_view near = nearest(path, siblings);
+    return std::string(near.empty() ? nearest(path, all) : near);
+}
+
+[[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
+                                 const std::string& near, const std::string& known) {
+    fail(place, "", "unknown " + what,
+         near.empty() ? "known are " + known : "did you mean " + near + "?");
+}
+
+void check_sections_known(const Document& document) {
+    std::set<std::string_view> sections;
+    for (const Key& key : case_keys())
+        if (!key.section().empty()) sections.insert(key.section());
+    const std::vector<std::string_view> names(sections.begin(), sections.end());
+    for (const auto& section : document.sections)
+        if (!sections.contains(section.name))
+            refuse_unknown(section.place, "section [" + section.name + "]",
+                           std::string(nearest(section.name, names)), join(names));
+}
+
+void check_keys_known(const Document& document) {
+    for (const Entry& entry : document.entries) {
+        if (find_key(entry.path)) continue;
+        if (is_section(entry.path))
+            fail(entry.place, entry.subject(), "this is the name of a section, not of a key",
+                 "write [" + entry.path + "] on its own line and its keys below");
+        const std::string section = entry.path.substr(0, entry.path.find('.'));
+        std::vector<std::string_view> names;
+        for (const Key& key : case_keys())
+            if (key.section() == section || (section == entry.path && key.section().empty()))
+                names.push_back(key.path);
+        refuse_unknown(entry.key_place, "key " + entry.path, guess(entry.path), join(names));
+    }
+}
+
+// At most one of the keys that exclude each other, and no key without the one it needs.
+void check_combinations(const Document& document) {
+    for (const Entry& entry : document.entries) {
+        const Key& key = *find_key(entry.path);
+        for (const std::string_view other : alternatives(key))
+            if (other != key.path && document.find(other) &&
+                &entry > document.find(other))  // blame the later one
+                fail(entry.place, entry.subject(), "contradicts " + document.find(other)->subject(),
+                     "give one of the two");
+        if (!key.needs.empty() && !document.find(key.needs))
+            fail(entry.place, entry.subject(),
+                 "says nothing without " + std::string(key.needs) + ", which is missing",
+                 "give " + std::string(key.needs) + " too, or omit this key");
+    }
+}
+
+// Makes those parts of the case that the document has, so that their fields have a place.
+void make_optional_parts(Case& c, const Document& document) {
+    if (document.find("indenter.young")) c.indenter.material = contact::Material{};
+    if (!document.find_section("rolling")) return;
+    c.rolling.emplace();
+    if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;
+    if (document.find("rolling.steps")) c.rolling->steps = Case::Steps::turning_points;
+}
+
+[[noreturn]] void refuse_missing(const Key& key, const Document& document) {
+    const auto group = alternatives(key);
+    const std::string what = group.empty() ? std::string(key.path) : join(group);
+    const std::string section = std::string(key.section());
+    std::string remedy = "add ";
+    if (!section.empty() && !document.find_section(section))
+        remedy += "a section [" + section + "] with ";
+    remedy.append(key.name()).append(" = ").append(key.example);
+    fail(document.place_of(key.path), "",
+         (group.empty() ? "missing key " : "missing: exactly one of ") + what, remedy);
+}
+
+// Value of a key that the document leaves open: its default, if it has one and has a place.
+void set_default(Case& c, const Key& key, const Document& document) {
+    const auto group = alternatives(key);
+    const bool given = std::any_of(group.begin(), group.end(),
+                                   [&](std::string_view path) { return document.find(path); });
+    if (given) return;
+    if (!key.default_value.empty()) {
+        const Entry entry{.path = std::string(key.path),
+                          .value = parse_value(std::string(key.default_value)),
+                          .place = document.place_of(key.path),
+                          .key_place = {}};
+        read_field(key, entry, key.field(c));
+        return;
+    }
+    const bool default_elsewhere = std::any_of(group.begin(), group.end(), [](std::string_view p) {
+        return !find_key(p)->default_value.empty();
+    });
+    const bool has_place = key.section() != "rolling" || c.rolling;
+    if (has_place && !default_elsewhere && (key.required || !group.empty()))
+        refuse_missing(key, document);
+}
+
+Case resolve(const Document& document) {
+    check_sections_known(document);
+    check_keys_known(document);
+    check_combinations(document);
+    Case c;
+    make_optional_parts(c, document);
+    for (const Key& key : case_keys()) {
+        if (const Entry* entry = document.find(key.path))
+            read_field(key, *entry, key.field(c));
+        else
+            set_default(c, key, document);
+    }
+    check_case(c, document);
+    return c;
+}
+
+}  // namespace
+
+Case parse_case(std::string_view text, const std::string& name,
+                const std::vector<std::string>& overrides) {
+    Document document = parse_document(text, name);
+    apply_overrides(document, overrides);
+    return resolve(document);
+}
+
+Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
+    return parse_case(read_input_file(path), path, overrides);
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/case_keys.h"
+#include "io/toml_document.h"
+
+namespace tricontact::io {
+
+/// Puts the value of an entry into the field of its key: type, unit, choice and range are checked.
+/// An empty field is left alone after the checks. Throws contact::InputError.
+void read_field(const Key& key, const Entry& entry, const Field& field);
+
+}  // namespace tricontact::io

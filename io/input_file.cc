@@ -1,0 +1,68 @@
+#include "io/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <system_error>
+
+#include "io/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr std::size_t largest = 1'000'000;  // bytes; a case has about a thousand
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    int get() const { return fd_; }
+
+  private:
+    int fd_;
+};
+
+[[noreturn]] void refuse(const std::string& path, int error) {
+    const char* remedy = error == ENOENT   ? "check the path; `tricontact list` names the cases"
+                         : error == EACCES ? "give yourself the permission to read it"
+                                           : "name a readable case file";
+    fail(path, "", "the file cannot be read (" + std::generic_category().message(error) + ")",
+         remedy);
+}
+
+void check_kind(const std::string& path, const struct stat& status) {
+    if (S_ISDIR(status.st_mode)) fail(path, "", "is a directory", "name a case file inside it");
+    if (!S_ISREG(status.st_mode)) fail(path, "", "is not a regular file", "name a case file");
+    if (static_cast<std::size_t>(status.st_size) > largest)
+        fail(path, "", "is larger than 1 MB: no case file", "name a case file");
+}
+
+}  // namespace
+
+std::string read_input_file(const std::string& path) {
+    // O_NONBLOCK: opening a named pipe must not wait for its writer.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status {};
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, errno);
+    check_kind(path, status);
+    std::string text;
+    std::array<char, 65536> buffer{};
+    while (text.size() <= largest) {
+        const ssize_t n = ::read(file.get(), buffer.data(), buffer.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) refuse(path, errno);
+        if (n == 0) return text;
+        text.append(buffer.data(), static_cast<std::size_t>(n));
+    }
+    fail(path, "", "is larger than 1 MB: no case file", "name a case file");
+}
+
+}  // namespace tricontact::io

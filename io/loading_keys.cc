@@ -1,0 +1,182 @@
+#include <numbers>
+
+#include "io/key_declarations.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using Kind = Key::Kind;
+
+constexpr double full_turn = 2 * std::numbers::pi;
+
+template <class Member>
+Field in_steps(Case& c, Case::Steps kind, Member Case::Rolling::*member) {
+    return c.rolling && c.rolling->steps == kind ? Field(&(*c.rolling.*member)) : Field();
+}
+
+void add_load(std::vector<Key>& keys) {
+    keys.push_back({.path = "load.normal_force",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::force,
+                    .range = above_zero(1e15),
+                    .alternative = normal_load,
+                    .example = R"("21.1 N")",
+                    .text = "normal force F_N, compression positive",
+                    .field = [](Case& c) -> Field { return &c.load.normal_force; }});
+    keys.push_back({.path = "load.indentation",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .alternative = normal_load,
+                    .example = R"("0.5 mm")",
+                    .text = "indentation depth d",
+                    .field = [](Case& c) -> Field { return &c.load.indentation; }});
+    keys.push_back({.path = "load.tangential_ratio",
+                    .kind = Kind::number,
+                    .range = {0, 1, true, false},
+                    .alternative = tangential_load,
+                    .example = "0.56",
+                    .text = "F_T/(mu F_N), tangential force along x",
+                    .field = [](Case& c) -> Field { return &c.load.tangential_ratio; }});
+    keys.push_back({.path = "load.tangential_force",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::force,
+                    .range = from_zero(1e15),
+                    .alternative = tangential_load,
+                    .example = R"("6.7 N")",
+                    .text = "tangential force F_T along x",
+                    .field = [](Case& c) -> Field { return &c.load.tangential_force; }});
+}
+
+void add_oscillation(std::vector<Key>& keys) {
+    keys.push_back({.path = "load.normal_amplitude_ratio",
+                    .kind = Kind::number,
+                    .range = {0, 1, true, false},
+                    .default_value = "0.0",
+                    .example = "0.2",
+                    .text = "superposed triangular oscillation of the normal load over its mean",
+                    .field = [](Case& c) -> Field { return &c.load.normal_amplitude_ratio; }});
+    keys.push_back({.path = "load.normal_phase",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::angle,
+                    .range = {-full_turn, full_turn},
+                    .default_value = R"("0 rad")",
+                    .needs = "load.normal_amplitude_ratio",
+                    .example = R"("90 deg")",
+                    .text = "phase by which the normal oscillation leads the rolling",
+                    .field = [](Case& c) -> Field { return &c.load.normal_phase; }});
+    keys.push_back({.path = "load.tangential_amplitude_ratio",
+                    .kind = Kind::number,
+                    .range = from_zero(1000),
+                    .default_value = "0.0",
+                    .example = "0.2",
+                    .text = "superposed triangular oscillation of F_T over its mean",
+                    .field = [](Case& c) -> Field { return &c.load.tangential_amplitude_ratio; }});
+    keys.push_back({.path = "load.tangential_phase",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::angle,
+                    .range = {-full_turn, full_turn},
+                    .default_value = R"("0 rad")",
+                    .needs = "load.tangential_amplitude_ratio",
+                    .example = R"("90 deg")",
+                    .text = "phase by which the oscillation of F_T leads the rolling",
+                    .field = [](Case& c) -> Field { return &c.load.tangential_phase; }});
+}
+
+void add_rolling_path(std::vector<Key>& keys) {
+    using Rolling = Case::Rolling;
+    using Reference = Case::AmplitudeReference;
+    keys.push_back({.path = "rolling.amplitude_ratio",
+                    .kind = Kind::number,
+                    .range = from_zero(100),
+                    .alternative = amplitude,
+                    .example = "0.24",
+                    .text = "w = W/a, rolling amplitude over a contact radius",
+                    .field = [](Case& c) { return in(c.rolling, &Rolling::amplitude_ratio); }});
+    keys.push_back({.path = "rolling.amplitude",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = from_zero(1e6),
+                    .alternative = amplitude,
+                    .example = R"("1.1 mm")",
+                    .text = "rolling amplitude W",
+                    .field = [](Case& c) { return in(c.rolling, &Rolling::amplitude); }});
+    keys.push_back(
+        {.path = "rolling.amplitude_reference",
+         .kind = Kind::choice,
+         .choices = {choice("hertz", Reference::hertz), choice("model", Reference::model)},
+         .default_value = R"("hertz")",
+         .needs = "rolling.amplitude_ratio",
+         .example = R"("hertz")",
+         .text = "contact radius of the ratio: Hertz' for this case, or the model's own",
+         .field = [](Case& c) {
+             const bool ratio = c.rolling && c.rolling->amplitude_ratio;
+             return ratio ? Field(&c.rolling->amplitude_reference) : Field();
+         }});
+    keys.push_back({.path = "rolling.angle",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::angle,
+                    .range = {-full_turn, full_turn},
+                    .default_value = R"("0 rad")",
+                    .example = R"("90 deg")",
+                    .text = "between rolling and tangential load; 90 deg: perpendicular",
+                    .field = [](Case& c) { return in(c.rolling, &Rolling::angle); }});
+}
+
+void add_rolling_steps(std::vector<Key>& keys) {
+    using Rolling = Case::Rolling;
+    using Steps = Case::Steps;
+    keys.push_back({.path = "rolling.periods",
+                    .kind = Kind::integer,
+                    .range = {1, 100000},
+                    .default_value = "12",
+                    .example = "12",
+                    .text = "rolling periods at most; a run stops earlier at shakedown",
+                    .field = [](Case& c) { return in(c.rolling, &Rolling::periods); }});
+    keys.push_back({.path = "rolling.run_all",
+                    .kind = Kind::boolean,
+                    .default_value = "false",
+                    .example = "true",
+                    .text = "run all periods, also after shakedown",
+                    .field = [](Case& c) { return in(c.rolling, &Rolling::run_all); }});
+    keys.push_back({.path = "rolling.steps_per_quarter",
+                    .kind = Kind::integer,
+                    .range = {1, 100000},
+                    .default_value = "6",
+                    .alternative = steps,
+                    .example = "6",
+                    .text = "steps in each quarter of a period",
+                    .field = [](Case& c) {
+                        return in_steps(c, Steps::per_quarter, &Rolling::steps_per_quarter);
+                    }});
+    keys.push_back(
+        {.path = "rolling.increment",
+         .kind = Kind::quantity,
+         .dimension = Dimension::length,
+         .range = above_zero(1e6),
+         .alternative = steps,
+         .example = R"("0.2 mm")",
+         .text = "rolling distance dW of one step",
+         .field = [](Case& c) { return in_steps(c, Steps::increment, &Rolling::increment); }});
+    keys.push_back(
+        {.path = "rolling.steps",
+         .kind = Kind::choice,
+         .choices = {choice("turning-points", Steps::turning_points)},
+         .alternative = steps,
+         .example = R"("turning-points")",
+         .text = "step from one turning point to the next only",
+         .field = [](Case& c) { return in_steps(c, Steps::turning_points, &Rolling::steps); }});
+}
+
+}  // namespace
+
+void add_loading_keys(std::vector<Key>& keys) {
+    add_load(keys);
+    add_oscillation(keys);
+    add_rolling_path(keys);
+    add_rolling_steps(keys);
+}
+
+}  // namespace tricontact::io

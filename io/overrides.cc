@@ -1,0 +1,66 @@
+#include "io/overrides.h"
+
+#include <algorithm>
+
+#include "io/case_keys.h"
+#include "io/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+std::string trimmed(const std::string& text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Entry entry_of(const std::string& text) {
+    const std::string place = "--set " + shortened(text, 80);
+    const auto equals = text.find('=');
+    const std::string path = trimmed(text.substr(0, equals));
+    if (equals == std::string::npos || path.empty())
+        fail(place, "", "is not of the form key=value",
+             "write for example --set load.tangential_ratio=0.3");
+    return {.path = path,
+            .value = parse_value(trimmed(text.substr(equals + 1))),
+            .place = place,
+            .key_place = place,
+            .overridden = true};
+}
+
+void erase_from_file(Document& document, std::string_view path) {
+    std::erase_if(document.entries,
+                  [&](const Entry& entry) { return entry.path == path && !entry.overridden; });
+}
+
+void erase_alternatives(Document& document, const Key& key) {
+    for (const Key& other : case_keys()) {
+        if (key.alternative == 0 || other.alternative != key.alternative || other.path == key.path)
+            continue;
+        erase_from_file(document, other.path);
+        for (const Key& hanging : case_keys())
+            if (hanging.needs == other.path) erase_from_file(document, hanging.path);
+    }
+}
+
+void put(Document& document, Entry entry) {
+    const Entry* old = document.find(entry.path);
+    if (old && old->overridden)
+        fail(entry.place, entry.subject(), "is set twice", "keep one of the two --set");
+    erase_from_file(document, entry.path);
+    if (const Key* key = find_key(entry.path)) erase_alternatives(document, *key);
+    const auto dot = entry.path.find('.');
+    const std::string section = entry.path.substr(0, dot);
+    if (dot != std::string::npos && !document.find_section(section))
+        document.sections.push_back({section, entry.place});
+    document.entries.push_back(std::move(entry));
+}
+
+}  // namespace
+
+void apply_overrides(Document& document, const std::vector<std::string>& overrides) {
+    for (const std::string& text : overrides) put(document, entry_of(text));
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,168 @@
+#include "io/toml_document.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "io/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr std::size_t longest_shown = 60;  // bytes of a value in a message
+
+std::string place(const std::string& name, const toml::source_position& position) {
+    return name + ':' + std::to_string(std::max(position.line, 1U)) + ':' +
+           std::to_string(std::max(position.column, 1U));
+}
+
+Value list_of(const toml::array& array) {
+    std::vector<std::string> words;
+    for (const toml::node& element : array) {
+        const auto* word = element.as_string();
+        if (!word) return OtherValue{"a list that does not hold texts only"};
+        words.push_back(word->get());
+    }
+    return words;
+}
+
+Value value_of(const toml::node& node) {
+    if (const auto* v = node.as_boolean()) return v->get();
+    if (const auto* v = node.as_integer()) return v->get();
+    if (const auto* v = node.as_floating_point()) return v->get();
+    if (const auto* v = node.as_string()) return v->get();
+    if (const auto* v = node.as_array()) return list_of(*v);
+    if (node.is_table()) return OtherValue{"a table"};
+    return OtherValue{"a date or time"};
+}
+
+// A quoted key with a dot must not pass for a key in a section.
+std::string path_of(const std::string& prefix, std::string_view key) {
+    const bool bare = !key.empty() && key.find('.') == std::string_view::npos;
+    return prefix + (bare ? std::string(key) : toml_string(key));
+}
+
+struct Positioned {
+    toml::source_position at;
+    Entry entry;
+};
+
+void collect(const toml::table& table, const std::string& prefix, const std::string& name,
+             std::vector<Positioned>& out) {
+    for (const auto& [key, node] : table) {
+        const auto& at = key.source().begin;
+        out.push_back({at,
+                       {.path = path_of(prefix, key.str()),
+                        .value = value_of(node),
+                        .place = place(name, node.source().begin),
+                        .key_place = place(name, at)}});
+    }
+}
+
+// Bytes that no text has: better "binary" than a complaint about one odd character.
+bool looks_binary(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 &&
+               std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
+    });
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        fail(name + ":1:1", "", "the file is empty", "copy a case from the folder cases/");
+    if (looks_binary(text))
+        fail(name + ":1:1", "", "the file is binary, not a TOML text",
+             "name a case file such as those in the folder cases/");
+    try {
+        return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        fail(place(name, error.source().begin), "",
+             "not valid TOML: " + shortened(error.description(), 200),
+             "correct the line (texts and quantities stand in double quotes)");
+    }
+}
+
+}  // namespace
+
+std::string shown(const Value& value) {
+    struct Show {
+        std::string operator()(bool v) const { return v ? "true" : "false"; }
+        std::string operator()(std::int64_t v) const { return std::to_string(v); }
+        std::string operator()(double v) const { return toml_number(v); }
+        std::string operator()(const std::string& v) const {
+            return toml_string(shortened(v, longest_shown));
+        }
+        std::string operator()(const std::vector<std::string>& v) const {
+            std::string out = "[";
+            for (const auto& word : v) out += (out.size() > 1 ? ", " : "") + toml_string(word);
+            return shortened(out + "]", longest_shown);
+        }
+        std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
+    };
+    return std::visit(Show{}, value);
+}
+
+std::string_view kind_of(const Value& value) {
+    struct Kind {
+        std::string_view operator()(bool) const { return "a truth value"; }
+        std::string_view operator()(std::int64_t) const { return "a number"; }
+        std::string_view operator()(double) const { return "a number"; }
+        std::string_view operator()(const std::string&) const { return "a text"; }
+        std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
+        std::string_view operator()(const OtherValue& v) const { return v.kind; }
+    };
+    return std::visit(Kind{}, value);
+}
+
+const Entry* Document::find(std::string_view path) const {
+    const auto it = std::find_if(entries.begin(), entries.end(),
+                                 [&](const Entry& entry) { return entry.path == path; });
+    return it == entries.end() ? nullptr : &*it;
+}
+
+const Document::Section* Document::find_section(std::string_view section) const {
+    const auto it = std::find_if(sections.begin(), sections.end(),
+                                 [&](const Section& s) { return s.name == section; });
+    return it == sections.end() ? nullptr : &*it;
+}
+
+std::string Document::place_of(std::string_view path) const {
+    if (const Entry* entry = find(path)) return entry->place;
+    const Section* section = find_section(path.substr(0, path.find('.')));
+    return section ? section->place : name + ":1:1";
+}
+
+Document parse_document(std::string_view text, const std::string& name) {
+    const toml::table root = parse_toml(text, name);
+    std::vector<Positioned> top, all;
+    collect(root, "", name, top);
+    std::sort(top.begin(), top.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+    Document document{.name = name, .sections = {}, .entries = {}};
+    for (auto& item : top) {
+        const toml::table* section = root.get_as<toml::table>(item.entry.path);
+        if (!section) {
+            all.push_back(std::move(item));
+            continue;
+        }
+        document.sections.push_back({item.entry.path, item.entry.key_place});
+        collect(*section, item.entry.path + '.', name, all);
+    }
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+    for (auto& item : all) document.entries.push_back(std::move(item.entry));
+    return document;
+}
+
+Value parse_value(const std::string& text) {
+    const bool one_line_only = text.find_first_of("\r\n") == std::string::npos;
+    if (one_line_only) try {
+            const toml::table table = toml::parse("v = " + text);
+            if (table.size() == 1)
+                if (const toml::node* node = table.get("v")) return value_of(*node);
+        } catch (const toml::parse_error&) {
+            return text;
+        }
+    return text;
+}
+
+}  // namespace tricontact::io

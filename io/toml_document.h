@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace tricontact::io {
+
+/// What no key of a case may hold: a table, a date, a mixed list ...
+struct OtherValue {
+    std::string_view kind;  ///< "a table"
+};
+
+/// Value of a key as TOML types it.
+using Value =
+    std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>, OtherValue>;
+
+/// As in a file, shortened if it is long.
+std::string shown(const Value& value);
+/// "a number", "a text" ...
+std::string_view kind_of(const Value& value);
+
+/// One key with its value and where it stands.
+struct Entry {
+    std::string path;  ///< "section.key" or "key"
+    Value value;
+    std::string place;      ///< file:line:column of the value, or the override
+    std::string key_place;  ///< of the key
+    bool overridden = false;
+
+    std::string subject() const { return path + " = " + shown(value); }
+};
+
+/// A TOML text flattened to two levels, sections and keys, in the order of the text.
+struct Document {
+    struct Section {
+        std::string name;
+        std::string place;
+    };
+
+    std::string name;  ///< of the file
+    std::vector<Section> sections;
+    std::vector<Entry> entries;
+
+    const Entry* find(std::string_view path) const;
+    const Section* find_section(std::string_view section) const;
+    /// Where a key of this path stands, or should: its value, its section, the file.
+    std::string place_of(std::string_view path) const;
+};
+
+/// Throws contact::InputError if the text is no TOML, no UTF-8, or empty.
+Document parse_document(std::string_view text, const std::string& name);
+
+/// Value of an override: TOML if it is that, else a bare string.
+Value parse_value(const std::string& text);
+
+}  // namespace tricontact::io
