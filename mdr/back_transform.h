@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+namespace tricontact::mdr {
+
+/// Traction [Pa] at the radius r >= 0 [m] of the axisymmetric state whose line load is q:
+///   p(r) = -1/pi ∫_r^a q'(x)/sqrt(x^2 - r^2) dx, Popov and Hess (2015), eq. 3.37,
+/// for an even q [N/m] given at the increasing `positions` [m], the first of them 0, linear in
+/// between, zero beyond the last. Each linear piece is integrated exactly (acosh); in the first
+/// one q is even, hence taken as a parabola without slope at 0, which keeps p(0) finite.
+/// Throws std::domain_error for fewer than two positions or unequal lengths.
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      double r);
+
+}  // namespace tricontact::mdr

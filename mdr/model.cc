@@ -1,0 +1,46 @@
+#include "mdr/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mdr/spring_bed.h"
+
+namespace tricontact::mdr {
+
+namespace {
+
+// Half width of the contact [m] under `factor` times the case's normal control.
+double half_width(const contact::Case& c, const PlaneProfile& profile, double factor) {
+    if (c.load.indentation) return profile.half_width(factor * *c.load.indentation);
+    return profile.half_width_of_area(factor * *c.load.normal_force /
+                                      c.materials().effective_modulus());
+}
+
+double amplitude(const contact::Case& c, const PlaneProfile& profile) {
+    if (!c.rolling) return 0;
+    const bool of_model =
+        c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
+    return contact::rolling_amplitude(
+        *c.rolling, of_model ? half_width(c, profile, 1) : contact::hertz_scales(c).contact_radius);
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
+    // A table of the profile over twice the Hertz radius; a flatter indenter meets the rim.
+    const double peak_factor = 1 + std::abs(c.load.normal_amplitude_ratio);
+    const double table = 2 * std::sqrt(peak_factor) * contact::hertz_scales(c).contact_radius;
+    BedData data;
+    data.profile = make_plane_profile(*c.make_indenter(), table);
+    data.effective_modulus = c.materials().effective_modulus();
+    data.effective_shear_modulus = c.materials().effective_shear_modulus();
+    data.friction_coefficient = c.friction_coefficient;
+    data.n_springs = c.mdr.springs;
+    data.rolling_angle = c.rolling ? c.rolling->angle : 0;
+    // 1 % more: the discrete contact is not exactly as wide as the continuous one.
+    data.half_length =
+        1.01 * (half_width(c, *data.profile, peak_factor) + std::abs(amplitude(c, *data.profile)));
+    return std::make_unique<SpringBed>(std::move(data));
+}
+
+}  // namespace tricontact::mdr

@@ -1,0 +1,100 @@
+#include "mdr/plane_profile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "contact/error.h"
+#include "mdr/profile_transform.h"
+#include "mdr/tabulated_profile.h"
+
+namespace tricontact::mdr {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Root a in (0, range] of an increasing function of the half width that is negative at 0.
+template <typename Function>
+double half_width_root(Function function, double range, double start) {
+    double low = 0, high = std::min(start, range);
+    while (function(high) < 0) {
+        if (high >= range)
+            throw contact::InputError(fmt::format(
+                "indenter: the contact reaches the rim of its profile at {:.6g} m; reduce the load "
+                "or enlarge the indenter",
+                range));
+        low = high;
+        high = std::min(2 * high, range);
+    }
+    const boost::math::tools::eps_tolerance<double> full_precision(
+        std::numeric_limits<double>::digits - 1);
+    std::uintmax_t evaluations = 300;
+    const auto [left, right] =
+        boost::math::tools::toms748_solve(function, low, high, full_precision, evaluations);
+    return std::midpoint(left, right);
+}
+
+}  // namespace
+
+double PlaneProfile::half_width(double depth) const {
+    if (!(depth > 0)) throw std::domain_error("half_width: the depth must be positive");
+    return half_width_root([&](double a) { return value(a) - depth; }, range(), depth);
+}
+
+double PlaneProfile::half_width_of_area(double area) const {
+    if (!(area > 0)) throw std::domain_error("half_width_of_area: the area must be positive");
+    auto excess = [&](double a) { return 2 * (a * value(a) - integral(a)) - area; };
+    return half_width_root(excess, range(), std::sqrt(area));
+}
+
+PowerLawProfile::PowerLawProfile(double coefficient, double exponent)
+    : factor_(coefficient * power_law_factor(exponent)), exponent_(exponent) {
+    if (!(coefficient > 0) || !std::isfinite(coefficient))
+        throw std::domain_error("PowerLawProfile: the coefficient must be positive and finite");
+}
+
+double PowerLawProfile::value(double x) const {
+    return exponent_ == 2 ? factor_ * x * x : factor_ * std::pow(std::abs(x), exponent_);
+}
+
+void PowerLawProfile::sample(double first, double spacing, std::span<double> heights) const {
+    const int n = static_cast<int>(heights.size());
+    double* const height = heights.data();
+    if (exponent_ != 2) {
+        for (int i = 0; i < n; ++i) height[i] = value(first + i * spacing);
+        return;
+    }
+#pragma omp simd
+    for (int i = 0; i < n; ++i) {
+        const double x = first + i * spacing;
+        height[i] = factor_ * x * x;
+    }
+}
+
+double PowerLawProfile::range() const {
+    return infinity;
+}
+
+double PowerLawProfile::integral(double a) const {
+    return a * value(a) / (exponent_ + 1);
+}
+
+double PowerLawProfile::centre_integral(double a) const {
+    if (exponent_ <= 1) return infinity;
+    return exponent_ / (exponent_ - 1) * value(a) / a;
+}
+
+std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricIndenter& indenter,
+                                                 double range) {
+    if (const auto* paraboloid = dynamic_cast<const contact::Paraboloid*>(&indenter))
+        return std::make_unique<PowerLawProfile>(1 / (2 * paraboloid->radius()), 2);
+    return std::make_unique<TabulatedProfile>(indenter, std::min(range, indenter.outer_radius()));
+}
+
+}  // namespace tricontact::mdr

@@ -1,0 +1,271 @@
+#include "mdr/spring_bed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "contact/error.h"
+#include "mdr/tangential_step.h"
+
+namespace tricontact::mdr {
+
+using contact::InputError;
+using contact::LoadStep;
+using contact::NormalControl;
+using contact::TangentialControl;
+
+namespace {
+
+// Rounding of sums over up to 1e6 springs.
+constexpr double rounding = 1e-12;
+
+const BedData& checked(const BedData& data) {
+    if (!data.profile) throw InputError("mdr: no indenter profile");
+    auto positive = [](const char* name, double value) {
+        if (!(value > 0) || !std::isfinite(value))
+            throw InputError(fmt::format("mdr: {} = {:.6g} must be positive", name, value));
+    };
+    positive("effective modulus E*", data.effective_modulus);
+    positive("effective shear modulus G*", data.effective_shear_modulus);
+    positive("friction coefficient", data.friction_coefficient);
+    positive("half length of the bed", data.half_length);
+    if (data.n_springs < 10)
+        throw InputError(fmt::format("mdr: {} springs are too few, give at least 10 (mdr.springs)",
+                                     data.n_springs));
+    return data;
+}
+
+void check_tangential(const LoadStep& step) {
+    const TangentialControl& across = step.tangential[1];
+    if (across.value != 0)
+        throw InputError(
+            "mdr: a tangential force or shift across the load (y) is not possible in a spring bed, "
+            "which has one direction; set it to zero");
+}
+
+std::span<double> part(std::vector<double>& values, const Window& window) {
+    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
+}
+
+std::span<const double> part(const std::vector<double>& values, const Window& window) {
+    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
+}
+
+}  // namespace
+
+SpringBed::SpringBed(BedData data)
+    : effective_modulus_(checked(data).effective_modulus),
+      effective_shear_modulus_(data.effective_shear_modulus),
+      friction_coefficient_(data.friction_coefficient),
+      direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
+      bound_ratio_(friction_coefficient_ * effective_modulus_ / effective_shear_modulus_),
+      normal_(std::move(data.profile), data.n_springs, data.half_length),
+      deflections_(data.n_springs),
+      deflections_before_(data.n_springs),
+      bounds_(data.n_springs),
+      least_bounds_(data.n_springs) {}
+
+contact::StepRecord SpringBed::advance(const LoadStep& step) {
+    check_tangential(step);
+    const double force_before = tangential_force_;
+    depth_before_ = normal_.depth();
+    contact_before_ = normal_.contact();
+    const int normal_iterations = press(line_coordinate(step.offset), step.normal);
+    update_bounds();
+    const ShiftSolution shift = find_shift_increment(step.tangential[0]);
+    const SlipSums sums = slide(shift.increment);
+    update_limit();
+    audit_step(step, sums, force_before);
+
+    contact::StepRecord result = record(step, sums);
+    result.normal_iterations = normal_iterations;
+    result.tangential_iterations = shift.iterations;
+    result.tangential_residual = shift.residual;
+    return result;
+}
+
+// Signed path length on the line of rolling; an offset off that line has no meaning here.
+double SpringBed::line_coordinate(const contact::Vector2& offset) const {
+    const double along = contact::dot(offset, direction_);
+    const double across = offset[1] * direction_[0] - offset[0] * direction_[1];
+    if (!(std::abs(across) <= 1e-9 * (std::abs(along) + normal_.spacing())))
+        throw InputError(fmt::format(
+            "mdr: the rolling offset ({:.6g}, {:.6g}) m lies off the line of rolling, along which "
+            "alone a spring bed extends",
+            offset[0], offset[1]));
+    return along;
+}
+
+int SpringBed::press(double position, const NormalControl& control) {
+    const bool by_force = control.kind == NormalControl::Kind::force;
+    if (!(control.value > 0) || !std::isfinite(control.value))
+        throw InputError(fmt::format("mdr: the {} = {:.6g} must be positive: contact is lost",
+                                     by_force ? "normal force" : "indentation", control.value));
+    const double dk = effective_modulus_ * normal_.spacing();
+    int iterations = 0;
+    for (;;) {
+        if (by_force)
+            iterations += normal_.press_to_sum(position, control.value / dk);
+        else
+            normal_.press_to_depth(position, control.value);
+        if (!normal_.touches_end()) break;
+        grow();
+    }
+    if (normal_.depth() > normal_.profile().value(normal_.profile().range()))
+        normal_.profile().half_width(normal_.depth());  // throws: the rim is reached
+    return iterations;
+}
+
+void SpringBed::grow() {
+    const int n = std::max(16, normal_.size() / 4);
+    normal_.grow(n);
+    auto pad = [n](std::vector<double>& values) {
+        values.insert(values.begin(), n, 0);
+        values.insert(values.end(), n, 0);
+    };
+    pad(deflections_);
+    pad(deflections_before_);
+    pad(bounds_);
+    pad(least_bounds_);
+    for (Window* window : {&contact_before_, &least_contact_}) {
+        window->first += n;
+        window->last += n;
+    }
+}
+
+// Slip cap mu q_z/(G* dx) of each spring, and the normal force that it belongs to.
+void SpringBed::update_bounds() {
+    const auto heights = normal_.heights();
+    const int n = static_cast<int>(heights.size());
+    const double* const height = heights.data();
+    double* const bound = part(bounds_, normal_.contact()).data();
+    const double depth = normal_.depth(), ratio = bound_ratio_;
+    double penetrations = 0;
+#pragma omp simd reduction(+ : penetrations)
+    for (int i = 0; i < n; ++i) {
+        const double penetration = depth - height[i];
+        penetrations += penetration;
+        bound[i] = ratio * penetration;
+    }
+    normal_force_ = effective_modulus_ * normal_.spacing() * penetrations;
+}
+
+ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) const {
+    if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
+    const double limit = friction_coefficient_ * normal_force_;
+    if (!(std::abs(control.value) < limit))
+        throw InputError(fmt::format(
+            "mdr: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N: the "
+            "indenter slides; lower tangential_force or tangential_ratio",
+            control.value, limit));
+    const Window& contact = normal_.contact();
+    const double target = control.value / (effective_shear_modulus_ * normal_.spacing());
+    // Everything slides at the latest after the largest old and the largest new bound.
+    const double farthest = bound_ratio_ * (depth_before_ + normal_.depth());
+    return find_increment(part(deflections_, contact), part(bounds_, contact), target, farthest);
+}
+
+SlipSums SpringBed::slide(double increment) {
+    const Window& contact = normal_.contact();
+    std::swap(deflections_, deflections_before_);
+    std::fill(deflections_.begin(), deflections_.end(), 0);
+    const auto before = part(std::as_const(deflections_before_), contact);
+    SlipSums sums = take_step(before, part(std::as_const(bounds_), contact), increment,
+                              negligible_slip(), part(deflections_, contact));
+    release(contact_before_.first, std::min(contact_before_.last, contact.first), increment, sums);
+    release(std::max(contact_before_.first, contact.last), contact_before_.last, increment, sums);
+
+    shift_increment_ = increment;
+    shift_ += increment;
+    tangential_force_ = effective_shear_modulus_ * normal_.spacing() * sums.deflection;
+    return sums;
+}
+
+// Springs that have left the contact lose their load: no work at the end of the step, but energy.
+void SpringBed::release(int first, int last, double increment, SlipSums& sums) const {
+    for (int i = first; i < last; ++i) {
+        const double before = deflections_before_[i];
+        sums.trapezoidal += before * (increment + before) / 2;
+        sums.stored -= before * before / 2;
+    }
+}
+
+void SpringBed::start_limit() {
+    least_contact_ = normal_.contact();
+    least_bounds_ = bounds_;
+    limit_normal_force_ = normal_force_;
+}
+
+void SpringBed::update_limit() {
+    least_contact_ = intersection(least_contact_, normal_.contact());
+    const auto bounds = part(std::as_const(bounds_), least_contact_);
+    const auto least = part(least_bounds_, least_contact_);
+    const int n = static_cast<int>(bounds.size());
+    const double* const bound = bounds.data();
+    double* const lowest = least.data();
+#pragma omp simd
+    for (int i = 0; i < n; ++i) lowest[i] = std::min(lowest[i], bound[i]);
+}
+
+double SpringBed::limit_tangential_ratio() const {
+    double sum = 0;
+    for (const double bound : part(least_bounds_, least_contact_)) sum += bound;
+    return effective_shear_modulus_ * normal_.spacing() * sum /
+           (friction_coefficient_ * limit_normal_force_);
+}
+
+void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double force_before) {
+    const double peak_bound = bound_ratio_ * normal_.depth();
+    const double friction_limit = friction_coefficient_ * normal_force_;
+    const double stiffness = effective_shear_modulus_ * normal_.spacing();
+    const auto bounds = part(std::as_const(bounds_), normal_.contact());
+    // The least bounds are at the rim.
+    const double least_bound = std::min(bounds.front(), bounds.back());
+    audit_.record("pressure_nonnegative", -least_bound / peak_bound, 0);
+    audit_.record("friction_bound", sums.bound_excess / peak_bound, 0);
+    audit_.record("slip_along_traction", -sums.lowest_work / (peak_bound * peak_bound), 0);
+    if (step.normal.kind == NormalControl::Kind::force)
+        audit_.record("normal_force", std::abs(normal_force_ / step.normal.value - 1), rounding);
+    const TangentialControl& control = step.tangential[0];
+    if (control.kind == TangentialControl::Kind::force)
+        audit_.record("tangential_force",
+                      std::abs(tangential_force_ - control.value) / friction_limit, rounding);
+    // Spring by spring, 1/2 (q + q_before) (increment - slip) = change of q^2/(2 k): summed up, the
+    // work of the shift equals stored energy and frictional work, exactly.
+    const double work = shift_increment_ * (tangential_force_ + force_before) / 2;
+    const double used = stiffness * (sums.stored + sums.trapezoidal);
+    audit_.record("energy_balance", std::abs(work - used) / (friction_limit * peak_bound),
+                  rounding);
+}
+
+contact::StepRecord SpringBed::record(const LoadStep& step, const SlipSums& sums) const {
+    const double dx = normal_.spacing();
+    auto disc = [dx](double n_springs) {
+        return std::numbers::pi / 4 * n_springs * n_springs * dx * dx;
+    };
+    contact::StepRecord r;
+    r.phase = step.phase;
+    r.offset = step.offset;
+    r.normal_force = normal_force_;
+    r.tangential_force = {tangential_force_, 0};
+    r.indentation = normal_.depth();
+    r.shift = {shift_, 0};
+    r.dissipation = effective_shear_modulus_ * dx * sums.dissipated;
+    r.contact_area = disc(normal_.contact().size());
+    r.stick_area = disc(sums.n_stick);
+    r.slip_area = r.contact_area - r.stick_area;
+    r.open_area = disc(normal_.size()) - r.contact_area;
+    if (step.normal.kind == NormalControl::Kind::force)
+        r.normal_residual = std::abs(normal_force_ / step.normal.value - 1);
+    r.force_residual = r.normal_residual;
+    const TangentialControl& control = step.tangential[0];
+    if (control.kind == TangentialControl::Kind::force)
+        r.force_residual = std::max(r.force_residual, std::abs(tangential_force_ - control.value) /
+                                                          (friction_coefficient_ * normal_force_));
+    return r;
+}
+
+}  // namespace tricontact::mdr

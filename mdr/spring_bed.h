@@ -1,0 +1,91 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/model.h"
+#include "mdr/normal_bed.h"
+
+namespace tricontact::mdr {
+
+struct SlipSums;
+struct ShiftSolution;
+
+/// What a spring bed is made of.
+struct BedData {
+    std::unique_ptr<PlaneProfile> profile;
+    double effective_modulus = 0;        ///< E* [Pa]
+    double effective_shear_modulus = 0;  ///< G* [Pa]
+    double friction_coefficient = 0;     ///< mu [-], > 0
+    int n_springs = 0;                   ///< over the whole bed
+    double half_length = 0;              ///< of the bed about the starting position [m]
+    double rolling_angle = 0;            ///< of the line on which the indenter rolls [rad]
+};
+
+/// Method of dimensionality reduction (Popov and Hess 2015): independent springs of stiffness
+/// E* dx and G* dx at fixed positions on the substrate, pressed by the plane profile, which the
+/// rolling path moves along the bed. Out of contact a spring is free of force; in contact it
+/// sticks up to the bound |u| <= mu (E*/G*) (d - g). Every step is solved exactly.
+///
+/// The bed has one direction. A rolling offset at any angle counts as its signed path length, and
+/// the tangential force (x) acts along the bed: MDR cannot tell parallel from perpendicular
+/// rolling. A tangential force or a shift in y is refused.
+///
+/// Areas are those of discs as long as the springs in question together: pi/4 L^2.
+/// If the contact reaches the end of the bed, springs are added there.
+class SpringBed final : public contact::Model {
+  public:
+    /// Throws contact::InputError for values out of range.
+    explicit SpringBed(BedData data);
+
+    std::string name() const override { return "mdr"; }
+    /// Throws contact::InputError if the step is none of a spring bed's (see above), asks for
+    /// F_T >= mu F_N or presses beyond the indenter's rim; contact::NotConverged.
+    contact::StepRecord advance(const contact::LoadStep& step) override;
+    contact::Scales scales() const override;
+    /// Line layout, thinned out to about a thousand points: springs' deflections and line loads,
+    /// gap and displacement_z of the springs too (plane picture); tractions transformed back.
+    contact::Surface surface() const override;
+    double limit_tangential_ratio() const override;
+    void start_limit() override;
+    const contact::Audit& audit() const override { return audit_; }
+
+    const NormalBed& normal() const { return normal_; }
+    double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
+
+  private:
+    double line_coordinate(const contact::Vector2& offset) const;
+    int press(double position, const contact::NormalControl& control);
+    void grow();
+    void update_bounds();
+    ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;
+    SlipSums slide(double increment);
+    void release(int first, int last, double increment, SlipSums& sums) const;
+    void update_limit();
+    void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
+    /// Slip [m] below which a spring counts as sticking: rounding on the bound.
+    double negligible_slip() const { return 1e-11 * bound_ratio_ * normal_.depth(); }
+    void set_spring_fields(int spring, int point, contact::Surface& surface) const;
+    contact::StepRecord record(const contact::LoadStep& step, const SlipSums& sums) const;
+
+    double effective_modulus_, effective_shear_modulus_, friction_coefficient_;
+    contact::Vector2 direction_;  // of rolling
+    double bound_ratio_;          // mu E*/G*
+    NormalBed normal_;
+
+    std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
+    Window contact_before_;
+    std::vector<double> bounds_;  // mu (E*/G*) (d - g) [m] of the springs in contact
+    double depth_before_ = 0;     // [m]
+    double normal_force_ = 0, tangential_force_ = 0;  // [N]
+    double shift_ = 0, shift_increment_ = 0;          // [m]
+
+    std::vector<double> least_bounds_;  // since start_limit
+    Window least_contact_;
+    double limit_normal_force_ = 0;
+    contact::Audit audit_;
+};
+
+}  // namespace tricontact::mdr

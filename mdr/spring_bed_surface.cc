@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "mdr/back_transform.h"
+#include "mdr/spring_bed.h"
+
+namespace tricontact::mdr {
+
+using contact::ContactState;
+using contact::Surface;
+
+namespace {
+
+// A picture needs no more points; their transforms cost points times pieces.
+constexpr int max_points = 1000, max_pieces = 400;
+
+/// Even line loads on 0 = x_0 < x_1 < ... < a, for the back-transformation.
+struct EvenLoads {
+    std::vector<double> positions, normal, tangential;
+};
+
+// Value at the fractional index of a spring, linear in between, zero outside of the bed.
+double interpolate(const std::vector<double>& values, double index) {
+    const double below = std::floor(index), part = index - below;
+    auto at = [&](double i) {
+        return i >= 0 && i < static_cast<double>(values.size())
+                   ? values[static_cast<std::size_t>(i)]
+                   : 0.;
+    };
+    return (1 - part) * at(below) + part * at(below + 1);
+}
+
+EvenLoads even_loads(const NormalBed& bed, const std::vector<double>& deflections,
+                     double effective_modulus, double effective_shear_modulus) {
+    const double a = bed.profile().half_width(bed.depth());
+    const int n = std::clamp(static_cast<int>(a / bed.spacing()), 2, max_pieces);
+    EvenLoads loads;
+    for (int k = 0; k < n; ++k) {
+        const double x = a * k / n;
+        auto deflection_at = [&](double position) {
+            return interpolate(deflections, (position - bed.spring_position(0)) / bed.spacing());
+        };
+        const double even =
+            (deflection_at(bed.position() + x) + deflection_at(bed.position() - x)) / 2;
+        loads.positions.push_back(x);
+        loads.normal.push_back(effective_modulus * (bed.depth() - bed.profile().value(x)));
+        loads.tangential.push_back(effective_shear_modulus * even);
+    }
+    loads.positions.push_back(a);
+    loads.normal.push_back(0);
+    loads.tangential.push_back(0);
+    return loads;
+}
+
+void resize_fields(Surface& s) {
+    for (auto* field :
+         {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y, &s.friction_bound,
+          &s.displacement_x, &s.displacement_y, &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y,
+          &s.dissipation, &s.normal_line_load, &s.tangential_line_load})
+        field->assign(s.size(), 0);
+    s.contact_state.assign(s.size(), ContactState::open);
+}
+
+}  // namespace
+
+contact::Scales SpringBed::scales() const {
+    const double a = normal_.profile().half_width(normal_.depth());
+    return {.normal_force = normal_force_,
+            .contact_radius = a,
+            .indentation = normal_.depth(),
+            .peak_pressure =
+                effective_modulus_ / std::numbers::pi * normal_.profile().centre_integral(a),
+            .unit_shift = bound_ratio_ * normal_.depth()};
+}
+
+Surface SpringBed::surface() const {
+    const int stride = (normal_.size() + max_points - 1) / max_points;
+    Surface s;
+    s.layout = Surface::Layout::line;
+    s.n_x = (normal_.size() - 1) / stride + 1;
+    s.n_y = 1;
+    s.first = {normal_.spring_position(0), 0};
+    s.spacing = {stride * normal_.spacing(), 0};
+    s.offset = {normal_.position(), 0};
+    resize_fields(s);
+    const EvenLoads loads =
+        even_loads(normal_, deflections_, effective_modulus_, effective_shear_modulus_);
+    for (int k = 0; k < s.n_x; ++k) {
+        const double r = std::abs(s.x(k) - normal_.position());
+        s.normal_traction[k] = back_transform(loads.positions, loads.normal, r);
+        s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, r);
+        s.friction_bound[k] = friction_coefficient_ * s.normal_traction[k];
+        set_spring_fields(k * stride, k, s);
+    }
+    return s;
+}
+
+void SpringBed::set_spring_fields(int spring, int point, Surface& s) const {
+    const PlaneProfile& profile = normal_.profile();
+    const double x = s.x(point) - normal_.position();
+    const double gap = profile.value(std::min(std::abs(x), profile.range())) - normal_.depth();
+    if (spring < normal_.contact().first || spring >= normal_.contact().last) {
+        s.gap[point] = std::max(gap, 0.);
+        return;
+    }
+    const double slip = shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
+    const bool slips = std::abs(slip) > negligible_slip();
+    s.displacement_x[point] = deflections_[spring];
+    s.displacement_z[point] = std::max(-gap, 0.);
+    s.normal_line_load[point] = effective_modulus_ * s.displacement_z[point];
+    s.tangential_line_load[point] = effective_shear_modulus_ * s.displacement_x[point];
+    s.slip_x[point] = slips ? slip : 0;
+    s.dissipation[point] = std::abs(s.tangential_traction_x[point] * s.slip_x[point]);
+    s.contact_state[point] = slips ? ContactState::slip : ContactState::stick;
+}
+
+}  // namespace tricontact::mdr

@@ -1,0 +1,96 @@
+#include "mdr/tangential_step.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "contact/error.h"
+
+namespace tricontact::mdr {
+
+namespace {
+
+struct ClampedSum {
+    double sum = 0;     // of the deflections
+    double n_free = 0;  // springs within their bounds: derivative of the sum
+    double bounds = 0;  // sum of the bounds
+};
+
+ClampedSum clamped_sum(std::span<const double> deflections, std::span<const double> bounds,
+                       double increment) {
+    const int n = static_cast<int>(bounds.size());
+    const double* const u = deflections.data();
+    const double* const bound = bounds.data();
+    double sum = 0, n_free = 0, total = 0;
+#pragma omp simd reduction(+ : sum, n_free, total)
+    for (int i = 0; i < n; ++i) {
+        const double trial = u[i] + increment;
+        const double clamped = std::min(std::max(trial, -bound[i]), bound[i]);
+        sum += clamped;
+        n_free += clamped == trial ? 1. : 0.;
+        total += bound[i];
+    }
+    return {sum, n_free, total};
+}
+
+}  // namespace
+
+ShiftSolution find_increment(std::span<const double> deflections, std::span<const double> bounds,
+                             double target, double farthest) {
+    double low = -farthest, high = farthest;
+    double previous_residual = std::numeric_limits<double>::infinity();
+    ShiftSolution solution;
+    for (solution.iterations = 1; solution.iterations <= 200; ++solution.iterations) {
+        const ClampedSum at = clamped_sum(deflections, bounds, solution.increment);
+        const double missing = target - at.sum;
+        solution.residual = std::abs(missing) / at.bounds;
+        // Newton's last step lands on the exact piece: what is left is the rounding of the sum.
+        if (solution.residual <= 1e-13) return solution;
+        (missing > 0 ? low : high) = solution.increment;
+        const double newton = solution.increment + missing / at.n_free;  // infinite if none is free
+        const bool trusted =
+            newton > low && newton < high && std::abs(missing) <= previous_residual / 2;
+        const double next = trusted ? newton : std::midpoint(low, high);
+        previous_residual = std::abs(missing);
+        if (next == solution.increment || next <= low || next >= high) {
+            if (solution.residual <= 1e-12) return solution;
+            break;
+        }
+        solution.increment = next;
+    }
+    throw contact::NotConverged(fmt::format(
+        "spring bed: tangential force not found after {} steps, residual {:.3g} of the friction "
+        "limit, {} springs in contact",
+        solution.iterations, solution.residual, bounds.size()));
+}
+
+SlipSums take_step(std::span<const double> before, std::span<const double> bounds, double increment,
+                   double negligible, std::span<double> after) {
+    const int n = static_cast<int>(bounds.size());
+    const double* const old = before.data();
+    const double* const bound = bounds.data();
+    double* const u = after.data();
+    double deflection = 0, dissipated = 0, trapezoidal = 0, stored = 0, n_stick = 0;
+    double lowest_work = 0, bound_excess = 0;
+#pragma omp simd reduction(+ : deflection, dissipated, trapezoidal, stored, n_stick) \
+    reduction(min : lowest_work) reduction(max : bound_excess)
+    for (int i = 0; i < n; ++i) {
+        const double trial = old[i] + increment;
+        u[i] = std::min(std::max(trial, -bound[i]), bound[i]);
+        const double slip = trial - u[i];  // exactly zero where it sticks
+        const double work = u[i] * slip;
+        deflection += u[i];
+        dissipated += std::abs(work);
+        trapezoidal += (work + old[i] * slip) / 2;
+        stored += (u[i] * u[i] - old[i] * old[i]) / 2;
+        n_stick += std::abs(slip) <= negligible ? 1. : 0.;
+        lowest_work = std::min(lowest_work, work);
+        bound_excess = std::max(bound_excess, std::abs(u[i]) - bound[i]);
+    }
+    return {deflection, dissipated, trapezoidal, stored, lowest_work, bound_excess, n_stick};
+}
+
+}  // namespace tricontact::mdr
