@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/load_path.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -13,6 +14,7 @@ namespace {
 
 using contact::Case;
 using contact::HertzScales;
+using contact::triangle_wave;
 
 // Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
 constexpr double largest_beta = 1e-3;
@@ -79,19 +81,15 @@ void check_coupling(const Case& c, const Document& document) {
 // Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
 // linear functions is largest at a kink of either: at the crests and troughs.
 double largest_ratio(const Case::Load& load, double mean_ratio) {
-    auto triangle = [](double phase) {
-        const double t = phase - std::floor(phase);
-        return t < 0.25 ? 4 * t : t < 0.75 ? 2 - 4 * t : 4 * t - 4;
-    };
     const double normal_shift = load.normal_phase / (2 * std::numbers::pi);
     const double tangential_shift = load.tangential_phase / (2 * std::numbers::pi);
     double worst = mean_ratio;
     for (const double shift : {normal_shift, tangential_shift})
         for (const double kink : {0.25, 0.75}) {
             const double phase = kink - shift;
-            const double normal = 1 + load.normal_amplitude_ratio * triangle(phase + normal_shift);
+            const double normal = 1 + load.normal_amplitude_ratio * triangle_wave(phase + normal_shift);
             const double tangential =
-                1 + load.tangential_amplitude_ratio * triangle(phase + tangential_shift);
+                1 + load.tangential_amplitude_ratio * triangle_wave(phase + tangential_shift);
             worst = std::max(worst, mean_ratio * std::abs(tangential) / normal);
         }
     return worst;
@@ -148,9 +146,9 @@ double check_steps(const Case& c, const HertzScales& s, const Document& document
     if (!c.rolling) return 2;
     const double amplitude = rolling_amplitude(c, s);
     const bool increment = c.rolling->steps == Case::Steps::increment;
-    if (increment && amplitude > 0 && c.rolling->increment > amplitude)
+    if (increment && c.rolling->increment > s.contact_radius)
         refuse(document, "rolling.increment",
-               "a step is longer than the rolling amplitude of " + rounded(amplitude) + " m",
+               "a step is longer than the contact radius of " + rounded(s.contact_radius) + " m",
                "reduce it, or use rolling.steps = \"turning-points\"");
     const double per_period = steps_per_period(*c.rolling, amplitude);
     const double steps = 2 + c.rolling->periods * per_period;

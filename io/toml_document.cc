@@ -77,9 +77,11 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        fail(place(name, error.source().begin), "",
-             "not valid TOML: " + shortened(error.description(), 200),
-             "correct the line (texts and quantities stand in double quotes)");
+        const std::string_view what = error.description();
+        const bool twice = what.find("redefine") != std::string_view::npos;
+        fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
+             twice ? "keep one of the two"
+                   : "correct the line (texts and quantities stand in double quotes)");
     }
 }
 
@@ -145,7 +147,7 @@ Document parse_document(std::string_view text, const std::string& name) {
             all.push_back(std::move(item));
             continue;
         }
-        document.sections.push_back({item.entry.path, item.entry.key_place});
+        document.sections.push_back({item.entry.path, item.entry.place});
         collect(*section, item.entry.path + '.', name, all);
     }
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
