@@ -1,0 +1,80 @@
+#include "comparisons/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr const char* undefined = "–";
+
+std::string superscript(int exponent) {
+    constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string result = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent))) result += digits[digit - '0'];
+    return result;
+}
+
+/// Without the point that `#` leaves behind an integer, with a true minus.
+std::string tidied(std::string text) {
+    if (!text.empty() && text.back() == '.') text.pop_back();
+    if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
+    return text;
+}
+
+}  // namespace
+
+std::string significant(std::optional<double> value, int digits) {
+    if (!value || !std::isfinite(*value)) return undefined;
+    if (*value == 0) return "0";
+    // Rounding first: 9.9996 is 10.00, not 9.9996 with the exponent of 9.
+    const std::string scientific = fmt::format("{:.{}e}", *value, digits - 1);
+    const std::size_t split = scientific.find('e');
+    const int exponent = std::stoi(scientific.substr(split + 1));
+    if (exponent < -3 || exponent > 5)
+        return tidied(scientific.substr(0, split)) + "·10" + superscript(exponent);
+    return tidied(fmt::format("{:.{}f}", *value, std::max(0, digits - 1 - exponent)));
+}
+
+std::string percent(std::optional<double> ratio) {
+    if (!ratio || !std::isfinite(*ratio)) return undefined;
+    const double value = 100 * (*ratio - 1);
+    const int decimals = std::abs(value) < 0.995 ? 2 : (std::abs(value) < 99.95 ? 1 : 0);
+    const std::string text = fmt::format("{:+.{}f}", value, decimals);
+    // A difference below what is shown has no sign.
+    if (text.find_first_not_of("+-0.") == std::string::npos) return text.substr(1) + " %";
+    return (text.front() == '-' ? "−" : "+") + text.substr(1) + " %";
+}
+
+Unit fitting_unit(double magnitude, const std::string& base) {
+    constexpr std::array prefixes{"p", "n", "µ", "m", "", "k", "M", "G", "T"};
+    if (magnitude == 0 || !std::isfinite(magnitude)) return {1, base};
+    // 0.05 % of slack: 999.7 rounds to 1000 at three digits.
+    const int step = static_cast<int>(std::floor(std::log10(std::abs(magnitude) * 1.0005) / 3));
+    const int index = std::clamp(step + 4, 0, static_cast<int>(prefixes.size()) - 1);
+    return {std::pow(10.0, 3 * (index - 4)), prefixes[index] + base};
+}
+
+std::string quantity(double si_value, const std::string& base, int digits) {
+    const Unit unit = fitting_unit(si_value, base);
+    return significant(si_value / unit.factor, digits) + " " + unit.symbol;
+}
+
+std::string display_name(const std::string& model) {
+    std::string name;
+    bool abbreviation = true;
+    for (const char letter : model) {
+        if (letter == '-') abbreviation = false;
+        const auto code = static_cast<unsigned char>(letter);
+        name +=
+            letter == '-' ? ' ' : (abbreviation ? static_cast<char>(std::toupper(code)) : letter);
+    }
+    return name;
+}
+
+}  // namespace tricontact::comparisons

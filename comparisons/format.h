@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace tricontact::comparisons {
+
+/// A number for people: `digits` significant digits with trailing zeros kept, a true minus sign,
+/// powers of ten beyond 1e5 and below 1e-3 ("1.20·10⁻⁷"); an en dash where undefined.
+std::string significant(std::optional<double> value, int digits = 4);
+
+/// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.
+std::string percent(std::optional<double> ratio);
+
+/// An SI unit with the prefix that keeps a magnitude between 1 and 1000.
+struct Unit {
+    double factor = 1;  ///< SI value / number
+    std::string symbol;
+};
+Unit fitting_unit(double magnitude, const std::string& base);
+
+/// Number and unit: "4.52 mm".
+std::string quantity(double si_value, const std::string& base, int digits = 4);
+
+/// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
+std::string display_name(const std::string& model);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/plot_style.h"
+#include "comparisons/plots.h"
+#include "comparisons/surface_fields.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::ContactState;
+using contact::History;
+using contact::Snapshot;
+using contact::Surface;
+
+/// Loading, first turning point, third turning point of the third period, end (thesis figures 3.7
+/// and 3.19); what was not run is replaced by the last period's or left out.
+std::vector<const Snapshot*> chosen_instants(const History& history) {
+    const Snapshot* last = last_upright(history);
+    if (!last) return {};
+    const Snapshot* third = snapshot_at(history, 2.75);
+    if (!third) third = snapshot_at(history, last->phase - 0.25);
+    std::vector<const Snapshot*> chosen;
+    for (const Snapshot* snapshot :
+         {snapshot_at(history, 0), snapshot_at(history, 0.25), third, last})
+        if (snapshot && (chosen.empty() || snapshot->phase > chosen.back()->phase))
+            chosen.push_back(snapshot);
+    return chosen;
+}
+
+/// Runs of equal state along the rows, as boxes (x, y, x_low, x_high, y_low, y_high) over a: far
+/// fewer than cells, and crisp at any size. Boxes overlap a little: no seams where they meet.
+std::vector<std::vector<double>> boxes(const Surface& s, ContactState state, double a) {
+    constexpr double overlap = 0.15;  // of a cell
+    std::vector<std::vector<double>> columns(6);
+    for (int j = 0; j < s.n_y; ++j) {
+        for (int i = 0; i < s.n_x; ++i) {
+            const auto is_state = [&](int k) {
+                return k < s.n_x &&
+                       s.contact_state[static_cast<std::size_t>(j) * s.n_x + k] == state;
+            };
+            if (!is_state(i)) continue;
+            const int begin = i;
+            while (is_state(i + 1)) ++i;
+            const double low = (s.x(begin) - s.spacing[0] / 2) / a;
+            const double high = (s.x(i) + s.spacing[0] / 2) / a;
+            const double bottom = (s.y(j) - s.spacing[1] / 2) / a;
+            const double top = (s.y(j) + (0.5 + overlap) * s.spacing[1]) / a;
+            const std::array row{(low + high) / 2, (bottom + top) / 2, low, high, bottom, top};
+            for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
+        }
+    }
+    return columns;
+}
+
+/// Commands that draw one map into the present panel.
+std::string panel(const Snapshot& snapshot, double a, std::size_t index) {
+    const Surface& s = snapshot.surface;
+    std::string data, curves;
+    const auto add = [&](ContactState state, const char* name, const std::string& colour) {
+        const auto columns = boxes(s, state, a);
+        if (columns.front().empty()) return;
+        const std::string block = fmt::format("${}{}", name, index);
+        data += data_block(block, columns);
+        curves += fmt::format(
+            "{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid noborder fillcolor rgb '{}', ",
+            block, colour);
+    };
+    add(ContactState::slip, "slip", zone_colour::slip);
+    add(ContactState::stick, "stick", zone_colour::stick);
+    // Hertz' contact under the indenter's present position, and upright.
+    return data +
+           fmt::format(
+               "set title 'n = {:.6g}' offset 0,-0.6\n"
+               "plot {}[0:2*pi] '+' using (cos($1)):(sin($1)) with lines linewidth 0.8 dashtype 3 "
+               "linecolor rgb '#999999', '+' using (cos($1)+{:.6g}):(sin($1)+{:.6g}) with lines "
+               "linewidth 1.2 linecolor rgb '#cc3311'\n",
+               snapshot.phase, curves, s.offset[0] / a, s.offset[1] / a);
+}
+
+Plot zone_map(const History& history) {
+    const std::vector<const Snapshot*> instants = chosen_instants(history);
+    const double a = history.scales.contact_radius;
+    double reach_x = 0, reach_y = 0;
+    for (const Snapshot* snapshot : instants) {
+        reach_x = std::max(reach_x, std::abs(snapshot->surface.offset[0]) / a);
+        reach_y = std::max(reach_y, std::abs(snapshot->surface.offset[1]) / a);
+    }
+    const double half_x = 1.12 + reach_x, half_y = 1.12 + reach_y;
+    const int n = static_cast<int>(instants.size());
+    const int panel_width = 216, gap = 12, side = 46, foot = 46, head = 26;
+    const int map_height = static_cast<int>(std::lround(panel_width * half_y / half_x));
+    const int width = side + n * (panel_width + gap), height = head + map_height + foot;
+    std::string script =
+        plot_style() +
+        fmt::format(
+            "unset key\nunset grid\nset border 15\nset trange [0:2*pi]\nset samples 181\n"
+            "set xrange [-{0:.6g}:{0:.6g}]\nset yrange [-{1:.6g}:{1:.6g}]\n"
+            "set xtics 1\nset ytics 1\nset xlabel 'x/a' offset 0,0.4\n"
+            "set multiplot\nset tmargin at screen {2:.6g}\nset bmargin at screen {3:.6g}\n",
+            half_x, half_y, 1 - static_cast<double>(head) / height,
+            static_cast<double>(foot) / height);
+    for (int i = 0; i < n; ++i) {
+        const double left = side + i * (panel_width + gap), right = left + panel_width;
+        script += fmt::format(
+            "set lmargin at screen {:.6g}\nset rmargin at screen {:.6g}\n{}", left / width,
+            right / width,
+            i == 0 ? "set ylabel 'y/a' offset 1.6,0\n" : "unset ylabel\nset format y ''\n");
+        script += panel(*instants[i], a, i);
+    }
+    script += "unset multiplot\n";
+    return {
+        "zones_" + history.model,
+        "Stick and slip, " + display_name(history.model),
+        "Black: stick; grey: slip; white: open. Circles of radius a: upright (dotted) and under "
+        "the indenter's present position (red). At the last instant of a shaken-down contact "
+        "nothing slips any more.",
+        {width, height, script}};
+}
+
+}  // namespace
+
+std::vector<Plot> zone_maps(const contact::Case&, const Histories& histories) {
+    std::vector<Plot> plots;
+    for (const History& history : histories) {
+        const Snapshot* last = last_upright(history);
+        if (last && last->surface.layout == Surface::Layout::grid)
+            plots.push_back(zone_map(history));
+    }
+    return plots;
+}
+
+}  // namespace tricontact::comparisons

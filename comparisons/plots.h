@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/gnuplot.h"
+#include "contact/case.h"
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// A figure of the report.
+struct Plot {
+    std::string name;     ///< of its files, without extension
+    std::string title;    ///< plain text
+    std::string caption;  ///< plain text: what is drawn and how to read it
+    Picture picture;
+    ImageFormat embedded = ImageFormat::svg;  ///< what the report shows; both are files
+};
+
+using Histories = std::vector<contact::History>;
+
+/// u(n) of all models, with the closed forms where they hold.
+std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories);
+/// Frictional work per period over W0, logarithmic; none when no period dissipates.
+std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& histories);
+/// Traction on the centre lines along x and y with its bound and zones; none without tractions.
+std::vector<Plot> traction_plots(const contact::Case& c, const Histories& histories);
+/// Stick, slip and open points at chosen instants, a row of maps per model on a grid.
+std::vector<Plot> zone_maps(const contact::Case& c, const Histories& histories);
+/// tau_x and u_x over the contact plane, per model on a grid.
+std::vector<Plot> surface_plots(const contact::Case& c, const Histories& histories);
+
+/// All of the above, in the report's order.
+std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories);
+
+/// The files of one plot.
+struct Drawing {
+    std::string svg, png;
+};
+/// Draws all plots, several at a time; results in the order given. Throws GnuplotError.
+std::vector<Drawing> draw_all(const std::vector<Plot>& plots);
+
+}  // namespace tricontact::comparisons

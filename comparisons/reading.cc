@@ -1,0 +1,170 @@
+#include "comparisons/reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/reference.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+
+constexpr double near_limit = 0.03;  // relative distance below which convergence gets slow
+
+std::string limit_sentence(const Reference& r) {
+    if (!r.limit_tangential_ratio) return {};
+    const double f = r.tangential_ratio, limit = *r.limit_tangential_ratio;
+    std::string text = fmt::format(
+        "At the amplitude w = {} the exact limit of shakedown is f_T,lim = 1 − 3/2 w + 1/2 w³ = "
+        "{}. ",
+        significant(r.amplitude_ratio, 3), significant(limit, 4));
+    if (!(limit > 0))
+        return text + "No point stays in contact throughout: any tangential force ratchets.";
+    text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected.", significant(f, 3),
+                        significant(100 * std::abs(f / limit - 1), 3),
+                        f > limit ? "above" : "below", f > limit ? "ratcheting" : "shakedown");
+    if (std::abs(f / limit - 1) < near_limit)
+        text += " So close to the limit the contact converges slowly.";
+    return text;
+}
+
+std::string undecided_sentence(const ModelSummary& s, const Reference& r) {
+    std::string text = fmt::format(
+        "{} is undecided after {} {}: the last one still added Δu = {}. Run more (raise "
+        "rolling.periods and rerun).",
+        display_name(s.model), s.periods, s.periods == 1 ? "period" : "periods",
+        significant(s.shift_increment_ratio, 3));
+    if (r.limit_tangential_ratio)
+        text += r.tangential_ratio <= *r.limit_tangential_ratio
+                    ? " By the exact limit it must shake down in the end."
+                    : " By the exact limit it must ratchet.";
+    return text;
+}
+
+std::string verdict_sentence(const ModelSummary& s, const Reference& r) {
+    const std::string name = display_name(s.model);
+    if (!s.state)
+        return fmt::format("{}: the tangential force shifts the indenter by u = {} ({}).", name,
+                           significant(s.static_shift_ratio), quantity(s.static_shift, "m"));
+    if (*s.state == State::undecided) return undecided_sentence(s, r);
+    if (*s.state == State::ratcheting)
+        return fmt::format("{} ratchets: every period adds Δu = {} ({}) to the shift{}.", name,
+                           significant(s.shift_increment_ratio),
+                           quantity(s.shift_increment_ratio.value_or(0) * s.unit_shift, "m"),
+                           s.eta ? "; η = " + significant(s.eta, 3) : "");
+    std::string growth;
+    if (s.static_shift_ratio > 0)
+        growth = fmt::format(", {} times the static shift",
+                             significant(s.final_shift_ratio / s.static_shift_ratio, 3));
+    return fmt::format("{} shakes down within {} {} at u = {} ({}){}{}.", name, s.periods,
+                       s.periods == 1 ? "period" : "periods", significant(s.final_shift_ratio),
+                       quantity(s.final_shift, "m"), growth,
+                       s.kappa ? "; κ = " + significant(s.kappa, 3) : "");
+}
+
+/// "16.5 % higher than".
+std::string relation(double ratio) {
+    if (std::abs(ratio - 1) < 5e-4) return "as high as";
+    return fmt::format("{} % {} than", significant(100 * std::abs(ratio - 1), 3),
+                       ratio > 1 ? "higher" : "lower");
+}
+
+std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base) {
+    const std::string name = display_name(s.model), other = display_name(base.model);
+    if (s.state && base.state && s.state != base.state)
+        return fmt::format(
+            "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
+            "limit, the periods run and the resolution.",
+            name, other, contact::name_of(*s.state), contact::name_of(*base.state));
+    if (s.state == State::ratcheting && base.shift_increment_ratio.value_or(0) > 0)
+        return fmt::format("{} ratchets {} times as fast as {} (Δu per period).", name,
+                           significant(*s.shift_increment_ratio / *base.shift_increment_ratio, 3),
+                           other);
+    if (!(base.final_shift_ratio > 0)) return {};
+    const char* verb = !s.state ? "shifts" : s.state == State::shakedown ? "settles" : "now stands";
+    std::string text = fmt::format("{} {} {} {}", name, verb,
+                                   relation(s.final_shift_ratio / base.final_shift_ratio), other);
+    if (s.kappa && base.kappa)
+        text +=
+            fmt::format(": κ = {} against {}", significant(s.kappa, 3), significant(base.kappa, 3));
+    return text + ".";
+}
+
+std::string static_sentence(const ModelSummary& s, const Reference& r) {
+    if (!(r.static_shift_ratio > 0)) return {};
+    return fmt::format("Before rolling, {} shifts by u_stat = {}, {} from Cattaneo–Mindlin's {}.",
+                       display_name(s.model), significant(s.static_shift_ratio),
+                       percent(s.static_shift_ratio / r.static_shift_ratio),
+                       significant(r.static_shift_ratio));
+}
+
+bool has_model(const std::vector<ModelSummary>& summaries, const std::string& name) {
+    return std::any_of(summaries.begin(), summaries.end(),
+                       [&](const ModelSummary& s) { return s.model == name; });
+}
+
+/// What the models leave out, so that nobody reads more into them.
+void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& summaries,
+                     std::vector<std::string>& findings) {
+    if (c.rolling && has_model(summaries, "mdr")) {
+        findings.push_back(
+            "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
+            "across it: its result is the same for every angle.");
+    }
+    findings.push_back(fmt::format(
+        "All models take the bodies as elastic half-spaces: a layer of finite thickness, usually "
+        "stiffer on its rigid base, is not seen. Normal and tangential contact are taken as "
+        "uncoupled (Dundurs' β = {}).",
+        significant(c.materials().dundurs_beta(), 2)));
+    if (c.indenter.shape == contact::Case::Shape::sphere)
+        findings.push_back(
+            "The theory column holds for a paraboloid; the exact sphere departs from it with "
+            "(a/R)².");
+    if (!constant_loads(c))
+        findings.push_back(
+            "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
+            "and are left out; f_T and w refer to the mean loads.");
+}
+
+std::string audit_sentence(const std::vector<ModelSummary>& summaries) {
+    std::size_t checks = 0, failed = 0;
+    for (const ModelSummary& s : summaries)
+        for (const auto& check : s.audit) {
+            ++checks;
+            failed += check.passed() ? 0 : 1;
+        }
+    if (checks == 0) return {};
+    if (failed > 0)
+        return fmt::format("Do not use these numbers: {} of {} audit checks failed.", failed,
+                           checks);
+    return fmt::format("All {} audit checks of all solutions passed.", checks);
+}
+
+}  // namespace
+
+std::vector<std::string> reading(const contact::Case& c,
+                                 const std::vector<ModelSummary>& summaries) {
+    const Reference r = reference(c);
+    std::vector<std::string> findings;
+    const auto add = [&](const std::string& text) {
+        if (!text.empty()) findings.push_back(text);
+    };
+    const std::string audit = audit_sentence(summaries);
+    const bool failed = audit.starts_with("Do not");
+    if (failed) add(audit);
+    for (const ModelSummary& s : summaries) add(verdict_sentence(s, r));
+    for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
+        add(comparison_sentence(summaries[i], summaries.back()));
+    add(limit_sentence(r));
+    for (const ModelSummary& s : summaries) add(static_sentence(s, r));
+    add_limitations(c, summaries, findings);
+    if (!failed) add(audit);
+    return findings;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/summary.h"
+#include "contact/case.h"
+
+namespace tricontact::comparisons {
+
+/// The results in plain sentences, one finding each, most important first; plain text (not HTML).
+/// The last summary is the one the others are compared with.
+std::vector<std::string> reading(const contact::Case& c,
+                                 const std::vector<ModelSummary>& summaries);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+
+#include "contact/case.h"
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// True when F_N (or d) and F_T stay constant while rolling: what all closed forms assume.
+bool constant_loads(const contact::Case& c);
+
+/// 0 <= ratio <= 1: where the closed forms are defined.
+bool in_unit_range(double ratio);
+
+/// f_T = F_T/(mu F_N) of a history after loading; 0 without friction.
+double tangential_ratio(const contact::History& history);
+/// w = W/a over the model's own contact radius.
+double amplitude_ratio(const contact::History& history);
+
+/// What the closed forms say of a case: Hertz, Cattaneo-Mindlin, and the exact solution of the
+/// method of dimensionality reduction (MDR) for oscillating rolling. Ratios are dimensionless.
+struct Reference {
+    contact::HertzScales hertz{};
+    double tangential_ratio = 0;    ///< f_T
+    double amplitude_ratio = 0;     ///< w over the Hertz radius
+    double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range
+    /// Below: with rolling at constant loads and w <= 1 only.
+    std::optional<double> limit_tangential_ratio;  ///< f_T,lim, exact for Hertzian pressure
+    std::optional<double> limit_amplitude_ratio;   ///< w_lim at this f_T
+    std::optional<double> shakedown_shift_ratio;   ///< u_sd of MDR, below the limit only
+};
+Reference reference(const contact::Case& c);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,174 @@
+#include "comparisons/report.h"
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "comparisons/base64.h"
+#include "comparisons/format.h"
+#include "comparisons/plot_style.h"
+#include "comparisons/plots.h"
+#include "comparisons/reading.h"
+#include "comparisons/report_tables.h"
+#include "comparisons/report_template.h"
+#include "comparisons/summary.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+using kainjow::mustache::data;
+
+constexpr int most_open_periods = 12;  // longer tables start folded
+
+data list(const std::vector<std::string>& texts) {
+    data result{data::type::list};
+    for (const std::string& text : texts) result << data{"text", text};
+    return result;
+}
+
+/// A cell's class: verdicts stand out, words align left.
+std::string cell_class(const std::string& cell) {
+    for (const char* word : {"shakedown", "ratcheting", "undecided", "passed", "FAILED"})
+        if (cell == word) return std::string("verdict ") + word;
+    return "";
+}
+
+data cells(const std::vector<std::string>& texts) {
+    data result{data::type::list};
+    for (const std::string& text : texts) {
+        data cell{data::type::object};
+        cell.set("text", text);
+        cell.set("class", cell_class(text));
+        result << cell;
+    }
+    return result;
+}
+
+data to_data(const Table& table) {
+    data groups{data::type::list};
+    for (const Table::Group& group : table.groups) {
+        data rows{data::type::list};
+        for (const Table::Row& row : group.rows) {
+            data line{data::type::object};
+            line.set("label", row.label);
+            line.set("unit", row.unit);
+            line.set("cells", cells(row.cells));
+            rows << line;
+        }
+        data block{data::type::object};
+        block.set("has_title", !group.title.empty());
+        block.set("title", group.title);
+        block.set("span", std::to_string(table.columns.size() + 2));
+        block.set("rows", rows);
+        groups << block;
+    }
+    data result{data::type::object};
+    result.set("name", table.name);
+    result.set("columns", list(table.columns));
+    result.set("groups", groups);
+    return result;
+}
+
+/// The number that answers the case, with its name.
+std::pair<std::string, std::string> headline(const ModelSummary& s) {
+    if (s.state == State::ratcheting)
+        return {significant(s.shift_increment_ratio), "shift Δu per period, in U_max"};
+    if (!s.state) return {significant(s.static_shift_ratio), "static shift u, in U_max"};
+    return {significant(s.final_shift_ratio),
+            s.state == State::shakedown ? "settled shift u, in U_max" : "shift u so far, in U_max"};
+}
+
+data cards(const std::vector<ModelSummary>& summaries) {
+    data result{data::type::list};
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+        const ModelSummary& s = summaries[i];
+        const auto [value, meaning] = headline(s);
+        data card{data::type::object};
+        card.set("model", display_name(s.model));
+        card.set("colour", model_colour(i));
+        card.set("state", s.state ? contact::name_of(*s.state) : "static");
+        card.set("value", value);
+        card.set("meaning", meaning);
+        if (s.kappa) card.set("factor", "κ = " + significant(s.kappa, 3));
+        if (s.eta) card.set("factor", "η = " + significant(s.eta, 3));
+        card.set("has_factor", s.kappa || s.eta);
+        result << card;
+    }
+    return result;
+}
+
+data figures(const std::vector<Plot>& plots, const std::vector<Drawing>& drawings) {
+    data result{data::type::list};
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        const bool svg = plots[i].embedded == ImageFormat::svg;
+        data figure{data::type::object};
+        figure.set("name", plots[i].name);
+        figure.set("title", plots[i].title);
+        figure.set("caption", plots[i].caption);
+        figure.set("width", std::to_string(plots[i].picture.width));
+        figure.set("height", std::to_string(plots[i].picture.height));
+        figure.set("wide", plots[i].picture.width > 700);
+        figure.set("source", svg ? "data:image/svg+xml;base64," + base64(drawings[i].svg)
+                                 : "data:image/png;base64," + base64(drawings[i].png));
+        result << figure;
+    }
+    return result;
+}
+
+data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
+          const std::vector<ModelSummary>& summaries) {
+    data settings{data::type::list};
+    for (const Table& table : setting_tables(c)) settings << to_data(table);
+    data result{data::type::object};
+    result.set("style", std::string(report_style));
+    result.set("table",
+               data{kainjow::mustache::partial{[] { return std::string(report_table_template); }}});
+    result.set("title", c.title.empty() ? "Frictional contact" : c.title);
+    result.set("version", version);
+    result.set("cards", cards(summaries));
+    result.set("findings", list(reading(c, summaries)));
+    result.set("settings", settings);
+    result.set("results", to_data(results_table(c, summaries)));
+    result.set("rolling", c.rolling.has_value());
+    int periods = 0;
+    for (const ModelSummary& s : summaries) periods = std::max(periods, s.periods);
+    result.set("has_periods", periods > 0);
+    result.set("few_periods", periods <= most_open_periods);
+    result.set("period_table", to_data(period_table(summaries)));
+    result.set("audit", to_data(audit_table(summaries)));
+    result.set("resolved_case", resolved_case);
+    result.set("several_models", summaries.size() > 1);
+    return result;
+}
+
+std::string render(const data& content) {
+    kainjow::mustache::mustache engine{report_template};
+    if (!engine.is_valid())
+        throw std::logic_error("report.html.mustache: " + engine.error_message());
+    return engine.render(content);
+}
+
+}  // namespace
+
+std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
+                                    const std::string& version,
+                                    const std::vector<contact::History>& histories) {
+    std::vector<ModelSummary> summaries;
+    for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
+    const std::vector<Plot> plots = make_plots(c, histories);
+    const std::vector<Drawing> drawings = draw_all(plots);
+    data content = page(c, resolved_case, version, summaries);
+    content.set("figures", figures(plots, drawings));
+
+    std::vector<ReportFile> files{{"report.html", render(content)}};
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+        files.push_back({"plots/" + plots[i].name + ".svg", drawings[i].svg});
+        files.push_back({"plots/" + plots[i].name + ".png", drawings[i].png});
+    }
+    return files;
+}
+
+}  // namespace tricontact::comparisons

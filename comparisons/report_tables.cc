@@ -1,0 +1,183 @@
+#include "comparisons/report_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <kainjow/mustache.hpp>
+#include <numbers>
+
+#include "comparisons/format.h"
+#include "comparisons/reference.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using Row = Table::Row;
+
+Row row(const std::string& label, double si_value, const std::string& base) {
+    const Unit unit = fitting_unit(si_value, base);
+    return {label, unit.symbol, {significant(si_value / unit.factor)}};
+}
+
+Row ratio_row(const std::string& label, double value) {
+    return {label, "", {significant(value)}};
+}
+
+Row text_row(const std::string& label, const std::string& text) {
+    return {label, "", {text}};
+}
+
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+Table bodies_table(const Case& c) {
+    const bool sphere = c.indenter.shape == Case::Shape::sphere;
+    std::vector<Row> rows{text_row("indenter", sphere ? "sphere" : "paraboloid"),
+                          row("radius <i>R</i>", c.indenter.radius, "m")};
+    if (c.indenter.material) {
+        rows.push_back(row("indenter <i>E</i><sub>1</sub>", c.indenter.material->young, "Pa"));
+        rows.push_back(ratio_row("indenter <i>ν</i><sub>1</sub>", c.indenter.material->poisson));
+    } else {
+        rows.push_back(text_row("indenter material", "rigid"));
+    }
+    rows.push_back(row("substrate <i>E</i><sub>2</sub>", c.substrate.young, "Pa"));
+    rows.push_back(ratio_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson));
+    rows.push_back(ratio_row("friction coefficient <i>μ</i>", c.friction_coefficient));
+    return {"Bodies", {"value"}, {{"Bodies", rows}}};
+}
+
+void add_oscillation(const std::string& what, double ratio, double phase, std::vector<Row>& rows) {
+    if (ratio == 0) return;
+    rows.push_back(ratio_row(what + " oscillation, over its mean", ratio));
+    rows.push_back({what + " phase", "°", {significant(degrees(phase))}});
+}
+
+Row steps_row(const Case::Rolling& rolling) {
+    switch (rolling.steps) {
+        case Case::Steps::increment:
+            return row("step Δ<i>W</i> at most", rolling.increment, "m");
+        case Case::Steps::turning_points:
+            return text_row("steps", "turning points only");
+        case Case::Steps::per_quarter:
+            break;
+    }
+    return text_row("steps per quarter period", std::to_string(rolling.steps_per_quarter));
+}
+
+Table load_table(const Case& c) {
+    const Case::Load& load = c.load;
+    std::vector<Row> rows;
+    if (load.normal_force)
+        rows.push_back(row("normal force <i>F</i><sub>N</sub>", *load.normal_force, "N"));
+    if (load.indentation)
+        rows.push_back(row("indentation <i>d</i>, prescribed", *load.indentation, "m"));
+    if (load.tangential_force)
+        rows.push_back(row("tangential force <i>F</i><sub>T</sub>", *load.tangential_force, "N"));
+    if (load.tangential_ratio)
+        rows.push_back(
+            ratio_row("tangential force over <i>μF</i><sub>N</sub>", *load.tangential_ratio));
+    add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, rows);
+    add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
+                    rows);
+    if (!c.rolling) {
+        rows.push_back(text_row("rolling", "none"));
+        return {"Load", {"value"}, {{"Load", rows}}};
+    }
+    const Case::Rolling& rolling = *c.rolling;
+    if (rolling.amplitude)
+        rows.push_back(row("rolling amplitude <i>W</i>", *rolling.amplitude, "m"));
+    if (rolling.amplitude_ratio)
+        rows.push_back(ratio_row(rolling.amplitude_reference == Case::AmplitudeReference::hertz
+                                     ? "rolling amplitude over Hertz’ radius"
+                                     : "rolling amplitude over the model’s radius",
+                                 *rolling.amplitude_ratio));
+    rows.push_back({"angle of rolling to load", "°", {significant(degrees(rolling.angle))}});
+    rows.push_back(
+        text_row(rolling.run_all ? "periods" : "periods at most", std::to_string(rolling.periods)));
+    rows.push_back(steps_row(rolling));
+    return {"Load and path", {"value"}, {{"Load and path", rows}}};
+}
+
+Table derived_table(const Case& c) {
+    const Reference r = reference(c);
+    const contact::MaterialPair pair = c.materials();
+    std::vector<Row> rows{
+        row("effective modulus <i>E</i>*", pair.effective_modulus(), "Pa"),
+        row("effective shear modulus <i>G</i>*", pair.effective_shear_modulus(), "Pa"),
+        ratio_row("Dundurs’ <i>β</i>", pair.dundurs_beta()),
+        row("contact radius <i>a</i>", r.hertz.contact_radius, "m"),
+        row("indentation <i>d</i>", r.hertz.indentation, "m"),
+        row("peak pressure <i>p</i><sub>0</sub>", r.hertz.peak_pressure, "Pa"),
+        row("normal force <i>F</i><sub>N</sub>", r.hertz.normal_force, "N"),
+        row("friction limit <i>μF</i><sub>N</sub>", c.friction_coefficient * r.hertz.normal_force,
+            "N"),
+        row("unit of shift <i>U</i><sub>max</sub>", r.hertz.unit_shift, "m"),
+        ratio_row("<i>f</i><sub>T</sub> = <i>F</i><sub>T</sub>/(<i>μF</i><sub>N</sub>)",
+                  r.tangential_ratio)};
+    if (c.rolling) rows.push_back(ratio_row("<i>w</i> = <i>W</i>/<i>a</i>", r.amplitude_ratio));
+    if (r.limit_tangential_ratio)
+        rows.push_back(
+            ratio_row("limit of shakedown <i>f</i><sub>T,lim</sub>", *r.limit_tangential_ratio));
+    return {"Derived", {"value"}, {{"Derived (Hertz)", rows}}};
+}
+
+/// "energy_balance" -> "energy balance", safe in HTML.
+std::string readable(const std::string& check) {
+    std::string text = kainjow::mustache::html_escape(check);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+}
+
+}  // namespace
+
+std::vector<Table> setting_tables(const Case& c) {
+    return {bodies_table(c), load_table(c), derived_table(c)};
+}
+
+Table period_table(const std::vector<ModelSummary>& summaries) {
+    Table table{"Shift and frictional work after each period", {}, {{}}};
+    std::size_t periods = 0;
+    for (const ModelSummary& s : summaries) {
+        const std::string name = display_name(s.model);
+        for (const char* column : {" u", " Δu", " W/W₀"}) table.columns.push_back(name + column);
+        periods = std::max(periods, s.shift_ratio_per_period.size());
+    }
+    for (std::size_t n = 0; n <= periods; ++n) {
+        Row line{std::to_string(n), "", {}};
+        for (const ModelSummary& s : summaries) {
+            const auto& u = s.shift_ratio_per_period;
+            if (n == 0 || n > u.size()) {
+                line.cells.push_back(
+                    significant(n == 0 ? std::optional(s.static_shift_ratio) : std::nullopt));
+                line.cells.insert(line.cells.end(), 2, significant({}));
+                continue;
+            }
+            line.cells.push_back(significant(u[n - 1]));
+            const double before = n > 1 ? u[n - 2] : s.static_shift_ratio;
+            line.cells.push_back(significant(u[n - 1] - before, 3));
+            const auto& work = s.dissipation_ratio_per_period;
+            line.cells.push_back(significant(n <= work.size() ? work[n - 1] : std::nullopt, 3));
+        }
+        table.groups.front().rows.push_back(line);
+    }
+    return table;
+}
+
+Table audit_table(const std::vector<ModelSummary>& summaries) {
+    Table table{"Audit of all solutions", {"worst", "allowed", "verdict"}, {}};
+    for (const ModelSummary& s : summaries) {
+        Table::Group group{display_name(s.model), {}};
+        for (const auto& check : s.audit)
+            group.rows.push_back({readable(check.name),
+                                  "",
+                                  {significant(check.worst, 2), significant(check.allowed, 2),
+                                   check.passed() ? "passed" : "FAILED"}});
+        table.groups.push_back(group);
+    }
+    return table;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "comparisons/format.h"
+#include "comparisons/reference.h"
+#include "comparisons/report_tables.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+using Value = std::optional<double>;
+using Getter = std::function<Value(const ModelSummary&)>;
+
+/// Builds rows over the same models, with the same columns of theory and differences.
+class RowMaker {
+  public:
+    explicit RowMaker(const std::vector<ModelSummary>& summaries) : summaries_(summaries) {}
+
+    std::vector<std::string> columns() const {
+        std::vector<std::string> result;
+        for (const ModelSummary& s : summaries_) result.push_back(display_name(s.model));
+        result.emplace_back("theory");
+        for (std::size_t i = 0; i + 1 < summaries_.size(); ++i)
+            result.push_back(display_name(summaries_[i].model) + " to " +
+                             display_name(summaries_.back().model));
+        if (compares_with_theory()) result.push_back("to theory");
+        return result;
+    }
+
+    /// A quantity with unit (base unit "" for ratios) and its differences in percent.
+    Table::Row quantity_row(const std::string& label, const std::string& base, const Getter& get,
+                            Value theory = {}) const {
+        double largest = theory.value_or(0);
+        for (const ModelSummary& s : summaries_)
+            largest = std::max(largest, std::abs(get(s).value_or(0)));
+        const Unit unit = base.empty() ? Unit{} : fitting_unit(largest, base);
+        Table::Row row = plain_row(label, [&](const ModelSummary& s) {
+            return significant(divided(get(s), unit.factor));
+        });
+        row.unit = unit.symbol;
+        row.cells.push_back(significant(divided(theory, unit.factor)));
+        const Value base_value = compares_with_theory() ? theory : get(summaries_.back());
+        const std::size_t compared = compares_with_theory() ? 1 : summaries_.size() - 1;
+        for (std::size_t i = 0; i < compared; ++i)
+            row.cells.push_back(difference(get(summaries_[i]), base_value));
+        return row;
+    }
+
+    /// A row that is not compared: text per model, theory's text.
+    Table::Row text_row(const std::string& label, const std::string& unit,
+                        const std::function<std::string(const ModelSummary&)>& text,
+                        const std::string& theory = "") const {
+        Table::Row row = plain_row(label, text);
+        row.unit = unit;
+        row.cells.push_back(theory);
+        row.cells.resize(columns().size());
+        return row;
+    }
+
+  private:
+    bool compares_with_theory() const { return summaries_.size() == 1; }
+
+    static Value divided(Value value, double factor) {
+        return value ? Value(*value / factor) : Value();
+    }
+
+    static std::string difference(Value value, Value base) {
+        return value && base && *base != 0 ? percent(*value / *base) : percent({});
+    }
+
+    Table::Row plain_row(const std::string& label,
+                         const std::function<std::string(const ModelSummary&)>& text) const {
+        Table::Row row{label, "", {}};
+        for (const ModelSummary& s : summaries_) row.cells.push_back(text(s));
+        return row;
+    }
+
+    const std::vector<ModelSummary>& summaries_;
+};
+
+Table::Group pressed_group(const RowMaker& make, const Reference& r) {
+    return {"Pressed and loaded",
+            {make.quantity_row(
+                 "contact radius <i>a</i>", "m", [](const auto& s) { return s.contact_radius; },
+                 r.hertz.contact_radius),
+             make.quantity_row(
+                 "indentation <i>d</i>", "m", [](const auto& s) { return s.indentation; },
+                 r.hertz.indentation),
+             make.quantity_row(
+                 "peak pressure <i>p</i><sub>0</sub>", "Pa",
+                 [](const auto& s) { return s.peak_pressure; }, r.hertz.peak_pressure),
+             make.quantity_row(
+                 "unit of shift <i>U</i><sub>max</sub>", "m",
+                 [](const auto& s) { return s.unit_shift; }, r.hertz.unit_shift),
+             make.quantity_row(
+                 "tangential force <i>f</i><sub>T</sub>", "",
+                 [](const auto& s) { return s.tangential_ratio; }, r.tangential_ratio),
+             make.quantity_row(
+                 "static shift <i>u</i><sub>stat</sub>", "",
+                 [](const auto& s) { return s.static_shift_ratio; }, r.static_shift_ratio),
+             make.quantity_row(
+                 "static shift <i>U</i><sub>stat</sub>", "m",
+                 [](const auto& s) { return s.static_shift; },
+                 r.static_shift_ratio * r.hertz.unit_shift)}};
+}
+
+std::string expected_state(const Reference& r) {
+    if (!r.limit_tangential_ratio) return "–";
+    return contact::name_of(r.tangential_ratio <= *r.limit_tangential_ratio ? State::shakedown
+                                                                            : State::ratcheting);
+}
+
+Table::Group rolling_group(const RowMaker& make, const Reference& r) {
+    const Value u = r.shakedown_shift_ratio;
+    return {
+        "After rolling, indenter upright",
+        {make.text_row(
+             "verdict", "",
+             [](const auto& s) { return std::string(s.state ? contact::name_of(*s.state) : "–"); },
+             expected_state(r)),
+         make.text_row("periods", "", [](const auto& s) { return std::to_string(s.periods); }),
+         make.quantity_row(
+             "amplitude <i>w</i> = <i>W</i>/<i>a</i>", "",
+             [](const auto& s) { return s.amplitude_ratio; }, r.amplitude_ratio),
+         make.quantity_row(
+             "limit <i>f</i><sub>T,lim</sub>", "",
+             [](const auto& s) { return s.limit_tangential_ratio; }, r.limit_tangential_ratio),
+         make.quantity_row(
+             "final shift <i>u</i>", "", [](const auto& s) { return s.final_shift_ratio; }, u),
+         make.quantity_row(
+             "final shift <i>U</i>", "m", [](const auto& s) { return s.final_shift; },
+             u ? Value(*u * r.hertz.unit_shift) : Value()),
+         make.text_row("last period's Δ<i>u</i>", "",
+                       [](const auto& s) { return significant(s.shift_increment_ratio); }),
+         make.quantity_row(
+             "mapping parameter <i>κ</i>", "", [](const auto& s) { return s.kappa; },
+             u ? Value(theory::mdr_mapping) : Value()),
+         make.quantity_row("ratcheting slope <i>η</i>", "", [](const auto& s) { return s.eta; })}};
+}
+
+Table::Group cost_group(const RowMaker& make, bool rolling) {
+    Table::Group group{"Work and cost", {}};
+    const auto work = [](bool last) {
+        return [last](const ModelSummary& s) {
+            const auto& values = s.dissipation_ratio_per_period;
+            if (values.empty()) return significant({});
+            return significant(last ? values.back() : values.front(), 3);
+        };
+    };
+    if (rolling) {
+        group.rows.push_back(
+            make.text_row("frictional work, first period", "<i>W</i><sub>0</sub>", work(false)));
+        group.rows.push_back(
+            make.text_row("frictional work, last period", "<i>W</i><sub>0</sub>", work(true)));
+    }
+    group.rows.push_back(
+        make.text_row("steps", "", [](const auto& s) { return std::to_string(s.steps); }));
+    group.rows.push_back(
+        make.text_row("CPU time", "s", [](const auto& s) { return significant(s.cpu_s, 3); }));
+    group.rows.push_back(make.text_row("CPU time per step", "ms", [](const auto& s) {
+        return s.steps > 0 ? significant(1e3 * s.cpu_s / s.steps, 3) : significant({});
+    }));
+    group.rows.push_back(make.text_row("worst force balance", "", [](const auto& s) {
+        return significant(s.max_force_residual_ratio, 2);
+    }));
+    return group;
+}
+
+}  // namespace
+
+Table results_table(const contact::Case& c, const std::vector<ModelSummary>& summaries) {
+    const Reference r = reference(c);
+    const RowMaker make(summaries);
+    Table table{"Results of the models and of theory", make.columns(), {pressed_group(make, r)}};
+    if (c.rolling) table.groups.push_back(rolling_group(make, r));
+    table.groups.push_back(cost_group(make, c.rolling.has_value()));
+    return table;
+}
+
+}  // namespace tricontact::comparisons
