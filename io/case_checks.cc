@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -27,8 +28,9 @@ constexpr double most_point_steps = 1e11;  // days of computing
 
 std::string rounded(double value) {
     std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.4g", value);
-    return buffer.data();
+    char* const begin = buffer.data();
+    return {begin,
+            std::to_chars(begin, begin + buffer.size(), value, std::chars_format::general, 4).ptr};
 }
 
 [[noreturn]] void refuse(const Document& document, const std::string& path, const std::string& rule,
@@ -87,7 +89,8 @@ double largest_ratio(const Case::Load& load, double mean_ratio) {
     for (const double shift : {normal_shift, tangential_shift})
         for (const double kink : {0.25, 0.75}) {
             const double phase = kink - shift;
-            const double normal = 1 + load.normal_amplitude_ratio * triangle_wave(phase + normal_shift);
+            const double normal =
+                1 + load.normal_amplitude_ratio * triangle_wave(phase + normal_shift);
             const double tangential =
                 1 + load.tangential_amplitude_ratio * triangle_wave(phase + tangential_shift);
             worst = std::max(worst, mean_ratio * std::abs(tangential) / normal);

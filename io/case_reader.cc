@@ -98,7 +98,7 @@ void check_combinations(const Document& document) {
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
     if (!document.find_section("rolling")) return;
-    c.rolling.emplace();
+    c.rolling = Case::Rolling{};
     if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;
     if (document.find("rolling.steps")) c.rolling->steps = Case::Steps::turning_points;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/messages.h"
+#include "io/stray_character.h"
 
 namespace tricontact::io {
 
@@ -68,12 +69,36 @@ bool looks_binary(std::string_view text) {
     });
 }
 
+// The whole character (UTF-8) that begins at `begin`.
+std::string_view character_at(std::string_view text, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
+    return text.substr(begin, end - begin);
+}
+
+void refuse_stray_character(std::string_view text, const std::string& name) {
+    const std::size_t at = stray_character(text);
+    if (at == std::string_view::npos) return;
+    const auto line =
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const std::size_t line_begin = text.substr(0, at).rfind('\n') + 1;  // npos + 1 is 0
+    const auto before = text.substr(line_begin, at - line_begin);
+    const auto column = std::count_if(before.begin(), before.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    });
+    fail(name + ':' + std::to_string(line + 1) + ':' + std::to_string(column + 1), "",
+         "not valid TOML: the character " + toml_string(character_at(text, at)) +
+             " outside quotes and comments",
+         "put texts and quantities in double quotes");
+}
+
 toml::table parse_toml(std::string_view text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         fail(name + ":1:1", "", "the file is empty", "copy a case from the folder cases/");
     if (looks_binary(text))
         fail(name + ":1:1", "", "the file is binary, not a TOML text",
              "name a case file such as those in the folder cases/");
+    refuse_stray_character(text, name);
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
@@ -156,14 +181,17 @@ Document parse_document(std::string_view text, const std::string& name) {
 }
 
 Value parse_value(const std::string& text) {
-    const bool one_line_only = text.find_first_of("\r\n") == std::string::npos;
-    if (one_line_only) try {
-            const toml::table table = toml::parse("v = " + text);
-            if (table.size() == 1)
-                if (const toml::node* node = table.get("v")) return value_of(*node);
-        } catch (const toml::parse_error&) {
-            return text;
-        }
+    const std::string line = "v = " + text;
+    const bool plain = text.find_first_of("\r\n") == std::string::npos &&
+                       stray_character(line) == std::string::npos;
+    if (!plain) return text;
+    try {
+        const toml::table table = toml::parse(line);
+        const toml::node* node = table.get("v");
+        if (table.size() == 1 && node) return value_of(*node);
+    } catch (const toml::parse_error&) {
+        return text;
+    }
     return text;
 }
 

@@ -1,5 +1,6 @@
 #include "io/units.h"
 
+#include <locale.h>
 #include <udunits2.h>
 
 #include <array>
@@ -35,6 +36,21 @@ struct Free {
 };
 template <class T>
 using Owned = std::unique_ptr<T, Free>;
+
+// UDUNITS-2 reads numbers with strtod: while this lives, the thread has a decimal point.
+class PointLocale {
+  public:
+    PointLocale() : point_(::newlocale(LC_NUMERIC_MASK, "C", nullptr)), old_(::uselocale(point_)) {}
+    ~PointLocale() {
+        ::uselocale(old_);
+        ::freelocale(point_);
+    }
+    PointLocale(const PointLocale&) = delete;
+    PointLocale& operator=(const PointLocale&) = delete;
+
+  private:
+    locale_t point_, old_;
+};
 
 // UDUNITS-2 keeps parser and status in globals: every call into it holds the lock.
 class UnitDatabase {
@@ -142,6 +158,7 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
     const std::string shown = toml_string(shortened(unit_text, 40));
     if (!is_plain(ascii)) refuse(shown + " is not a unit", dimension);
 
+    const PointLocale locale;
     UnitDatabase& database = UnitDatabase::instance();
     const std::lock_guard lock(database.mutex);
     const Owned<ut_unit> unit = database.parse(ascii);

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Bad input from the shell: exit code 2, one line "error: ...", nothing written.
+# usage: bad_input.sh PROGRAM SOURCE_DIR
+set -u
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+case_file=$source_dir/cases/rig_sphere_parallel.toml
+work=$(mktemp -d)
+trap 'chmod -R u+rwx "$work" 2>/dev/null; rm -rf "$work"' EXIT
+failures=0
+n=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# refused EXPECTED ARGUMENTS...: run in an empty folder; EXPECTED is part of the message.
+refused() {
+    local expected=$1 code message
+    shift
+    n=$((n + 1))
+    mkdir "$work/empty"
+    message=$(cd "$work/empty" && "$program" "$@" 2>&1 >"$work/stdout")
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
+    case $message in
+        *"$expected"*) ;;
+        *) complain "$*"$'\n'"  expected: $expected"$'\n'"       got: $message" ;;
+    esac
+    case $message in
+        *$'\n'*) complain "more than one line: $*"$'\n'"$message" ;;
+        "error: "*) ;;
+        *) complain "does not begin with 'error: ': $message" ;;
+    esac
+    [ -s "$work/stdout" ] && complain "output in spite of the error: $*"
+    [ -n "$(ls -A "$work/empty")" ] && complain "files left behind: $*: $(ls -A "$work/empty")"
+    rm -rf "$work/empty"
+}
+
+# A message of the option parser may have more than one line; the code and the silence count.
+refused_option() {
+    local expected=$1 code message
+    shift
+    n=$((n + 1))
+    message=$("$program" "$@" 2>&1 >/dev/null)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
+    case $message in
+        *"$expected"*) ;;
+        *) complain "$*"$'\n'"  expected: $expected"$'\n'"       got: $message" ;;
+    esac
+}
+
+# 1. Every bad case states its message in its first line; run refuses it before it makes a folder.
+for file in "$source_dir"/tests/cli/bad/*.toml; do
+    expected=$(head -n 1 "$file" | sed 's/^# expect: //')
+    refused "$file" check "$file"
+    refused "$expected" check "$file"
+    refused "$expected" run "$file" --output out
+done
+
+# 2. Files that are no case.
+: >"$work/empty.toml"
+head -c 5000 /dev/zero >"$work/zeros.toml"
+head -c 1000001 /dev/zero | tr '\0' '#' >"$work/huge.toml"
+refused "empty.toml:1:1: the file is empty" check "$work/empty.toml"
+refused "zeros.toml:1:1: the file is binary" check "$work/zeros.toml"
+refused "is larger than 1 MB" check "$work/huge.toml"
+refused "the file cannot be read (No such file or directory)" check "$work/missing.toml"
+refused "the file cannot be read (No such file or directory)" run missing.toml
+refused "is a directory; name a case file inside it" check "$work"
+refused "is a directory; name a case file inside it" run "$work"
+refused "is not a regular file" check /dev/null
+refused "is binary" check "$program" || true
+
+# 3. Overrides.
+refused "--set load.tangential_ratio=2: load.tangential_ratio = 2: must be" \
+    check "$case_file" --set load.tangential_ratio=2
+refused "contradicts load.tangential_ratio = 0.1" \
+    check "$case_file" --set load.tangential_ratio=0.1 --set "load.tangential_force=1 N"
+refused "mdr.springs = 600: is set twice" \
+    check "$case_file" --set mdr.springs=500 --set mdr.springs=600
+refused "contradicts rolling.increment" \
+    run "$case_file" --set "rolling.increment=0.1 mm" --set rolling.steps=turning-points
+refused "unknown key load.tangential_ration; did you mean load.tangential_ratio?" \
+    run "$case_file" --set load.tangential_ration=0.1
+refused "is not of the form key=value" check "$case_file" --set nonsense
+refused '"N" is a unit of force, but this is a length' \
+    check "$case_file" --set "indenter.radius=40 N"
+
+# 4. The output folder.
+echo precious >"$work/precious"
+refused "precious: is a file, not an output folder" run "$case_file" --output "$work/precious"
+refused "precious/below: the output folder cannot be made (Not a directory)" \
+    run "$case_file" --output "$work/precious/below"
+[ "$(cat "$work/precious")" = precious ] || complain "a file in the way of the output was changed"
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir "$work/locked"
+    chmod 500 "$work/locked"
+    refused "cannot be made (Permission denied)" run "$case_file" --output "$work/locked/below"
+    refused "cannot be written to (Permission denied)" run "$case_file" --output "$work/locked"
+fi
+# Nobody may make folders in /proc, root included.
+refused "the output folder cannot be made" run "$case_file" --output /proc/tricontact/results
+
+# 5. A full disk: a limit on the size of files acts like one. What is there stays whole.
+full=$work/full
+message=$(cd "$work" && ulimit -f 1 && "$program" run "$case_file" --output "$full" --quiet 2>&1)
+code=$?
+n=$((n + 1))
+[ "$code" -eq 2 ] || complain "exit code $code instead of 2 on a full disk"
+case $message in
+    "error: $full"*"cannot be written (File too large); free space on the disk"*) ;;
+    *) complain "full disk: $message" ;;
+esac
+[ -z "$(find "$full" -name '.*.partial-*')" ] || complain "half-written files: $(ls -A "$full")"
+[ -z "$(find "$full" -type f -size +2)" ] || complain "files beyond the limit: $(ls -lR "$full")"
+
+# 6. The command line itself.
+refused_option "" # no command
+refused_option "compute" compute "$case_file"
+refused_option "--frobnicate" run "$case_file" --frobnicate
+refused_option "" run
+refused_option "" check
+refused_option "--threads" run "$case_file" --threads many
+refused_option "ben" run "$case_file" --models mdr,ben
+
+printf '%d runs, %d failures\n' "$n" "$failures"
+[ "$failures" -eq 0 ]

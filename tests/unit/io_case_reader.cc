@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <thread>
+
+#include "contact/error.h"
+#include "io/case_keys.h"
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+
+namespace tricontact::io {
+namespace {
+
+using contact::Case;
+
+const std::string minimal = R"(models = ["bem"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "21.1 N"
+tangential_ratio = 0.56
+)";
+
+Case parsed(const std::vector<std::string>& overrides = {}, const std::string& more = {}) {
+    return parse_case(minimal + more, "minimal.toml", overrides);
+}
+
+const std::string rolling = "[rolling]\namplitude_ratio = 0.24\namplitude_reference = \"model\"\n";
+
+TEST(CaseReader, ReadsTheRigOfTheThesisInSiUnits) {
+    const Case c = read_case(TRICONTACT_SOURCE_DIR "/cases/rig_sphere_parallel.toml");
+    EXPECT_EQ(c.title, "Sphere on rubber, load parallel to rolling (thesis table 5.1.1)");
+    EXPECT_EQ(c.models, (std::vector<std::string>{"mdr", "bem"}));
+    EXPECT_EQ(c.indenter.shape, Case::Shape::paraboloid);
+    // Powers of ten are divided out, so decimal texts give the nearest double: exact comparisons.
+    EXPECT_EQ(c.indenter.radius, 0.04);
+    ASSERT_TRUE(c.indenter.material);
+    EXPECT_EQ(c.indenter.material->young, 206e9);
+    EXPECT_EQ(c.indenter.material->poisson, 0.3);
+    EXPECT_EQ(c.substrate.young, 5.2e6);
+    EXPECT_EQ(c.substrate.poisson, 0.5);
+    EXPECT_EQ(c.friction_coefficient, 0.57);
+    EXPECT_EQ(c.load.normal_force, 21.1);
+    EXPECT_FALSE(c.load.indentation);
+    EXPECT_EQ(c.load.tangential_ratio, 0.56);
+    EXPECT_FALSE(c.load.tangential_force);
+    ASSERT_TRUE(c.rolling);
+    EXPECT_EQ(c.rolling->amplitude_ratio, 0.24);
+    EXPECT_FALSE(c.rolling->amplitude);
+    EXPECT_EQ(c.rolling->angle, 0);
+    EXPECT_EQ(c.rolling->periods, 12);
+    EXPECT_EQ(c.rolling->steps, Case::Steps::increment);
+    EXPECT_EQ(c.rolling->increment, 0.0002);
+    EXPECT_EQ(c.bem.spacing, 0.0002);
+    EXPECT_FALSE(c.bem.cells_per_radius);
+    EXPECT_EQ(c.bem.tolerance, 1e-7);
+    EXPECT_EQ(c.mdr.springs, 1000);
+}
+
+TEST(CaseReader, EveryCaseOfTheFolderIsAccepted) {
+    int n = 0;
+    for (const auto& file : std::filesystem::directory_iterator(TRICONTACT_SOURCE_DIR "/cases")) {
+        if (file.path().extension() != ".toml") continue;
+        ++n;
+        EXPECT_NO_THROW(read_case(file.path().string())) << file.path();
+    }
+    EXPECT_GE(n, 6);
+}
+
+TEST(CaseReader, PerpendicularRigIsTable512) {
+    const Case c = read_case(TRICONTACT_SOURCE_DIR "/cases/rig_sphere_perpendicular.toml");
+    EXPECT_EQ(c.substrate.young, 4.35e6);
+    EXPECT_EQ(c.friction_coefficient, 0.93);
+    EXPECT_EQ(c.load.normal_force, 21.19);
+    EXPECT_DOUBLE_EQ(c.rolling->angle, std::numbers::pi / 2);
+    // rigs.md: a = 4.786 mm, d = 0.573 mm with the printed modulus; four and three digits given.
+    EXPECT_NEAR(contact::hertz_scales(c).contact_radius, 4.786e-3, 0.5e-6);
+    EXPECT_NEAR(contact::hertz_scales(c).indentation, 0.573e-3, 0.5e-6);
+}
+
+TEST(CaseReader, OmittedSectionsMeanRigidStaticAndDefaults) {
+    const Case c = parsed();
+    EXPECT_FALSE(c.indenter.material);
+    EXPECT_FALSE(c.rolling);
+    EXPECT_EQ(c.title, "");
+    EXPECT_EQ(c.bem.cells_per_radius, 22.5);
+    EXPECT_FALSE(c.bem.spacing);
+    EXPECT_EQ(c.output.vtk, Case::VtkOutput::quarters);
+}
+
+// The defaults are declared twice: with the keys, for the reference, and in the structure.
+TEST(CaseReader, DeclaredDefaultsAreThoseOfTheStructure) {
+    const Case c = parsed({}, "[rolling]\namplitude_ratio = 0.1\n");
+    const Case::Rolling rolling_defaults;
+    EXPECT_EQ(c.indenter.shape, Case::IndenterData().shape);
+    EXPECT_EQ(c.load.normal_amplitude_ratio, Case::Load().normal_amplitude_ratio);
+    EXPECT_EQ(c.load.normal_phase, Case::Load().normal_phase);
+    EXPECT_EQ(c.load.tangential_amplitude_ratio, Case::Load().tangential_amplitude_ratio);
+    EXPECT_EQ(c.load.tangential_phase, Case::Load().tangential_phase);
+    EXPECT_EQ(c.rolling->amplitude_reference, rolling_defaults.amplitude_reference);
+    EXPECT_EQ(c.rolling->angle, rolling_defaults.angle);
+    EXPECT_EQ(c.rolling->periods, rolling_defaults.periods);
+    EXPECT_EQ(c.rolling->run_all, rolling_defaults.run_all);
+    EXPECT_EQ(c.rolling->steps, rolling_defaults.steps);
+    EXPECT_EQ(c.rolling->steps_per_quarter, rolling_defaults.steps_per_quarter);
+    EXPECT_EQ(c.bem.tolerance, Case::Bem().tolerance);
+    EXPECT_EQ(c.mdr.springs, Case::Mdr().springs);
+    EXPECT_EQ(c.output.vtk, Case::Output().vtk);
+}
+
+TEST(CaseReader, EveryWordOfAChoiceIsRead) {
+    EXPECT_EQ(parsed({"indenter.shape=sphere"}).indenter.shape, Case::Shape::sphere);
+    EXPECT_EQ(parsed({}, rolling).rolling->amplitude_reference, Case::AmplitudeReference::model);
+    EXPECT_EQ(parsed({"rolling.steps=turning-points"}, rolling).rolling->steps,
+              Case::Steps::turning_points);
+    EXPECT_EQ(parsed({"output.vtk=none"}).output.vtk, Case::VtkOutput::none);
+    EXPECT_EQ(parsed({"output.vtk=all"}).output.vtk, Case::VtkOutput::all);
+}
+
+TEST(CaseReader, OverridesTakeTomlOrBareText) {
+    EXPECT_EQ(parsed({"rolling.increment=\"0.1 mm\""}, rolling).rolling->increment, 1e-4);
+    EXPECT_EQ(parsed({"rolling.increment=0.1 mm"}, rolling).rolling->increment, 1e-4);
+    EXPECT_EQ(parsed({" rolling.periods = 3 "}, rolling).rolling->periods, 3);
+    EXPECT_EQ(parsed({"title=two words"}).title, "two words");
+    EXPECT_EQ(parsed({"title=a\nb"}).title, "a\nb");
+    EXPECT_EQ(parsed({"models=[\"mdr\"]"}).models, std::vector<std::string>{"mdr"});
+}
+
+TEST(CaseReader, OverridingOneAlternativeRemovesTheOthersOfTheFile) {
+    const Case force = parsed({"load.tangential_force=6.7 N"});
+    EXPECT_EQ(force.load.tangential_force, 6.7);
+    EXPECT_FALSE(force.load.tangential_ratio);
+
+    const Case indented = parsed({"load.indentation=0.5 mm"});
+    EXPECT_EQ(indented.load.indentation, 0.0005);
+    EXPECT_FALSE(indented.load.normal_force);
+
+    // amplitude_reference hangs on the ratio and goes with it.
+    const Case rolled = parsed({"rolling.amplitude=1.1 mm"}, rolling);
+    EXPECT_EQ(rolled.rolling->amplitude, 0.0011);
+    EXPECT_FALSE(rolled.rolling->amplitude_ratio);
+    EXPECT_EQ(rolled.rolling->amplitude_reference, Case::AmplitudeReference::hertz);
+
+    const Case steps = parsed({"rolling.increment=0.1 mm"}, rolling + "steps_per_quarter = 9\n");
+    EXPECT_EQ(steps.rolling->steps, Case::Steps::increment);
+    EXPECT_EQ(steps.rolling->steps_per_quarter, Case::Rolling().steps_per_quarter);
+
+    const Case cells = parsed({"bem.cells_per_radius=11"}, "[bem]\nspacing = \"0.2 mm\"\n");
+    EXPECT_EQ(cells.bem.cells_per_radius, 11);
+    EXPECT_FALSE(cells.bem.spacing);
+}
+
+TEST(CaseReader, AnOverrideMayOpenASection) {
+    const Case c = parsed({"rolling.amplitude_ratio=0.3"});
+    ASSERT_TRUE(c.rolling);
+    EXPECT_EQ(c.rolling->amplitude_ratio, 0.3);
+}
+
+TEST(CaseReader, WrittenSectionsInlineTablesAndDottedKeysAreTheSame) {
+    const std::string inlined = R"(models = ["bem"]
+indenter = {radius = "40 mm"}
+substrate = {young = "5.2 MPa", poisson = 0.5}
+friction.coefficient = 0.57
+load.normal_force = "21.1 N"
+load.tangential_ratio = 0.56
+)";
+    EXPECT_EQ(write_case(parse_case(inlined, "inlined.toml")), write_case(parsed()));
+}
+
+TEST(CaseReader, TheLimitOfFrictionIsSharpUnderOscillation) {
+    // In phase, F_T/(mu F_N) is largest at the trough of both: f (1 - t) / (1 - n).
+    const double normal = 0.2, tangential = 0.1, ratio = (1 - normal) / (1 - tangential);
+    const auto overrides = [&](double f) {
+        return std::vector<std::string>{"load.tangential_ratio=" + std::to_string(f),
+                                        "load.normal_amplitude_ratio=0.2",
+                                        "load.tangential_amplitude_ratio=0.1"};
+    };
+    EXPECT_NO_THROW(parsed(overrides(ratio - 1e-5), rolling));
+    EXPECT_THROW(parsed(overrides(ratio + 1e-5), rolling), contact::InputError);
+}
+
+TEST(CaseReader, TheDecimalPointDoesNotDependOnTheLocale) {
+    const std::string old = std::setlocale(LC_ALL, nullptr);
+    const bool comma = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+    const Case c = parsed();
+    const std::string text = write_case(c);
+    std::setlocale(LC_ALL, old.c_str());
+    if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+    EXPECT_EQ(c.load.normal_force, 21.1);
+    EXPECT_NE(text.find("normal_force = \"21.1 N\""), std::string::npos) << text;
+}
+
+TEST(CaseReader, ThreadsMayReadAtOnce) {
+    const std::string expected = write_case(parsed());
+    std::vector<std::thread> threads;
+    std::vector<int> equal(4, 0);
+    for (int& count : equal)
+        threads.emplace_back([&] {
+            for (int i = 0; i < 50; ++i) count += write_case(parsed()) == expected;
+        });
+    for (auto& thread : threads) thread.join();
+    EXPECT_EQ(equal, std::vector<int>(4, 50));
+}
+
+TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
+    for (const Key& key : case_keys()) {
+        EXPECT_FALSE(key.text.empty()) << key.path;
+        std::vector<std::string> overrides{std::string(key.path) + "=" + std::string(key.example)};
+        if (key.path == "indenter.young") overrides.emplace_back("indenter.poisson=0.3");
+        if (key.path == "indenter.poisson") overrides.emplace_back("indenter.young=206 GPa");
+        if (key.path == "load.normal_phase")
+            overrides.emplace_back("load.normal_amplitude_ratio=0");
+        if (key.path == "load.tangential_phase")
+            overrides.emplace_back("load.tangential_amplitude_ratio=0");
+        EXPECT_NO_THROW(parsed(overrides, "[rolling]\namplitude_ratio = 0.24\n")) << key.path;
+    }
+}
+
+}  // namespace
+}  // namespace tricontact::io

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "contact/error.h"
+#include "io/messages.h"
+
+namespace tricontact::io {
+namespace {
+
+TEST(Messages, TomlStringsEscapeWhatTomlForbids) {
+    EXPECT_EQ(toml_string("a \"b\" \\ \n\t\x01\x7f \u00e4"),
+              R"("a \"b\" \\ \n\t\u0001\u007F )" + std::string("\u00e4\""));
+}
+
+TEST(Messages, NumbersReadBackTheSameAndAreTomlFloats) {
+    EXPECT_EQ(toml_number(22), "22.0");
+    EXPECT_EQ(toml_number(-0.), "-0.0");
+    EXPECT_EQ(toml_number(1e-7), "1e-07");
+    EXPECT_EQ(toml_number(1e23), "1e+23");
+    EXPECT_EQ(toml_number(0.1), "0.1");
+    EXPECT_EQ(std::stod(shortest(0.1 + 0.2)), 0.1 + 0.2);
+    EXPECT_EQ(shortest(std::numeric_limits<double>::denorm_min()), "5e-324");
+}
+
+TEST(Messages, ShorteningKeepsCharactersWhole) {
+    EXPECT_EQ(shortened("abc", 3), "abc");
+    EXPECT_EQ(shortened("abcd", 3), "abc...");
+    EXPECT_EQ(shortened("ab\u20ac", 4), "ab...");  // the euro sign has three bytes
+}
+
+TEST(Messages, NearestForgivesTypingErrorsOnly) {
+    constexpr std::array<std::string_view, 3> names{"radius", "young", "poisson"};
+    EXPECT_EQ(nearest("raduis", names), "radius");
+    EXPECT_EQ(nearest("Young", names), "young");
+    EXPECT_EQ(nearest("poison", names), "poisson");
+    EXPECT_EQ(nearest("thickness", names), "");
+    EXPECT_EQ(nearest(std::string(1000, 'r'), names), "");
+}
+
+TEST(Messages, FailIsOneLineOfPlaceSubjectRuleRemedy) {
+    try {
+        fail("a.toml:1:2", "key = 3", "rule\nin two lines", "remedy");
+        FAIL();
+    } catch (const contact::InputError& error) {
+        EXPECT_STREQ(error.what(), "a.toml:1:2: key = 3: rule in two lines; remedy");
+    }
+}
+
+}  // namespace
+}  // namespace tricontact::io

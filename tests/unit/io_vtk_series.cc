@@ -1,0 +1,249 @@
+// Written files are read back with VTK's own readers.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "contact/error.h"
+#include "io/vtk_series.h"
+
+namespace tricontact::io {
+namespace {
+
+namespace fs = std::filesystem;
+using contact::ContactState;
+using contact::Surface;
+
+// Every number of every field is different, none is short in binary or decimal.
+Surface surface_of(Surface::Layout layout, int n_x, int n_y) {
+    Surface s;
+    s.layout = layout;
+    s.n_x = n_x;
+    s.n_y = n_y;
+    s.first = {-0.003, -0.002};
+    s.spacing = {2e-4, 3e-4};
+    s.offset = {0.0011, -0.0007};
+    int field = 0;
+    auto fill = [&](std::vector<double>& values) {
+        ++field;
+        values.resize(s.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = field + static_cast<double>(i) / 7;
+    };
+    for (auto* values : {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y,
+                         &s.friction_bound, &s.displacement_x, &s.displacement_y, &s.displacement_z,
+                         &s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
+        fill(*values);
+    if (layout == Surface::Layout::line)
+        for (auto* values : {&s.normal_line_load, &s.tangential_line_load}) fill(*values);
+    for (std::size_t i = 0; i < s.size(); ++i)
+        s.contact_state.push_back(static_cast<ContactState>(i % 3));
+    return s;
+}
+
+class Vtk : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::path(testing::TempDir()) /
+                  ("io_vtk_" + std::string(test->name()) + std::to_string(::getpid()));
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string at(const std::string& name) const { return (folder_ / name).string(); }
+    std::string content(const std::string& name) const {
+        std::ostringstream out;
+        out << std::ifstream(at(name), std::ios::binary).rdbuf();
+        return out.str();
+    }
+    VtkSeries series(const std::string& name) const {
+        return {folder_.string(), name, {"0.1.0 (abc)", "run \"a b\" <x> & y"}};
+    }
+
+    fs::path folder_;
+};
+
+void expect_scalar(vtkFieldData* data, const char* name, const std::vector<double>& values) {
+    vtkDataArray* array = data->GetArray(name);
+    ASSERT_TRUE(array) << name;
+    ASSERT_EQ(array->GetNumberOfComponents(), 1) << name;
+    ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(values.size())) << name;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        ASSERT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), values[i]) << name << ' ' << i;
+}
+
+void expect_vector(vtkFieldData* data, const char* name, const std::vector<double>& x,
+                   const std::vector<double>& y, const std::vector<double>& z, double z_sign) {
+    vtkDataArray* array = data->GetArray(name);
+    ASSERT_TRUE(array) << name;
+    ASSERT_EQ(array->GetNumberOfComponents(), 3) << name;
+    ASSERT_EQ(array->GetNumberOfTuples(), static_cast<vtkIdType>(x.size())) << name;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double* tuple = array->GetTuple3(static_cast<vtkIdType>(i));
+        ASSERT_EQ(tuple[0], x[i]) << name << ' ' << i;
+        ASSERT_EQ(tuple[1], y[i]) << name << ' ' << i;
+        ASSERT_EQ(tuple[2], z.empty() ? 0 : z_sign * z[i]) << name << ' ' << i;
+    }
+}
+
+void expect_fields(vtkFieldData* data, const Surface& s) {
+    expect_scalar(data, "normal_traction_Pa", s.normal_traction);
+    expect_vector(data, "tangential_traction_Pa", s.tangential_traction_x, s.tangential_traction_y,
+                  {}, 1);
+    expect_scalar(data, "friction_bound_Pa", s.friction_bound);
+    expect_vector(data, "displacement_m", s.displacement_x, s.displacement_y, s.displacement_z, -1);
+    expect_scalar(data, "gap_m", s.gap);
+    expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
+    expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
+    vtkDataArray* states = data->GetArray("contact_state");
+    ASSERT_TRUE(states);
+    EXPECT_EQ(states->GetDataType(), VTK_UNSIGNED_CHAR);
+    for (std::size_t i = 0; i < s.size(); ++i)
+        ASSERT_EQ(states->GetTuple1(static_cast<vtkIdType>(i)), static_cast<double>(i % 3));
+}
+
+void expect_provenance(vtkFieldData* data, double phase, const Surface& s) {
+    ASSERT_TRUE(data->GetArray("TimeValue"));
+    EXPECT_EQ(data->GetArray("TimeValue")->GetTuple1(0), phase);
+    const double* position = data->GetArray("indenter_position_m")->GetTuple3(0);
+    EXPECT_EQ(position[0], s.offset[0]);
+    EXPECT_EQ(position[1], s.offset[1]);
+    const auto* version = vtkStringArray::SafeDownCast(data->GetAbstractArray("program_version"));
+    const auto* command = vtkStringArray::SafeDownCast(data->GetAbstractArray("command_line"));
+    ASSERT_TRUE(version && command);
+    EXPECT_EQ(const_cast<vtkStringArray*>(version)->GetValue(0), "0.1.0 (abc)");
+    EXPECT_EQ(const_cast<vtkStringArray*>(command)->GetValue(0), "run \"a b\" <x> & y");
+}
+
+TEST_F(Vtk, AGridReadsBackExactlyAsCellData) {
+    const Surface s = surface_of(Surface::Layout::grid, 31, 20);
+    VtkSeries out = series("surface");
+    out.add(1. / 3, s);
+
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(at("surface_000000.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    ASSERT_EQ(image->GetNumberOfCells(), 31 * 20);
+    expect_fields(image->GetCellData(), s);
+    EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 0);
+    expect_provenance(image->GetFieldData(), 1. / 3, s);
+    // Cell k = i + 31 j is centred on point (i, j): 12 digits, origins are written in decimal.
+    for (const auto& [i, j] : {std::pair(0, 0), std::pair(30, 0), std::pair(4, 19)}) {
+        double bounds[6];
+        image->GetCellBounds(i + 31 * j, bounds);
+        EXPECT_NEAR((bounds[0] + bounds[1]) / 2, s.x(i), 1e-12 * 31 * s.spacing[0]);
+        EXPECT_NEAR((bounds[2] + bounds[3]) / 2, s.y(j), 1e-12 * 31 * s.spacing[1]);
+        EXPECT_NEAR(bounds[1] - bounds[0], s.spacing[0], 1e-12 * 31 * s.spacing[0]);
+    }
+}
+
+TEST_F(Vtk, ALineReadsBackExactlyAsPointData) {
+    const Surface s = surface_of(Surface::Layout::line, 101, 1);
+    VtkSeries out = series("bed");
+    out.add(2.25, s);
+
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(at("bed_000000.vtp").c_str());
+    reader->Update();
+    vtkPolyData* line = reader->GetOutput();
+    ASSERT_EQ(line->GetNumberOfPoints(), 101);
+    EXPECT_EQ(line->GetNumberOfVerts(), 101);
+    EXPECT_EQ(line->GetNumberOfLines(), 1);
+    expect_fields(line->GetPointData(), s);
+    expect_scalar(line->GetPointData(), "normal_line_load_N_per_m", s.normal_line_load);
+    expect_scalar(line->GetPointData(), "tangential_line_load_N_per_m", s.tangential_line_load);
+    expect_provenance(line->GetFieldData(), 2.25, s);
+    for (const int i : {0, 50, 100}) {
+        EXPECT_EQ(line->GetPoint(i)[0], s.x(i));
+        EXPECT_EQ(line->GetPoint(i)[1], s.first[1]);
+    }
+}
+
+TEST_F(Vtk, FieldsThatAModelLacksAreLeftOutOrZero) {
+    Surface s = surface_of(Surface::Layout::line, 10, 1);
+    s.gap.clear();
+    s.slip_y.clear();
+    VtkSeries out = series("bed");
+    out.add(0, s);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(at("bed_000000.vtp").c_str());
+    reader->Update();
+    vtkPointData* data = reader->GetOutput()->GetPointData();
+    EXPECT_FALSE(data->GetArray("gap_m"));
+    expect_vector(data, "slip_m", s.slip_x, std::vector<double>(10, 0.), {}, 1);
+}
+
+TEST_F(Vtk, InfiniteGapsOutsideTheIndenterSurvive) {
+    Surface s = surface_of(Surface::Layout::grid, 4, 4);
+    s.gap[5] = std::numeric_limits<double>::infinity();
+    VtkSeries out = series("surface");
+    out.add(0, s);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(at("surface_000000.vti").c_str());
+    reader->Update();
+    expect_scalar(reader->GetOutput()->GetCellData(), "gap_m", s.gap);
+}
+
+TEST_F(Vtk, TheSameSurfaceGivesTheSameBytes) {
+    const Surface s = surface_of(Surface::Layout::grid, 64, 48);
+    VtkSeries first = series("first"), second = series("second");
+    for (auto* out : {&first, &second}) {
+        out->add(0.5, s);
+        out->add(0.75, s);
+    }
+    EXPECT_EQ(content("first_000000.vti"), content("second_000000.vti"));
+    EXPECT_NE(content("first_000000.vti"), content("first_000001.vti"));
+    EXPECT_LT(content("first_000000.vti").size(), 64U * 48 * (11 * 8 + 1)) << "not compressed";
+}
+
+TEST_F(Vtk, TheCollectionListsFilesByPhase) {
+    VtkSeries out = series("a&b");
+    const Surface s = surface_of(Surface::Layout::line, 5, 1);
+    out.add(0, s);
+    out.add(0.25, s);
+    out.finish();
+    EXPECT_EQ(content("a&b.pvd"),
+              "<?xml version=\"1.0\"?>\n"
+              "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+              "  <Collection>\n"
+              "    <DataSet timestep=\"0\" group=\"\" part=\"0\" file=\"a&amp;b_000000.vtp\"/>\n"
+              "    <DataSet timestep=\"0.25\" group=\"\" part=\"0\" file=\"a&amp;b_000001.vtp\"/>\n"
+              "  </Collection>\n"
+              "</VTKFile>\n");
+}
+
+TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {
+    Surface s = surface_of(Surface::Layout::grid, 5, 4);
+    s.gap.pop_back();
+    VtkSeries out = series("surface");
+    EXPECT_THROW(out.add(0, s), std::invalid_argument);
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Vtk, AFolderThatVanishedIsAnInputError) {
+    fs::remove_all(folder_);
+    VtkSeries out = series("surface");
+    EXPECT_THROW(out.add(0, surface_of(Surface::Layout::grid, 5, 4)), contact::InputError);
+    EXPECT_THROW(out.finish(), contact::InputError);
+}
+
+}  // namespace
+}  // namespace tricontact::io
