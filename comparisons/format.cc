@@ -6,6 +6,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <kainjow/mustache.hpp>
+#include <string_view>
 
 namespace tricontact::comparisons {
 
@@ -27,6 +29,12 @@ std::string tidied(std::string text) {
     return text;
 }
 
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
 }  // namespace
 
 std::string significant(std::optional<double> value, int digits) {
@@ -39,6 +47,32 @@ std::string significant(std::optional<double> value, int digits) {
     if (exponent < -3 || exponent > 5)
         return tidied(scientific.substr(0, split)) + "·10" + superscript(exponent);
     return tidied(fmt::format("{:.{}f}", *value, std::max(0, digits - 1 - exponent)));
+}
+
+std::string as_given(double value) {
+    std::string text = significant(value, 6);
+    const std::size_t power = std::min(text.find("·"), text.size());
+    if (text.find('.') >= power) return text;
+    std::size_t end = power;
+    while (text[end - 1] == '0') --end;
+    if (text[end - 1] == '.') --end;
+    return text.erase(end, power - end);
+}
+
+std::string typeset(const std::string& sentence) {
+    constexpr std::array symbols{"f_T,lim", "f_T", "F_T", "F_N", "u_stat", "u_x", "U_max", "τ_x"};
+    std::string html = kainjow::mustache::html_escape(sentence);
+    for (const std::string_view symbol : symbols) {
+        const std::size_t split = symbol.find('_');
+        replace_all(html, symbol,
+                    fmt::format("<i>{}</i><sub>{}</sub>", symbol.substr(0, split),
+                                symbol.substr(split + 1)));
+    }
+    replace_all(html, " = ", "\u00a0=\u00a0");
+    for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
+        for (const char* end : {" ", ")", ",", ".", ":"})
+            replace_all(html, " " + unit + end, "\u00a0" + unit + end);
+    return html;
 }
 
 std::string percent(std::optional<double> ratio) {

@@ -9,6 +9,13 @@ namespace tricontact::comparisons {
 /// powers of ten beyond 1e5 and below 1e-3 ("1.20·10⁻⁷"); an en dash where undefined.
 std::string significant(std::optional<double> value, int digits = 4);
 
+/// A given number for people: at most six significant digits, no trailing zeros.
+std::string as_given(double value);
+
+/// HTML of a plain sentence: escaped, the formula symbols used here (f_T, U_max, ...) typeset,
+/// no line break around "=" or before a unit.
+std::string typeset(const std::string& sentence);
+
 /// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.
 std::string percent(std::optional<double> ratio);
 

@@ -104,10 +104,10 @@ int run(const std::string& program, const MemoryFile& in, const MemoryFile& out,
 std::string terminal(const Picture& picture, ImageFormat format) {
     if (format == ImageFormat::svg)
         return fmt::format(
-            "set terminal svg size {},{} font 'sans-serif,13' background '#ffffff'\n",
+            "set terminal svg size {},{} font 'sans-serif,15' background '#ffffff'\n",
             picture.width, picture.height);
     return fmt::format(
-        "set terminal pngcairo size {},{} font 'sans,10' fontscale 2 linewidth 2 pointscale 2 "
+        "set terminal pngcairo size {},{} font 'sans,11' fontscale 2 linewidth 2 pointscale 2 "
         "background '#ffffff'\n",
         2 * picture.width, 2 * picture.height);
 }

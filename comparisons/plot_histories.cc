@@ -103,7 +103,7 @@ std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories
             "set xrange [0:{}]\nset yrange [0:{}]\n"
             "set key {} opaque\n"
             "plot {}\n",
-            end, top > 0 ? 1.08 * top : 1.0, key_position(histories), curves);
+            end, top > negligible_ratio ? 1.08 * top : 1.0, key_position(histories), curves);
     return {
         {"shift",
          "Rigid shift through the rolling periods",
@@ -134,14 +134,13 @@ std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& his
             display_name(summary.model));
     }
     if (curves.empty()) return {};
-    const std::string script =
-        data + plot_style() +
-        fmt::format(
-            "set xlabel 'rolling period n'\n"
-            "set ylabel 'frictional work per period W_{{fric}} / W_0' offset -0.3,0\n"
-            "set logscale y\nset format y '10^{{%T}}'\n"
-            "set xrange [0:{}]\nset key top right opaque\nplot {}\n",
-            most_periods + 1, curves);
+    const std::string script = data + plot_style() +
+                               fmt::format(
+                                   "set xlabel 'rolling period n'\n"
+                                   "set ylabel 'work per period W_{{fric}} / W_0' offset -0.3,0\n"
+                                   "set logscale y\nset format y '10^{{%T}}'\n"
+                                   "set xrange [0:{}]\nset key top right opaque\nplot {}\n",
+                                   most_periods + 1, curves);
     return {{"dissipation",
              "Frictional work per period",
              "Over W₀, the work of one cycle of a tangential force oscillating between ±F_T "

@@ -14,6 +14,8 @@ int model_marker(std::size_t i);
 namespace zone_colour {
 inline const std::string stick = "#2b2b2b", slip = "#9a9a9a", zero = "#dcdcdc", open = "#ffffff";
 }
+/// Ratios below are rounding, not physics: an axis never zooms in on them.
+inline constexpr double negligible_ratio = 1e-9;
 inline const std::string theory_colour = "#555555";
 
 /// Commands every plot begins with: frame, grid, tics, fonts.

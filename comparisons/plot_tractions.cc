@@ -88,7 +88,7 @@ double strip_bottom(std::size_t strips) {
 
 /// One strip per model under the curves, a box per zone with its name where it fits.
 std::string zone_strip(std::size_t row, const History& history, const CentreLine& line) {
-    constexpr double first = -0.06, height = 0.085, least_labelled = 0.16;
+    constexpr double first = -0.06, height = 0.085, letter_width = 0.042;
     const double top = first - strip_pitch * static_cast<double>(row), bottom = top - height;
     std::string script =
         fmt::format("set label '{}' at graph -0.015, first {:.4g} right textcolor rgb '{}'\n",
@@ -99,12 +99,12 @@ std::string zone_strip(std::size_t row, const History& history, const CentreLine
             "set object rectangle from {:.5g},{:.4g} to {:.5g},{:.4g} fillcolor rgb '{}' "
             "fillstyle solid border linecolor rgb '#ffffff' front\n",
             stretch.begin, bottom, stretch.end, top, zone_fill(stretch.zone));
-        if (stretch.end - stretch.begin < least_labelled) continue;
-        script += fmt::format(
-            "set label '{}' at {:.5g},{:.4g} center front textcolor rgb '{}' font ',11'\n",
-            zone_name(stretch.zone, history.state == contact::State::shakedown),
-            (stretch.begin + stretch.end) / 2, (top + bottom) / 2,
-            stretch.zone == Zone::stick ? "#ffffff" : "#111111");
+        const std::string name =
+            zone_name(stretch.zone, history.state == contact::State::shakedown);
+        if (stretch.end - stretch.begin < letter_width * static_cast<double>(name.size())) continue;
+        script += fmt::format("set label '{}' at {:.5g},{:.4g} center front textcolor rgb '{}'\n",
+                              name, (stretch.begin + stretch.end) / 2, (top + bottom) / 2,
+                              stretch.zone == Zone::stick ? "#ffffff" : "#111111");
     }
     return script;
 }
@@ -125,14 +125,15 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis, P
         parts.data += curve_data(fmt::format("$model{}", i), line);
         parts.strips += zone_strip(i, history, line);
         parts.add_curve(fmt::format(
-            "$model{0} using 1:2 with lines linewidth 2 linecolor rgb '{1}' title 'τ, {2}'", i,
+            "$model{0} using 1:2 with lines linewidth 2 linecolor rgb '{1}' title '{2}'", i,
             model_colour(i), display_name(history.model)));
     }
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& parts) {
     parts.data += function_data("$bound", [](double x) { return least_bound(x, 0, 0); });
-    parts.add_curve("$bound with lines linewidth 1 linecolor rgb '#888888' title 'μp upright'");
+    parts.add_curve(
+        "$bound with lines linewidth 1 linecolor rgb '#888888' title 'bound μp, upright'");
     if (!c.rolling || !constant_loads(c)) return;
     const double angle =
         axis == Axis::x ? c.rolling->angle : std::numbers::pi / 2 - c.rolling->angle;
@@ -149,11 +150,11 @@ void add_theory(const contact::Case& c, const Reference& r, Parts& parts) {
     if (!in_unit_range(f) || f == 0) return;
     std::string title;
     if (!c.rolling) {
-        title = "τ, Cattaneo–Mindlin";
+        title = "Cattaneo–Mindlin";
         parts.data += function_data(
             "$theory", [&](double x) { return theory::cattaneo_mindlin_traction(x, f); });
     } else if (r.shakedown_shift_ratio) {
-        title = "τ, MDR closed form";
+        title = "MDR closed form";
         parts.data += function_data("$theory", [&](double x) {
             return theory::mdr_shakedown_traction(x, r.amplitude_ratio, *r.shakedown_shift_ratio);
         });
@@ -178,7 +179,7 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
             "set xlabel 'position {0}/a'\nset ylabel 'traction τ_x / (μ p_0)'\n"
             "set xrange [-{1}:{1}]\nset yrange [{2:.4g}:1.03<*] noextend\n"
             "set xtics 0.5\nset ytics 0,0.2\n"
-            "set key outside top center horizontal maxrows 3 width 1\n"
+            "set key outside top center horizontal maxcols 3 samplen 1.6 width -3\n"
             "set lmargin 9\nplot {3}\n",
             letter, half_width, strip_bottom(parts.models), parts.curves);
     return {{fmt::format("traction_{}", letter),

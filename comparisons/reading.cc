@@ -14,7 +14,8 @@ namespace {
 
 using contact::State;
 
-constexpr double near_limit = 0.03;  // relative distance below which convergence gets slow
+constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
+constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
 
 std::string limit_sentence(const Reference& r) {
     if (!r.limit_tangential_ratio) return {};
@@ -58,7 +59,7 @@ std::string verdict_sentence(const ModelSummary& s, const Reference& r) {
                            quantity(s.shift_increment_ratio.value_or(0) * s.unit_shift, "m"),
                            s.eta ? "; η = " + significant(s.eta, 3) : "");
     std::string growth;
-    if (s.static_shift_ratio > 0)
+    if (s.static_shift_ratio > negligible_shift)
         growth = fmt::format(", {} times the static shift",
                              significant(s.final_shift_ratio / s.static_shift_ratio, 3));
     return fmt::format("{} shakes down within {} {} at u = {} ({}){}{}.", name, s.periods,
@@ -85,7 +86,7 @@ std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base)
         return fmt::format("{} ratchets {} times as fast as {} (Δu per period).", name,
                            significant(*s.shift_increment_ratio / *base.shift_increment_ratio, 3),
                            other);
-    if (!(base.final_shift_ratio > 0)) return {};
+    if (!(base.final_shift_ratio > negligible_shift)) return {};
     const char* verb = !s.state ? "shifts" : s.state == State::shakedown ? "settles" : "now stands";
     std::string text = fmt::format("{} {} {} {}", name, verb,
                                    relation(s.final_shift_ratio / base.final_shift_ratio), other);
@@ -95,12 +96,16 @@ std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base)
     return text + ".";
 }
 
-std::string static_sentence(const ModelSummary& s, const Reference& r) {
+std::string static_sentence(const std::vector<ModelSummary>& summaries, const Reference& r) {
     if (!(r.static_shift_ratio > 0)) return {};
-    return fmt::format("Before rolling, {} shifts by u_stat = {}, {} from Cattaneo–Mindlin's {}.",
-                       display_name(s.model), significant(s.static_shift_ratio),
-                       percent(s.static_shift_ratio / r.static_shift_ratio),
-                       significant(r.static_shift_ratio));
+    std::string text = fmt::format("{}u_stat = {} by Cattaneo and Mindlin",
+                                   r.amplitude_ratio > 0 ? "Before rolling: " : "",
+                                   significant(r.static_shift_ratio));
+    for (const ModelSummary& s : summaries)
+        text +=
+            fmt::format("; {} {} ({})", display_name(s.model), significant(s.static_shift_ratio),
+                        percent(s.static_shift_ratio / r.static_shift_ratio));
+    return text + ".";
 }
 
 bool has_model(const std::vector<ModelSummary>& summaries, const std::string& name) {
@@ -161,7 +166,7 @@ std::vector<std::string> reading(const contact::Case& c,
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
     add(limit_sentence(r));
-    for (const ModelSummary& s : summaries) add(static_sentence(s, r));
+    add(static_sentence(summaries, r));
     add_limitations(c, summaries, findings);
     if (!failed) add(audit);
     return findings;

@@ -29,6 +29,13 @@ data list(const std::vector<std::string>& texts) {
     return result;
 }
 
+/// Sentences as HTML.
+data typeset_list(const std::vector<std::string>& sentences) {
+    data result{data::type::list};
+    for (const std::string& sentence : sentences) result << data{"text", typeset(sentence)};
+    return result;
+}
+
 /// A cell's class: verdicts stand out, words align left.
 std::string cell_class(const std::string& cell) {
     for (const char* word : {"shakedown", "ratcheting", "undecided", "passed", "FAILED"})
@@ -91,7 +98,7 @@ data cards(const std::vector<ModelSummary>& summaries) {
         card.set("colour", model_colour(i));
         card.set("state", s.state ? contact::name_of(*s.state) : "static");
         card.set("value", value);
-        card.set("meaning", meaning);
+        card.set("meaning", typeset(meaning));
         if (s.kappa) card.set("factor", "κ = " + significant(s.kappa, 3));
         if (s.eta) card.set("factor", "η = " + significant(s.eta, 3));
         card.set("has_factor", s.kappa || s.eta);
@@ -108,6 +115,7 @@ data figures(const std::vector<Plot>& plots, const std::vector<Drawing>& drawing
         figure.set("name", plots[i].name);
         figure.set("title", plots[i].title);
         figure.set("caption", plots[i].caption);
+        figure.set("caption_html", typeset(plots[i].caption));
         figure.set("width", std::to_string(plots[i].picture.width));
         figure.set("height", std::to_string(plots[i].picture.height));
         figure.set("wide", plots[i].picture.width > 700);
@@ -129,7 +137,7 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("title", c.title.empty() ? "Frictional contact" : c.title);
     result.set("version", version);
     result.set("cards", cards(summaries));
-    result.set("findings", list(reading(c, summaries)));
+    result.set("findings", typeset_list(reading(c, summaries)));
     result.set("settings", settings);
     result.set("results", to_data(results_table(c, summaries)));
     result.set("rolling", c.rolling.has_value());

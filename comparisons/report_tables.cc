@@ -25,6 +25,12 @@ Row ratio_row(const std::string& label, double value) {
     return {label, "", {significant(value)}};
 }
 
+/// The same for what the user gave, without trailing zeros.
+Row given_row(const std::string& label, double si_value, const std::string& base) {
+    const Unit unit = base.empty() ? Unit{} : fitting_unit(si_value, base);
+    return {label, unit.symbol, {as_given(si_value / unit.factor)}};
+}
+
 Row text_row(const std::string& label, const std::string& text) {
     return {label, "", {text}};
 }
@@ -36,29 +42,31 @@ double degrees(double radians) {
 Table bodies_table(const Case& c) {
     const bool sphere = c.indenter.shape == Case::Shape::sphere;
     std::vector<Row> rows{text_row("indenter", sphere ? "sphere" : "paraboloid"),
-                          row("radius <i>R</i>", c.indenter.radius, "m")};
+                          given_row("radius <i>R</i>", c.indenter.radius, "m")};
     if (c.indenter.material) {
-        rows.push_back(row("indenter <i>E</i><sub>1</sub>", c.indenter.material->young, "Pa"));
-        rows.push_back(ratio_row("indenter <i>ν</i><sub>1</sub>", c.indenter.material->poisson));
+        rows.push_back(
+            given_row("indenter <i>E</i><sub>1</sub>", c.indenter.material->young, "Pa"));
+        rows.push_back(
+            given_row("indenter <i>ν</i><sub>1</sub>", c.indenter.material->poisson, ""));
     } else {
         rows.push_back(text_row("indenter material", "rigid"));
     }
-    rows.push_back(row("substrate <i>E</i><sub>2</sub>", c.substrate.young, "Pa"));
-    rows.push_back(ratio_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson));
-    rows.push_back(ratio_row("friction coefficient <i>μ</i>", c.friction_coefficient));
+    rows.push_back(given_row("substrate <i>E</i><sub>2</sub>", c.substrate.young, "Pa"));
+    rows.push_back(given_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson, ""));
+    rows.push_back(given_row("friction coefficient <i>μ</i>", c.friction_coefficient, ""));
     return {"Bodies", {"value"}, {{"Bodies", rows}}};
 }
 
 void add_oscillation(const std::string& what, double ratio, double phase, std::vector<Row>& rows) {
     if (ratio == 0) return;
-    rows.push_back(ratio_row(what + " oscillation, over its mean", ratio));
-    rows.push_back({what + " phase", "°", {significant(degrees(phase))}});
+    rows.push_back(given_row(what + " oscillation, over its mean", ratio, ""));
+    rows.push_back({what + " phase", "°", {as_given(degrees(phase))}});
 }
 
 Row steps_row(const Case::Rolling& rolling) {
     switch (rolling.steps) {
         case Case::Steps::increment:
-            return row("step Δ<i>W</i> at most", rolling.increment, "m");
+            return given_row("step Δ<i>W</i> at most", rolling.increment, "m");
         case Case::Steps::turning_points:
             return text_row("steps", "turning points only");
         case Case::Steps::per_quarter:
@@ -71,14 +79,15 @@ Table load_table(const Case& c) {
     const Case::Load& load = c.load;
     std::vector<Row> rows;
     if (load.normal_force)
-        rows.push_back(row("normal force <i>F</i><sub>N</sub>", *load.normal_force, "N"));
+        rows.push_back(given_row("normal force <i>F</i><sub>N</sub>", *load.normal_force, "N"));
     if (load.indentation)
-        rows.push_back(row("indentation <i>d</i>, prescribed", *load.indentation, "m"));
+        rows.push_back(given_row("indentation <i>d</i>, prescribed", *load.indentation, "m"));
     if (load.tangential_force)
-        rows.push_back(row("tangential force <i>F</i><sub>T</sub>", *load.tangential_force, "N"));
+        rows.push_back(
+            given_row("tangential force <i>F</i><sub>T</sub>", *load.tangential_force, "N"));
     if (load.tangential_ratio)
         rows.push_back(
-            ratio_row("tangential force over <i>μF</i><sub>N</sub>", *load.tangential_ratio));
+            given_row("tangential force over <i>μF</i><sub>N</sub>", *load.tangential_ratio, ""));
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, rows);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     rows);
@@ -88,13 +97,13 @@ Table load_table(const Case& c) {
     }
     const Case::Rolling& rolling = *c.rolling;
     if (rolling.amplitude)
-        rows.push_back(row("rolling amplitude <i>W</i>", *rolling.amplitude, "m"));
+        rows.push_back(given_row("rolling amplitude <i>W</i>", *rolling.amplitude, "m"));
     if (rolling.amplitude_ratio)
-        rows.push_back(ratio_row(rolling.amplitude_reference == Case::AmplitudeReference::hertz
+        rows.push_back(given_row(rolling.amplitude_reference == Case::AmplitudeReference::hertz
                                      ? "rolling amplitude over Hertz’ radius"
                                      : "rolling amplitude over the model’s radius",
-                                 *rolling.amplitude_ratio));
-    rows.push_back({"angle of rolling to load", "°", {significant(degrees(rolling.angle))}});
+                                 *rolling.amplitude_ratio, ""));
+    rows.push_back({"angle of rolling to load", "°", {as_given(degrees(rolling.angle))}});
     rows.push_back(
         text_row(rolling.run_all ? "periods" : "periods at most", std::to_string(rolling.periods)));
     rows.push_back(steps_row(rolling));

@@ -26,9 +26,9 @@ class RowMaker {
         for (const ModelSummary& s : summaries_) result.push_back(display_name(s.model));
         result.emplace_back("theory");
         for (std::size_t i = 0; i + 1 < summaries_.size(); ++i)
-            result.push_back(display_name(summaries_[i].model) + " to " +
+            result.push_back(display_name(summaries_[i].model) + " vs " +
                              display_name(summaries_.back().model));
-        if (compares_with_theory()) result.push_back("to theory");
+        if (compares_with_theory()) result.push_back("vs theory");
         return result;
     }
 

@@ -30,7 +30,8 @@ struct ModelSummary {
     double limit_tangential_ratio = 0;  ///< f_T,lim from the computed pressures
 
     /// Mapping parameter of f_T = 1 - kappa w u - (1-u)^(3/2) (3.2.16), u the final shift ratio.
-    /// Empty unless the model shook down under constant loads with w > 0 and 0 < u <= 1.
+    /// Empty unless the model shook down under constant loads, 0 <= w, u <= 1 and w u > 1e-5 (an
+    /// error of f_T counts 1/(w u) times).
     std::optional<double> kappa;
     /// Ratcheting slope eta = Du/(w - w_lim), Du the shift increment ratio of the last period and
     /// 1 - 3/2 w_lim + 1/2 w_lim^3 = f_T. Empty unless ratcheting under constant loads, w > w_lim.
