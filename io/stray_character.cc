@@ -30,6 +30,14 @@ std::size_t end_of_string(std::string_view text, std::size_t i) {
     return npos;
 }
 
+// Strings begin after a delimiter. A quote glued to a word is no TOML, and toml++ looks ahead
+// through it for the end of the word.
+bool begins_string(std::string_view text, std::size_t i) {
+    constexpr std::string_view quotes = "\"'", delimiters = " \t\r\n=,[{.";
+    if (quotes.find(text[i]) == npos) return false;
+    return i == 0 || delimiters.find(text[i - 1]) != npos;
+}
+
 }  // namespace
 
 std::size_t stray_character(std::string_view toml) {
@@ -39,7 +47,7 @@ std::size_t stray_character(std::string_view toml) {
         if (static_cast<unsigned char>(toml[i]) >= 0x80) return i;
         if (toml[i] == '#')
             i = toml.find('\n', i);
-        else if (toml[i] == '"' || toml[i] == '\'')
+        else if (begins_string(toml, i))
             i = end_of_string(toml, i);
         else
             ++i;

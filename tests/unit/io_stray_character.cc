@@ -29,6 +29,12 @@ TEST(StrayCharacter, IsFoundElsewhere) {
     EXPECT_EQ(stray_character("a = \"\"\"x\"\"\"\"\"\u00e4"), 13U);  // two quotes end the text
 }
 
+TEST(StrayCharacter, AQuoteGluedToAWordBeginsNoString) {
+    EXPECT_EQ(stray_character("a = 1\"\u00e4\""), 6U);
+    EXPECT_EQ(stray_character("a\"\u00e4\" = 1"), 2U);
+    EXPECT_EQ(stray_character("\"a\".\"\u00e4\" = [\"\u00e4\",\"\u00e4\"]"), none);
+}
+
 TEST(StrayCharacter, ReadingEndsWithAnUnclosedString) {
     EXPECT_EQ(stray_character("a = \"x\n\u00e4"), none);
     EXPECT_EQ(stray_character("a = \"\"\"x\n\u00e4"), none);
