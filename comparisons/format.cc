@@ -94,9 +94,9 @@ Unit fitting_unit(double magnitude, const std::string& base) {
     return {std::pow(10.0, 3 * (index - 4)), prefixes[index] + base};
 }
 
-std::string quantity(double si_value, const std::string& base, int digits) {
-    const Unit unit = fitting_unit(si_value, base);
-    return significant(si_value / unit.factor, digits) + " " + unit.symbol;
+std::string quantity(double value, const std::string& base, int digits) {
+    const Unit unit = fitting_unit(value, base);
+    return significant(value / unit.factor, digits) + " " + unit.symbol;
 }
 
 std::string display_name(const std::string& model) {

@@ -27,7 +27,7 @@ struct Unit {
 Unit fitting_unit(double magnitude, const std::string& base);
 
 /// Number and unit: "4.52 mm".
-std::string quantity(double si_value, const std::string& base, int digits = 4);
+std::string quantity(double value, const std::string& base, int digits = 4);
 
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
 std::string display_name(const std::string& model);

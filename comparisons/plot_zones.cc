@@ -34,23 +34,25 @@ std::vector<const Snapshot*> chosen_instants(const History& history) {
 }
 
 /// Runs of equal state along the rows, as boxes (x, y, x_low, x_high, y_low, y_high) over a: far
-/// fewer than cells, and crisp at any size. Boxes overlap a little: no seams where they meet.
+/// fewer than cells, and crisp at any size. Boxes overlap a little: no seams where they meet. On a
+/// grid finer than the picture one cell stands for a block of `stride` x `stride`.
 std::vector<std::vector<double>> boxes(const Surface& s, ContactState state, double a) {
     constexpr double overlap = 0.15;  // of a cell
+    constexpr int most_cells = 200;   // in each direction: a panel has 216 pixels
+    const int stride = std::max(1, (std::max(s.n_x, s.n_y) + most_cells - 1) / most_cells);
+    const double half_x = stride * s.spacing[0] / 2, half_y = stride * s.spacing[1] / 2;
     std::vector<std::vector<double>> columns(6);
-    for (int j = 0; j < s.n_y; ++j) {
-        for (int i = 0; i < s.n_x; ++i) {
-            const auto is_state = [&](int k) {
-                return k < s.n_x &&
-                       s.contact_state[static_cast<std::size_t>(j) * s.n_x + k] == state;
-            };
+    for (int j = 0; j < s.n_y; j += stride) {
+        const auto is_state = [&](int i) {
+            return i < s.n_x && s.contact_state[static_cast<std::size_t>(j) * s.n_x + i] == state;
+        };
+        for (int i = 0; i < s.n_x; i += stride) {
             if (!is_state(i)) continue;
-            const int begin = i;
-            while (is_state(i + 1)) ++i;
-            const double low = (s.x(begin) - s.spacing[0] / 2) / a;
-            const double high = (s.x(i) + s.spacing[0] / 2) / a;
-            const double bottom = (s.y(j) - s.spacing[1] / 2) / a;
-            const double top = (s.y(j) + (0.5 + overlap) * s.spacing[1]) / a;
+            const double low = (s.x(i) - half_x) / a;
+            while (is_state(i + stride)) i += stride;
+            const double high = (s.x(i) + half_x) / a;
+            const double bottom = (s.y(j) - half_y) / a;
+            const double top = (s.y(j) + (1 + 2 * overlap) * half_y) / a;
             const std::array row{(low + high) / 2, (bottom + top) / 2, low, high, bottom, top};
             for (std::size_t k = 0; k < row.size(); ++k) columns[k].push_back(row[k]);
         }

@@ -16,9 +16,9 @@ namespace {
 using contact::Case;
 using Row = Table::Row;
 
-Row row(const std::string& label, double si_value, const std::string& base) {
-    const Unit unit = fitting_unit(si_value, base);
-    return {label, unit.symbol, {significant(si_value / unit.factor)}};
+Row row(const std::string& label, double value, const std::string& base) {
+    const Unit unit = fitting_unit(value, base);
+    return {label, unit.symbol, {significant(value / unit.factor)}};
 }
 
 Row ratio_row(const std::string& label, double value) {
@@ -26,9 +26,9 @@ Row ratio_row(const std::string& label, double value) {
 }
 
 /// The same for what the user gave, without trailing zeros.
-Row given_row(const std::string& label, double si_value, const std::string& base) {
-    const Unit unit = base.empty() ? Unit{} : fitting_unit(si_value, base);
-    return {label, unit.symbol, {as_given(si_value / unit.factor)}};
+Row given_row(const std::string& label, double value, const std::string& base) {
+    const Unit unit = base.empty() ? Unit{} : fitting_unit(value, base);
+    return {label, unit.symbol, {as_given(value / unit.factor)}};
 }
 
 Row text_row(const std::string& label, const std::string& text) {

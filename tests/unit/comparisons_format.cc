@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "comparisons/base64.h"
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+namespace {
+
+TEST(Format, SignificantDigitsKeepTheirZeros) {
+    EXPECT_EQ(significant(0.65, 4), "0.6500");
+    EXPECT_EQ(significant(1234.4, 4), "1234");
+    EXPECT_EQ(significant(9.99996, 4), "10.00");
+    EXPECT_EQ(significant(-0.0012345, 3), "−0.00123");
+    EXPECT_EQ(significant(0.0, 4), "0");
+}
+
+TEST(Format, PowersOfTenOutsideTheReadableRange) {
+    EXPECT_EQ(significant(1.2e-7, 3), "1.20·10⁻⁷");
+    EXPECT_EQ(significant(6.5e12, 2), "6.5·10¹²");
+    EXPECT_EQ(significant(-3e-5, 1), "−3·10⁻⁵");
+}
+
+TEST(Format, UndefinedIsADash) {
+    EXPECT_EQ(significant({}), "–");
+    EXPECT_EQ(significant(std::numeric_limits<double>::infinity()), "–");
+    EXPECT_EQ(percent({}), "–");
+    EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "–");
+}
+
+TEST(Format, GivenNumbersWithoutTrailingZeros) {
+    EXPECT_EQ(as_given(0.56), "0.56");
+    EXPECT_EQ(as_given(40.000000000000007), "40");
+    EXPECT_EQ(as_given(100), "100");
+    EXPECT_EQ(as_given(0), "0");
+    EXPECT_EQ(as_given(1.5e-9), "1.5·10⁻⁹");
+    EXPECT_EQ(as_given(2e-9), "2·10⁻⁹");
+}
+
+TEST(Format, PercentIsSigned) {
+    EXPECT_EQ(percent(1.165), "+16.5 %");
+    EXPECT_EQ(percent(0.93), "−7.0 %");
+    EXPECT_EQ(percent(1.0012), "+0.12 %");
+    EXPECT_EQ(percent(1 - 1e-9), "0.00 %");
+    EXPECT_EQ(percent(4), "+300 %");
+}
+
+TEST(Format, UnitsFit) {
+    EXPECT_EQ(quantity(0.00450289, "m"), "4.503 mm");
+    EXPECT_EQ(quantity(496867.5, "Pa"), "496.9 kPa");
+    EXPECT_EQ(quantity(206e9, "Pa", 3), "206 GPa");
+    EXPECT_EQ(quantity(-3e-5, "m", 2), "−30 µm");
+    EXPECT_EQ(quantity(21.1, "N", 3), "21.1 N");
+    EXPECT_EQ(quantity(0, "m"), "0 m");
+}
+
+TEST(Format, ModelNames) {
+    EXPECT_EQ(display_name("mdr"), "MDR");
+    EXPECT_EQ(display_name("bem-layer"), "BEM layer");
+}
+
+TEST(Format, TypesettingEscapesFirst) {
+    EXPECT_EQ(typeset("f_T < 1 & \"u\""), "<i>f</i><sub>T</sub> &lt; 1 &amp; &quot;u&quot;");
+    EXPECT_EQ(typeset("limit f_T,lim"), "limit <i>f</i><sub>T,lim</sub>");
+    EXPECT_EQ(typeset("u = 1"), "u\u00a0=\u00a01");
+}
+
+TEST(Base64, Rfc4648Section10) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foob"), "Zm9vYg==");
+    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons

@@ -1,0 +1,197 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "comparisons/reference.h"
+#include "comparisons/summary.h"
+#include "comparisons_history.h"
+
+namespace tricontact::comparisons {
+namespace {
+
+using contact::State;
+using synthetic::Options;
+
+// All expected numbers are exact in the synthetic histories; only rounding remains.
+constexpr double rounding = 1e-13;
+
+TEST(Summary, RatiosAreOverTheModelsOwnUnits) {
+    const Options options{.f = 0.488, .w = 0.2, .periods = 3};  // 1 - f = 0.8^3: u_stat = 0.36
+    contact::History history = synthetic::settling_history("mdr", options);
+    history.scales.contact_radius = 0.5;
+    history.scales.unit_shift = 4;
+    const ModelSummary s = summarise(synthetic::unit_case(options), history);
+    EXPECT_DOUBLE_EQ(s.static_shift, 0.36);
+    EXPECT_DOUBLE_EQ(s.static_shift_ratio, 0.09);
+    EXPECT_DOUBLE_EQ(s.amplitude_ratio, 0.4);
+    EXPECT_DOUBLE_EQ(s.tangential_ratio, 0.488);
+    EXPECT_DOUBLE_EQ(s.final_shift, history.shift_per_period.back());
+    EXPECT_DOUBLE_EQ(s.final_shift_ratio, history.shift_per_period.back() / 4);
+    ASSERT_EQ(s.shift_ratio_per_period.size(), 3u);
+    EXPECT_DOUBLE_EQ(s.shift_increment_ratio.value(),
+                     s.shift_ratio_per_period[2] - s.shift_ratio_per_period[1]);
+}
+
+TEST(Summary, FirstPeriodsIncrementCountsFromTheStaticShift) {
+    const Options options{.f = 0.488, .w = 0.2, .periods = 1};
+    const ModelSummary s =
+        summarise(synthetic::unit_case(options), synthetic::settling_history("mdr", options));
+    EXPECT_NEAR(s.shift_increment_ratio.value(), s.final_shift_ratio - 0.36, rounding);
+}
+
+TEST(Summary, KappaOfTheClosedFormIsThreeHalves) {
+    for (const Options& o : {Options{.f = 0.56, .w = 0.24}, Options{.f = 0.2, .w = 0.5},
+                             Options{.f = 0.9, .w = 0.02}}) {
+        const ModelSummary s =
+            summarise(synthetic::unit_case(o), synthetic::settling_history("mdr", o));
+        // Rounding of f counts 1/(w u) <= 60 times.
+        EXPECT_NEAR(s.kappa.value(), 1.5, 60 * rounding) << o.f;
+        EXPECT_FALSE(s.eta);
+    }
+}
+
+TEST(Summary, KappaIsEmptyWhereUndefined) {
+    const Options base{.f = 0.3, .w = 0.2};
+    const contact::Case c = synthetic::unit_case(base);
+    contact::History undecided = synthetic::settling_history("mdr", base);
+    undecided.state = State::undecided;
+    EXPECT_FALSE(summarise(c, undecided).kappa);
+    EXPECT_FALSE(summarise(c, synthetic::settling_history("mdr", {.f = 0.3, .w = 0})).kappa);
+    EXPECT_FALSE(summarise(c, synthetic::settling_history("mdr", {.f = 0, .w = 0.2})).kappa);
+    contact::Case oscillating = c;
+    oscillating.load.tangential_amplitude_ratio = 0.1;
+    EXPECT_FALSE(summarise(oscillating, synthetic::settling_history("mdr", base)).kappa);
+    contact::History too_far = synthetic::settling_history("mdr", base);
+    too_far.shift_per_period.back() = 1.2;  // (1 - u)^(3/2) is not real
+    EXPECT_FALSE(summarise(c, too_far).kappa);
+}
+
+TEST(Summary, EtaOverTheDistanceFromTheLimit) {
+    // w_lim = 0.2: f = 1 - 0.3 + 0.004; Du = 0.6 at w = 0.5 makes eta = 0.6/0.3.
+    const Options options{.f = 0.704, .w = 0.5, .periods = 4};
+    const ModelSummary s = summarise(synthetic::unit_case(options),
+                                     synthetic::ratcheting_history("bem", options, 0.6));
+    EXPECT_NEAR(s.eta.value(), 2, 1e-12);  // w_lim is solved for to a few ulp
+    EXPECT_FALSE(s.kappa);
+}
+
+TEST(Summary, EtaIsEmptyWhereUndefined) {
+    const Options options{.f = 0.704, .w = 0.5, .periods = 4};
+    const contact::Case c = synthetic::unit_case(options);
+    contact::History undecided = synthetic::ratcheting_history("bem", options, 0.6);
+    undecided.state = State::undecided;
+    EXPECT_FALSE(summarise(c, undecided).eta);
+    const Options below{.f = 0.704, .w = 0.19, .periods = 4};
+    EXPECT_FALSE(summarise(c, synthetic::ratcheting_history("bem", below, 0.6)).eta);
+}
+
+TEST(Summary, DissipationOverMindlinsCycle) {
+    // An integration of the spring bed gives W0 = 0.0729909 at f = 0.6 in these units.
+    const Options options{.f = 0.6, .w = 0.1, .periods = 2};
+    contact::History history = synthetic::settling_history("mdr", options);
+    history.dissipation_per_period = {0.0729909, 0.00729909};
+    const ModelSummary s = summarise(synthetic::unit_case(options), history);
+    ASSERT_EQ(s.dissipation_ratio_per_period.size(), 2u);
+    // Six digits are given of W0.
+    EXPECT_NEAR(s.dissipation_ratio_per_period[0].value(), 1, 1e-6);
+    EXPECT_NEAR(s.dissipation_ratio_per_period[1].value(), 0.1, 1e-7);
+}
+
+TEST(Summary, DissipationWithoutTangentialForceHasNoUnit) {
+    const Options options{.f = 0, .w = 0.1, .periods = 2};
+    const ModelSummary s =
+        summarise(synthetic::unit_case(options), synthetic::settling_history("mdr", options));
+    ASSERT_EQ(s.dissipation_ratio_per_period.size(), 2u);
+    EXPECT_FALSE(s.dissipation_ratio_per_period[0]);
+}
+
+TEST(Summary, WithoutRollingThereIsNoVerdict) {
+    const Options options{.f = 0.488, .rolling = false};
+    const ModelSummary s =
+        summarise(synthetic::unit_case(options), synthetic::loaded_history("bem", options));
+    EXPECT_FALSE(s.state);
+    EXPECT_FALSE(s.shift_increment_ratio);
+    EXPECT_EQ(s.periods, 0);
+    EXPECT_DOUBLE_EQ(s.final_shift_ratio, 0.36);
+}
+
+TEST(Summary, WorstForceResidualOfAllSteps) {
+    contact::History history = synthetic::settling_history("bem");
+    history.steps[17].force_residual = 3e-9;
+    EXPECT_DOUBLE_EQ(summarise(synthetic::unit_case(), history).max_force_residual_ratio, 3e-9);
+}
+
+TEST(SummaryJson, ReadsBackBitForBitWithFixedKeys) {
+    const ModelSummary s = summarise(synthetic::unit_case(), synthetic::settling_history("mdr"));
+    const auto json = nlohmann::ordered_json::parse(
+        summary_json("1.2.3", {{"title", "x <&> \"y\""}, {"load", {{"f", 0.1}}}}, {s}));
+    EXPECT_EQ(json["version"], "1.2.3");
+    EXPECT_EQ(json["case"]["title"], "x <&> \"y\"");
+    const auto& m = json["models"]["mdr"];
+    std::vector<std::string> keys;
+    for (const auto& item : m.items()) keys.push_back(item.key());
+    const std::vector<std::string> expected{"contact_radius_m",
+                                            "indentation_m",
+                                            "peak_pressure_Pa",
+                                            "unit_shift_m",
+                                            "static_shift_ratio",
+                                            "shift_ratio_per_period",
+                                            "final_shift_ratio",
+                                            "shift_increment_ratio",
+                                            "static_shift_m",
+                                            "final_shift_m",
+                                            "state",
+                                            "periods",
+                                            "limit_tangential_ratio",
+                                            "kappa",
+                                            "eta",
+                                            "dissipation_ratio_per_period",
+                                            "steps",
+                                            "cpu_s",
+                                            "wall_s",
+                                            "max_force_residual_ratio",
+                                            "audit"};
+    EXPECT_EQ(keys, expected);
+    EXPECT_EQ(m["peak_pressure_Pa"].get<double>(), s.peak_pressure);
+    EXPECT_EQ(m["shift_ratio_per_period"].get<std::vector<double>>(), s.shift_ratio_per_period);
+    EXPECT_EQ(m["kappa"].get<double>(), s.kappa.value());
+    EXPECT_TRUE(m["eta"].is_null());
+    EXPECT_EQ(m["state"], "shakedown");
+    EXPECT_EQ(m["audit"]["friction_bound"]["worst"].get<double>(), 1e-13);
+    EXPECT_EQ(m["audit"]["friction_bound"]["passed"], true);
+}
+
+TEST(SummaryJson, NonFiniteNumbersBecomeNull) {
+    contact::History history = synthetic::settling_history("mdr");
+    history.scales.unit_shift = 0;  // every shift ratio is infinite or not a number
+    history.audit.record("broken", std::numeric_limits<double>::quiet_NaN(), 1e-10);
+    const std::string text =
+        summary_json("1", nullptr, {summarise(synthetic::unit_case(), history)});
+    const auto json = nlohmann::ordered_json::parse(text);  // "nan" or "inf" would not parse
+    EXPECT_TRUE(json["models"]["mdr"]["final_shift_ratio"].is_null());
+    EXPECT_TRUE(json["models"]["mdr"]["shift_ratio_per_period"][0].is_null());
+    EXPECT_TRUE(json["models"]["mdr"]["audit"]["broken"]["worst"].is_null());
+    EXPECT_EQ(json["models"]["mdr"]["audit"]["broken"]["passed"], false);
+}
+
+TEST(Reference, ClosedFormsOfTheCase) {
+    const Reference r = reference(synthetic::unit_case({.f = 0.488, .w = 0.2}));
+    EXPECT_NEAR(r.static_shift_ratio, 0.36, rounding);
+    EXPECT_NEAR(r.limit_tangential_ratio.value(), 1 - 0.3 + 0.004, rounding);
+    // The settled shift solves f = 1 - 1.5 w u - (1 - u)^1.5.
+    const double u = r.shakedown_shift_ratio.value();
+    EXPECT_NEAR(1 - 0.3 * u - std::pow(1 - u, 1.5), 0.488, rounding);
+}
+
+TEST(Reference, NothingIsClaimedOutsideItsAssumptions) {
+    contact::Case c = synthetic::unit_case({.f = 0.9, .w = 0.5});
+    EXPECT_FALSE(reference(c).shakedown_shift_ratio);  // ratchets
+    EXPECT_TRUE(reference(c).limit_tangential_ratio);
+    c.load.normal_amplitude_ratio = 0.1;
+    EXPECT_FALSE(reference(c).limit_tangential_ratio);
+    EXPECT_FALSE(reference(synthetic::unit_case({.f = 0.9, .w = 1.2})).limit_tangential_ratio);
+    EXPECT_FALSE(reference(synthetic::unit_case({.rolling = false})).limit_tangential_ratio);
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons
