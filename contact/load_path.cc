@@ -1,0 +1,109 @@
+#include "contact/load_path.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "contact/error.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+/// Step `k` of 4 `n` in a period as a triangular wave; the same offset has the same bits each time.
+double triangle_of_step(int k, int n) {
+    const int quarter = k / n, rest = k % n;
+    const double up = static_cast<double>(rest) / n;
+    const double down = static_cast<double>(n - rest) / n;
+    switch (quarter % 4) {
+        case 0: return up;
+        case 1: return down;
+        case 2: return -up;
+        default: return -down;
+    }
+}
+
+Vector2 direction(double angle) {
+    // cos(pi/2) is 6e-17 in floating point; perpendicular rolling has no parallel part.
+    auto clean = [](double value) { return std::abs(value) < 1e-15 ? 0.0 : value; };
+    return {clean(std::cos(angle)), clean(std::sin(angle))};
+}
+
+NormalControl mean_normal_control(const Case& c) {
+    if (c.load.normal_force) return {NormalControl::Kind::force, *c.load.normal_force};
+    return {NormalControl::Kind::indentation, *c.load.indentation};
+}
+
+int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
+    switch (rolling.steps) {
+        case Case::Steps::turning_points: return 1;
+        case Case::Steps::per_quarter: return rolling.steps_per_quarter;
+        case Case::Steps::increment: break;
+    }
+    // Equal steps no longer than the increment; 1e-9 forgives the rounding of W / dW.
+    return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
+}
+
+void check_friction_limit(const Case& c, const LoadStep& step) {
+    if (step.normal.kind != NormalControl::Kind::force) return;
+    const double limit = c.friction_coefficient * step.normal.value;
+    const double force = std::abs(step.tangential[0].value);
+    if (force >= limit)
+        throw InputError(fmt::format(
+            "load: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N at "
+            "phase {:.4g}; lower tangential_force or tangential_ratio (or their amplitude)",
+            force, limit, step.phase));
+}
+
+}  // namespace
+
+double triangle_wave(double phase) {
+    const double p = phase - std::floor(phase);
+    return p <= 0.25 ? 4 * p : (p <= 0.75 ? 2 - 4 * p : 4 * p - 4);
+}
+
+LoadStep press_step(const Case& c) {
+    LoadStep step;
+    step.normal = mean_normal_control(c);
+    return step;
+}
+
+LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
+    const double mean_force = c.load.tangential_force
+                                  ? *c.load.tangential_force
+                                  : *c.load.tangential_ratio * c.friction_coefficient * normal_force;
+    auto loads_at = [&](LoadStep& step) {
+        auto factor = [&](double ratio, double shift) {
+            return ratio == 0 ? 1
+                              : 1 + ratio * triangle_wave(step.phase + shift / (2 * std::numbers::pi));
+        };
+        step.normal = mean_normal_control(c);
+        step.normal.value *= factor(c.load.normal_amplitude_ratio, c.load.normal_phase);
+        step.tangential[0].value =
+            mean_force * factor(c.load.tangential_amplitude_ratio, c.load.tangential_phase);
+        check_friction_limit(c, step);
+    };
+
+    LoadPath path;
+    path.loading.resize(1);
+    loads_at(path.loading.front());
+    if (!c.rolling) return path;
+
+    path.amplitude = rolling_amplitude(*c.rolling, contact_radius);
+    path.max_periods = c.rolling->periods;
+    path.run_all = c.rolling->run_all;
+    const int n = steps_in_quarter(*c.rolling, path.amplitude);
+    const Vector2 along = direction(c.rolling->angle);
+    for (int k = 1; k <= 4 * n; ++k) {
+        LoadStep step;
+        step.phase = k / (4.0 * n);
+        const double distance = path.amplitude * triangle_of_step(k, n);
+        step.offset = {distance * along[0], distance * along[1]};
+        loads_at(step);
+        path.period.push_back(step);
+    }
+    return path;
+}
+
+}  // namespace tricontact::contact

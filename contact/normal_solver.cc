@@ -1,0 +1,203 @@
+#include "contact/normal_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+constexpr int max_iterations = 5000;
+
+/// One solve: the fields of the conjugate gradient iteration, and its verbs.
+class Iteration {
+  public:
+    Iteration(const Compliance& compliance, const std::vector<double>& height,
+              const NormalControl& control, const std::vector<double>& start)
+        : compliance_(compliance),
+          area_(compliance.points().area),
+          height_(height),
+          control_(control),
+          gap_(height.size()),
+          direction_(height.size()),
+          direction_displacement_(height.size()) {
+        solution_.displacement.resize(height.size());
+        set_start(start);
+    }
+
+    NormalSolution run(double tolerance) {
+        update_displacement();
+        for (int k = 1; k <= max_iterations; ++k) {
+            update_gap();
+            solution_.iterations = k;
+            if (solution_.residual <= tolerance) {
+                // The displacement is carried along by increments: judge the true one.
+                if (displacement_is_exact_) return finish();
+                update_displacement();
+                continue;
+            }
+            update_direction();
+            take_step();
+        }
+        throw NotConverged(fmt::format(
+            "normal contact: residual {:.2e} after {} iterations ({} points in contact)",
+            solution_.residual, max_iterations, n_contact_));
+    }
+
+  private:
+    bool force_controlled() const { return control_.kind == NormalControl::Kind::force; }
+    bool in_contact(std::size_t i) const { return solution_.pressure[i] > 0; }
+
+    void set_start(const std::vector<double>& start) {
+        auto& p = solution_.pressure;
+        if (!start.empty()) {
+            p = start;
+        } else {
+            p.resize(height_.size());
+            for (std::size_t i = 0; i < p.size(); ++i)
+                p[i] = force_controlled() ? std::isfinite(height_[i])
+                                          : height_[i] < control_.value;
+        }
+        for (std::size_t i = 0; i < p.size(); ++i)
+            if (!std::isfinite(height_[i])) p[i] = 0;
+        if (force_controlled()) {
+            scale_to_force();
+        } else if (start.empty()) {
+            // A pressure of the right magnitude: it displaces by at most half of what is prescribed.
+            update_displacement();
+            const auto& u = solution_.displacement;
+            const double factor = control_.value / (2 * *std::max_element(u.begin(), u.end()));
+            for (double& value : p) value *= factor;
+        }
+    }
+
+    double pressure_sum() const {
+        double sum = 0;
+        for (std::size_t i = 0; i < area_.size(); ++i) sum += area_[i] * solution_.pressure[i];
+        return sum;
+    }
+
+    void scale_to_force() {
+        const double factor = control_.value / pressure_sum();
+        for (double& value : solution_.pressure) value *= factor;
+        for (double& value : solution_.displacement) value *= factor;
+    }
+
+    void update_displacement() {
+        compliance_.normal(solution_.pressure, solution_.displacement);
+        displacement_is_exact_ = true;
+    }
+
+    /// Mean over the contact, weighted by area.
+    template <typename Function>
+    double contact_mean(Function value) const {
+        double sum = 0, total = 0;
+        for (std::size_t i = 0; i < area_.size(); ++i)
+            if (in_contact(i)) {
+                sum += area_[i] * value(i);
+                total += area_[i];
+            }
+        return sum / total;
+    }
+
+    void update_gap() {
+        const auto& u = solution_.displacement;
+        solution_.indentation =
+            force_controlled() ? contact_mean([&](std::size_t i) { return u[i] + height_[i]; })
+                               : control_.value;
+        double worst = 0;
+        n_contact_ = 0;
+        for (std::size_t i = 0; i < gap_.size(); ++i) {
+            gap_[i] = u[i] + height_[i] - solution_.indentation;
+            worst = std::max(worst, in_contact(i) ? std::abs(gap_[i]) : -gap_[i]);
+            n_contact_ += in_contact(i);
+        }
+        solution_.residual = worst / solution_.indentation;
+    }
+
+    void update_direction() {
+        double norm = 0;
+        for (std::size_t i = 0; i < gap_.size(); ++i)
+            if (in_contact(i)) norm += area_[i] * gap_[i] * gap_[i];
+        const double beta = restart_ ? 0 : norm / last_norm_;
+        last_norm_ = norm;
+        for (std::size_t i = 0; i < gap_.size(); ++i)
+            direction_[i] = in_contact(i) ? gap_[i] + beta * direction_[i] : 0;
+    }
+
+    void take_step() {
+        compliance_.normal(direction_, direction_displacement_);
+        const auto& r = direction_displacement_;
+        const double mean =
+            force_controlled() ? contact_mean([&](std::size_t i) { return r[i]; }) : 0;
+        double numerator = 0, denominator = 0;
+        for (std::size_t i = 0; i < gap_.size(); ++i)
+            if (in_contact(i)) {
+                numerator += area_[i] * gap_[i] * direction_[i];
+                denominator += area_[i] * (r[i] - mean) * direction_[i];
+            }
+        const double step = numerator / denominator;
+        if (!(std::isfinite(step)))
+            throw NotConverged("normal contact: the conjugate gradients broke down");
+        const bool contact_changed = move(step);
+        if (force_controlled()) scale_to_force();
+        if (contact_changed) update_displacement();
+    }
+
+    /// Moves along the direction; true when points left or entered the contact. Those that enter
+    /// make the old direction useless; those that leave do not.
+    bool move(double step) {
+        auto& p = solution_.pressure;
+        bool clipped = false, entered = false;
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            if (in_contact(i)) {
+                p[i] -= step * direction_[i];
+                if (p[i] <= 0) {
+                    p[i] = 0;
+                    clipped = true;
+                }
+            } else if (gap_[i] < 0) {
+                p[i] = -step * gap_[i];
+                entered = true;
+            }
+            solution_.displacement[i] -= step * direction_displacement_[i];
+        }
+        displacement_is_exact_ = false;
+        restart_ = entered;
+        return clipped || entered;
+    }
+
+    NormalSolution finish() {
+        solution_.force = pressure_sum();
+        return std::move(solution_);
+    }
+
+    const Compliance& compliance_;
+    const std::vector<double>& area_;
+    const std::vector<double>& height_;
+    const NormalControl control_;
+    NormalSolution solution_;
+    std::vector<double> gap_, direction_, direction_displacement_;
+    double last_norm_ = 1;
+    bool restart_ = true;
+    bool displacement_is_exact_ = false;
+    std::size_t n_contact_ = 0;
+};
+
+}  // namespace
+
+NormalSolver::NormalSolver(const Compliance& compliance, double tolerance)
+    : compliance_(compliance), tolerance_(tolerance) {}
+
+NormalSolution NormalSolver::solve(const std::vector<double>& height, const NormalControl& control,
+                                   const std::vector<double>& start) const {
+    if (!(control.value > 0))
+        throw InputError("normal contact: the prescribed force or indentation must be positive");
+    return Iteration(compliance_, height, control, start).run(tolerance_);
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/compliance.h"
+#include "contact/load_path.h"
+
+namespace tricontact::contact {
+
+/// Frictionless normal contact at one position of the indenter.
+struct NormalSolution {
+    std::vector<double> pressure;      ///< p [Pa], >= 0
+    std::vector<double> displacement;  ///< u_z [m], into the substrate
+    double indentation = 0;            ///< d [m]
+    double force = 0;                  ///< F_N [N]
+    int iterations = 0;
+    /// Largest |gap| where p > 0 and largest penetration elsewhere, over d [-].
+    double residual = 0;
+};
+
+/// Conjugate gradients with active set, Polonsky & Keer (1999), Wear 231, 206-219; force or
+/// indentation prescribed.
+class NormalSolver {
+  public:
+    /// `tolerance`: on NormalSolution::residual.
+    NormalSolver(const Compliance& compliance, double tolerance);
+
+    /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
+    /// a similar problem, or empty. Throws NotConverged.
+    NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
+                         const std::vector<double>& start = {}) const;
+
+  private:
+    const Compliance& compliance_;
+    double tolerance_;
+};
+
+}  // namespace tricontact::contact

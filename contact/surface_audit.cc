@@ -1,0 +1,76 @@
+#include "contact/surface_audit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tricontact::contact {
+
+namespace {
+constexpr double force_allowed = 1e-9;
+constexpr double rounding_allowed = 1e-12;
+}  // namespace
+
+void audit_normal(const NormalSolution& solution, const NormalControl& control,
+                  const std::vector<double>& area, double tolerance, Audit& audit) {
+    const auto& p = solution.pressure;
+    double peak = 0, least = 0, force = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        peak = std::max(peak, p[i]);
+        least = std::min(least, p[i]);
+        force += area[i] * p[i];
+    }
+    audit.record("pressure_nonnegative", -least / peak, 0);
+    audit.record("gap_and_complementarity", solution.residual, tolerance);
+    if (control.kind == NormalControl::Kind::force)
+        audit.record("normal_force", std::abs(force - control.value) / control.value,
+                     force_allowed);
+}
+
+void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit) {
+    double total_bound = 0, mean_bound = 0, contact_area = 0;
+    double excess = 0, stick = 0, across = 0, backward = 0;
+    Vector2 force{};
+    for (std::size_t i = 0; i < facts.bound.size(); ++i) {
+        const Vector2 t = {facts.traction.x[i], facts.traction.y[i]};
+        const Vector2 s = {facts.slip.x[i], facts.slip.y[i]};
+        force[0] += facts.area[i] * t[0];
+        force[1] += facts.area[i] * t[1];
+        total_bound += facts.area[i] * facts.bound[i];
+        excess = std::max(excess, norm(t) - facts.bound[i]);
+        if (facts.contact_state[i] == ContactState::open) continue;
+        contact_area += facts.area[i];
+        if (facts.contact_state[i] == ContactState::stick) {
+            stick = std::max(stick, norm(s));
+        } else {
+            across = std::max(across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
+            backward = std::max(backward, -dot(s, t) / norm(t));
+        }
+    }
+    mean_bound = total_bound / contact_area;
+    audit.record("friction_bound", excess / mean_bound, rounding_allowed);
+    // `stick` counts points at the bound whose slip is below the threshold of the classification.
+    audit.record("no_slip_where_stick", stick / facts.length, 10 * tolerance);
+    audit.record("slip_along_traction", std::max(across, backward) / facts.length, 10 * tolerance);
+    for (int d = 0; d < 2; ++d)
+        if (facts.control[d].kind == TangentialControl::Kind::force)
+            audit.record("tangential_force", std::abs(force[d] - facts.control[d].value) / total_bound,
+                         force_allowed);
+}
+
+void audit_energy(const EnergyFacts& facts, Audit& audit) {
+    double work = 0, friction = 0;
+    for (std::size_t i = 0; i < facts.area.size(); ++i) {
+        const Vector2 mean = {(facts.traction_before.x[i] + facts.traction.x[i]) / 2,
+                              (facts.traction_before.y[i] + facts.traction.y[i]) / 2};
+        const Vector2 slip = {facts.shift_increment[0] -
+                                  (facts.displacement.x[i] - facts.displacement_before.x[i]),
+                              facts.shift_increment[1] -
+                                  (facts.displacement.y[i] - facts.displacement_before.y[i])};
+        work += facts.area[i] * dot(mean, facts.shift_increment);
+        friction += facts.area[i] * dot(mean, slip);
+    }
+    audit.record("energy_balance", std::abs(work - facts.energy_change - friction) / facts.unit,
+                 force_allowed);
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/audit.h"
+#include "contact/compliance.h"
+#include "contact/load_path.h"
+#include "contact/normal_solver.h"
+#include "contact/surface.h"
+
+namespace tricontact::contact {
+
+/// p >= 0, gap >= 0, p gap = 0, force prescribed: from the fields, not from the solver's word.
+void audit_normal(const NormalSolution& solution, const NormalControl& control,
+                  const std::vector<double>& area, double tolerance, Audit& audit);
+
+struct TangentialFacts {
+    const std::vector<double>& bound;  ///< mu p [Pa]
+    const std::vector<double>& area;   ///< [m^2]
+    const TangentialField& traction;   ///< on the substrate [Pa]
+    const TangentialField& slip;       ///< indenter over substrate in this step [m]
+    const std::vector<ContactState>& contact_state;
+    std::array<TangentialControl, 2> control;
+    double length;  ///< what slips are compared with [m], mu d
+};
+/// Friction bound, no slip where it sticks, slip along the traction where it slips, forces.
+void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit);
+
+struct EnergyFacts {
+    const std::vector<double>& area;
+    const TangentialField &traction_before, &displacement_before, &traction, &displacement;
+    Vector2 shift_increment;
+    double energy_change;  ///< of the elastic energy stored tangentially [J]
+    double unit;           ///< what energies are compared with [J]
+};
+/// Work of the tangential force = change of elastic energy + frictional work, all by the
+/// trapezoidal rule, which is exact for a self-adjoint linear compliance.
+void audit_energy(const EnergyFacts& facts, Audit& audit);
+
+}  // namespace tricontact::contact

@@ -1,0 +1,253 @@
+#include "contact/tangential_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "contact/friction_disc.h"
+#include "contact/projected_gradient.h"
+#include "contact/tangential_system.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+constexpr int max_newton_steps = 200;
+constexpr int patience = 8;             // Newton steps without progress before gradients take over
+constexpr int gradient_iterations = 60;
+constexpr int cg_iterations = 300;
+constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
+
+class Newton {
+  public:
+    Newton(const Compliance& compliance, const TangentialProblem& problem, double tolerance,
+           TangentialSolution& solution)
+        : compliance_(compliance),
+          area_(compliance.points().area),
+          problem_(problem),
+          tolerance_(tolerance),
+          solution_(solution) {
+        for (int d = 0; d < 2; ++d)
+            force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
+        find_active_points();
+        check_force_is_carried();
+    }
+
+    void run() {
+        solution_.iterations = 0;
+        start();
+        double best = std::numeric_limits<double>::infinity();
+        int without_progress = 0;
+        for (int step = 0; step < max_newton_steps; ++step) {
+            update_slip();
+            update_residual();
+            if (converged()) return;
+            without_progress = solution_.residual < 0.9 * best ? 0 : without_progress + 1;
+            best = std::min(best, solution_.residual);
+            if (without_progress >= patience || !solve_linear_system()) {
+                take_gradient_steps();
+                without_progress = 0;
+                best = std::numeric_limits<double>::infinity();
+            }
+            classify();
+        }
+        throw NotConverged(fmt::format(
+            "tangential contact: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
+            "Newton steps; {} points in contact, {} slipping",
+            solution_.residual, tolerance_, solution_.force_residual, max_newton_steps,
+            active_.size(), std::count(slipping_.begin(), slipping_.end(), 1)));
+    }
+
+  private:
+    TangentialField& traction() { return solution_.traction; }
+    Vector2 traction_at(std::size_t i) const {
+        return {solution_.traction.x[i], solution_.traction.y[i]};
+    }
+    void set_traction(std::size_t i, const Vector2& t) {
+        solution_.traction.x[i] = t[0];
+        solution_.traction.y[i] = t[1];
+    }
+
+    void find_active_points() {
+        for (std::size_t i = 0; i < area_.size(); ++i) {
+            if (problem_.bound[i] > 0) {
+                active_.push_back(i);
+                total_bound_ += area_[i] * problem_.bound[i];
+                active_area_ += area_[i];
+            }
+        }
+        mean_bound_ = total_bound_ / active_area_;
+    }
+
+    void check_force_is_carried() const {
+        Vector2 force{};
+        for (int d = 0; d < 2; ++d)
+            if (force_controlled_[d]) force[d] = problem_.control[d].value;
+        if (norm(force) >= total_bound_)
+            throw InputError(fmt::format(
+                "tangential contact: the force {:.6g} N reaches the friction limit {:.6g} N: the "
+                "contact slides as a whole; lower the tangential force",
+                norm(force), total_bound_));
+    }
+
+    /// Starts from the given traction; points that it loads to the bound slip at first.
+    void start() {
+        const std::size_t n = area_.size();
+        if (traction().size() != n) traction() = TangentialField(n);
+        solution_.displacement.x.resize(n);
+        solution_.displacement.y.resize(n);
+        slipping_.assign(active_.size(), 0);
+        slip_.assign(active_.size(), Vector2{});
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if (next == active_.size() || active_[next] != i) {
+                set_traction(i, {0, 0});
+                continue;
+            }
+            const Vector2 t = traction_at(i);
+            slipping_[next++] = norm(t) >= problem_.bound[i] * (1 - 1e-12);
+            set_traction(i, project_on_disc(t, problem_.bound[i]));
+        }
+        for (int d = 0; d < 2; ++d)
+            solution_.shift_increment[d] = force_controlled_[d] ? 0 : problem_.control[d].value;
+        set_local_compliances();
+    }
+
+    void set_local_compliances() {
+        TangentialField mean(area_.size()), u(area_.size());
+        for (const std::size_t i : active_) mean.x[i] = problem_.bound[i];
+        compliance_.tangential(mean, u);
+        ++solution_.iterations;
+        double displacement = 0;
+        for (const std::size_t i : active_) displacement += area_[i] * std::abs(u.x[i]);
+        contact_compliance_ = displacement / total_bound_;
+    }
+
+    void update_slip() {
+        compliance_.tangential(traction(), solution_.displacement);
+        ++solution_.iterations;
+        const auto& before = problem_.previous_displacement;
+        const auto& now = solution_.displacement;
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            slip_[k] = {solution_.shift_increment[0] + before.x[i] - now.x[i],
+                        solution_.shift_increment[1] + before.y[i] - now.y[i]};
+        }
+    }
+
+    /// t + s/alpha: inside the friction disc where the point sticks.
+    Vector2 trial(std::size_t k) const {
+        const Vector2 t = traction_at(active_[k]);
+        return {t[0] + slip_[k][0] / contact_compliance_, t[1] + slip_[k][1] / contact_compliance_};
+    }
+
+    void update_residual() {
+        double worst = 0;
+        Vector2 force{};
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            const Vector2 t = traction_at(i);
+            const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
+            worst = std::max(worst, std::hypot(t[0] - p[0], t[1] - p[1]));
+            force[0] += area_[i] * t[0];
+            force[1] += area_[i] * t[1];
+        }
+        solution_.residual = worst / mean_bound_;
+        solution_.force_residual = 0;
+        for (int d = 0; d < 2; ++d) {
+            missing_force_[d] = force_controlled_[d] ? problem_.control[d].value - force[d] : 0;
+            solution_.force_residual =
+                std::max(solution_.force_residual, std::abs(missing_force_[d]) / total_bound_);
+        }
+    }
+
+    bool converged() const {
+        return solution_.residual <= tolerance_ && solution_.force_residual <= force_tolerance;
+    }
+
+    /// One Newton step on the present zones; false when they cannot carry the force.
+    bool solve_linear_system() {
+        std::vector<Vector2> tangent(active_.size());
+        std::vector<double> curvature(active_.size(), 0.0);
+        TangentialField right_hand_side(area_.size());
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            right_hand_side.x[i] = slip_[k][0];
+            right_hand_side.y[i] = slip_[k][1];
+            if (!slipping_[k]) continue;
+            const Vector2 t = traction_at(i);
+            const double bound = problem_.bound[i];
+            tangent[k] = {-t[1] / bound, t[0] / bound};
+            curvature[k] = std::max(0.0, dot(slip_[k], t) / bound) / bound;
+        }
+        const TangentialSystem system(compliance_, active_, slipping_, std::move(tangent),
+                                      std::move(curvature), contact_compliance_, force_controlled_);
+        const double scale = contact_compliance_ * mean_bound_;
+        const auto result = system.solve(
+            right_hand_side, missing_force_,
+            {.relative = 0.02, .absolute = 0.1 * tolerance_ * scale, .iterations = cg_iterations});
+        solution_.iterations += result.iterations;
+        if (!result.solved) return false;
+        move(result);
+        return true;
+    }
+
+    void move(const TangentialSystem::Result& result) {
+        for (int d = 0; d < 2; ++d) solution_.shift_increment[d] += result.shift_increment[d];
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
+            if (slipping_[k]) {
+                const double factor = problem_.bound[i] / norm(t);
+                t = {t[0] * factor, t[1] * factor};
+            }
+            set_traction(i, t);
+            slip_[k][0] += result.shift_increment[0] - result.a_z.x[i];
+            slip_[k][1] += result.shift_increment[1] - result.a_z.y[i];
+        }
+    }
+
+    /// New zones from traction and slip; slipping points are put on their friction disc.
+    void classify() {
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            const double bound = problem_.bound[i];
+            const Vector2 y = trial(k);
+            const double size = norm(y);
+            slipping_[k] = size > bound;
+            set_traction(i, slipping_[k] ? Vector2{y[0] * bound / size, y[1] * bound / size}
+                                         : project_on_disc(traction_at(i), bound));
+        }
+    }
+
+    void take_gradient_steps() {
+        projected_gradient(compliance_, active_, problem_, gradient_iterations, solution_);
+        update_slip();
+    }
+
+    const Compliance& compliance_;
+    const std::vector<double>& area_;
+    const TangentialProblem& problem_;
+    const double tolerance_;
+    TangentialSolution& solution_;
+    std::array<bool, 2> force_controlled_{};
+    std::vector<std::size_t> active_;
+    std::vector<std::uint8_t> slipping_;  // per active point
+    std::vector<Vector2> slip_;           // s [m] per active point
+    Vector2 missing_force_{};
+    double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
+    double contact_compliance_ = 0;  // alpha [m/Pa]
+};
+
+}  // namespace
+
+TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
+    : compliance_(compliance), tolerance_(tolerance) {}
+
+void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolution& solution) const {
+    Newton(compliance_, problem, tolerance_, solution).run();
+}
+
+}  // namespace tricontact::contact

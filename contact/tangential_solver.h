@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "contact/compliance.h"
+#include "contact/load_path.h"
+
+namespace tricontact::contact {
+
+/// One step of frictional contact at given pressures: find tractions t on the substrate,
+/// |t| <= bound, such that the slip s = dU + u_previous - A t vanishes where |t| < bound and points
+/// along t where |t| = bound.
+struct TangentialProblem {
+    const std::vector<double>& bound;               ///< mu p [Pa] per point, 0 outside the contact
+    const TangentialField& previous_displacement;   ///< [m], before the step
+    /// Per direction: total force on the substrate [N], or increment of the rigid shift [m].
+    std::array<TangentialControl, 2> control;
+};
+
+struct TangentialSolution {
+    TangentialField traction;      ///< t [Pa]
+    TangentialField displacement;  ///< A t [m]
+    Vector2 shift_increment{};     ///< dU [m], indenter over substrate
+    int iterations = 0;            ///< applications of the compliance
+    double residual = 0;           ///< see TangentialSolver
+    double force_residual = 0;     ///< |sum t A - F| / sum bound A, worst force-controlled direction
+};
+
+/// Semismooth Newton method (active set): the unknowns are t where points stick and the traction's
+/// angle where they slip; each linear system is symmetric positive definite on the null space of the
+/// force balance and solved by projected, preconditioned conjugate gradients. Accelerated projected
+/// gradients take over when the active set cycles.
+///
+/// Residual: largest |t - P(t + s/alpha)| over the mean bound, P the projection onto the friction
+/// disc, alpha the compliance that turns the mean bound into its own mean displacement. It reads:
+/// slip of sticking points over the shift of full sliding, and angle between slip and traction.
+class TangentialSolver {
+  public:
+    TangentialSolver(const Compliance& compliance, double tolerance);
+
+    /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound).
+    /// Throws NotConverged; InputError when the force exceeds what friction carries.
+    void solve(const TangentialProblem& problem, TangentialSolution& solution) const;
+
+  private:
+    const Compliance& compliance_;
+    double tolerance_;
+};
+
+}  // namespace tricontact::contact

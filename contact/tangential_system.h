@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/compliance.h"
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// The Newton system of frictional contact for given stick and slip zones, on tangential fields
+/// that vanish outside the contact. Sticking points have two unknowns; slipping ones move along the
+/// tangent of their friction disc only:
+///   P A z + D z - C dU = r,   C' z = c,
+/// P the projection onto the admissible directions, D = (s.e)/bound on slipping points (the
+/// curvature of the disc), C the total forces in the force-controlled directions.
+class TangentialSystem {
+  public:
+    /// Conjugate gradients stop when the r.m.s. residual [m] is below both limits.
+    struct Limits {
+        double relative;  ///< to the first residual
+        double absolute;  ///< [m]
+        int iterations;
+    };
+
+    struct Result {
+        TangentialField z;          ///< [Pa]
+        TangentialField a_z;        ///< A z [m], not projected
+        Vector2 shift_increment{};  ///< dU [m], zero in shift-controlled directions
+        int iterations = 0;         ///< applications of the compliance
+        bool solved = false;        ///< false: the force balance is singular on these zones
+    };
+
+    /// `active`: indices of the points in contact. `slipping`, `tangent` (unit vector along the
+    /// disc), `curvature` (D [m/Pa]): one per active point.
+    TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
+                     std::vector<std::uint8_t> slipping, std::vector<Vector2> tangent,
+                     std::vector<double> curvature, double self_compliance,
+                     std::array<bool, 2> force_controlled);
+
+    /// `r` [m], `c` [N]: right-hand sides.
+    Result solve(const TangentialField& r, const Vector2& c, const Limits& limits) const;
+
+  private:
+    void project(TangentialField& f) const;
+    void scale(TangentialField& f) const;
+    void precondition(const TangentialField& r, TangentialField& z) const;
+    double inner(const TangentialField& a, const TangentialField& b) const;
+    Vector2 total(const TangentialField& z) const;
+    bool prepare_constraint();
+    Vector2 constraint_multiplier(const Vector2& total_force) const;
+
+    const Compliance& compliance_;
+    const std::vector<std::size_t>& active_;
+    std::vector<std::uint8_t> slipping_;
+    std::vector<Vector2> tangent_;
+    std::vector<double> curvature_, scaling_;
+    std::array<bool, 2> force_controlled_;
+    std::array<TangentialField, 2> constraint_;       // C
+    std::array<TangentialField, 2> preconditioned_;   // M^-1 C
+    std::array<std::array<double, 2>, 2> schur_inverse_{};
+    bool regular_ = false;
+};
+
+}  // namespace tricontact::contact
