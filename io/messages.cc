@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cstdint>
 #include <vector>
 
 #include "contact/error.h"
@@ -78,6 +79,30 @@ std::string one_line(std::string_view text) {
     std::string out(text);
     std::replace_if(out.begin(), out.end(), is_control, ' ');
     return out;
+}
+
+bool is_utf8(std::string_view text) {
+    // Least code point of a sequence of 1, 2, 3, 4 bytes.
+    constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+    for (std::size_t i = 0; i < text.size();) {
+        const auto first = static_cast<unsigned char>(text[i]);
+        const std::size_t length = first < 0x80           ? 1
+                                   : (first >> 5) == 0x06 ? 2
+                                   : (first >> 4) == 0x0E ? 3
+                                   : (first >> 3) == 0x1E ? 4
+                                                          : 0;
+        if (length == 0 || i + length > text.size()) return false;
+        std::uint32_t code = length == 1 ? first : first & (0x7FU >> length);
+        for (std::size_t k = 1; k < length; ++k) {
+            const auto next = static_cast<unsigned char>(text[i + k]);
+            if ((next & 0xC0) != 0x80) return false;
+            code = (code << 6) | (next & 0x3FU);
+        }
+        const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+        if (code < least[length] || code > 0x10FFFF || surrogate) return false;
+        i += length;
+    }
+    return true;
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {

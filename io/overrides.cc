@@ -16,6 +16,7 @@ std::string trimmed(const std::string& text) {
 }
 
 Entry entry_of(const std::string& text) {
+    if (!is_utf8(text)) fail("--set", "", "the text is not UTF-8", "use a terminal in UTF-8");
     const std::string place = "--set " + shortened(text, 80);
     const auto equals = text.find('=');
     const std::string path = trimmed(text.substr(0, equals));

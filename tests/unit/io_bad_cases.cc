@@ -121,6 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadOverride{{"load.tangential_ratio=0.1", "load.tangential_force=1 N"},
                     "--set load.tangential_force=1 N: load.tangential_force = \"1 N\": contradicts "
                     "load.tangential_ratio = 0.1; give one of the two"},
+        BadOverride{{"title=\xe4"}, "--set: the text is not UTF-8; use a terminal in UTF-8"},
         BadOverride{{"title=a\nmodels=3", "models=mdr"},
                     "--set models=mdr: models = \"mdr\": must be a list of texts, but is a text; "
                     "write for example models = [\"mdr\", \"bem\"]"}));

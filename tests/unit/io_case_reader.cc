@@ -202,6 +202,7 @@ TEST(CaseReader, ThreadsMayReadAtOnce) {
     const std::string expected = write_case(parsed());
     std::vector<std::thread> threads;
     std::vector<int> equal(4, 0);
+    threads.reserve(equal.size());
     for (int& count : equal)
         threads.emplace_back([&] {
             for (int i = 0; i < 50; ++i) count += write_case(parsed()) == expected;

@@ -30,6 +30,14 @@ TEST(Messages, ShorteningKeepsCharactersWhole) {
     EXPECT_EQ(shortened("ab\u20ac", 4), "ab...");  // the euro sign has three bytes
 }
 
+TEST(Messages, Utf8IsToldFromOtherBytes) {
+    for (const char* text : {"", "abc", "\u00e4\u20ac\U0001d70f", "\U0010ffff"})
+        EXPECT_TRUE(is_utf8(text)) << text;
+    for (const char* text : {"\xe4", "\xc3", "\xe2\x82", "\x80", "\xff", "\xc0\x80", "\xe0\x80\x80",
+                             "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf0\x82\x82\xac"})
+        EXPECT_FALSE(is_utf8(text)) << text;
+}
+
 TEST(Messages, NearestForgivesTypingErrorsOnly) {
     constexpr std::array<std::string_view, 3> names{"radius", "young", "poisson"};
     EXPECT_EQ(nearest("raduis", names), "radius");
