@@ -88,7 +88,7 @@ void refuse_stray_character(std::string_view text, const std::string& name) {
     });
     fail(name + ':' + std::to_string(line + 1) + ':' + std::to_string(column + 1), "",
          "not valid TOML: the character " + toml_string(character_at(text, at)) +
-             " outside quotes and comments",
+             " may not stand outside quotes or behind a backslash",
          "put texts and quantities in double quotes");
 }
 

@@ -35,6 +35,13 @@ TEST(StrayCharacter, AQuoteGluedToAWordBeginsNoString) {
     EXPECT_EQ(stray_character("\"a\".\"\u00e4\" = [\"\u00e4\",\"\u00e4\"]"), none);
 }
 
+TEST(StrayCharacter, MayNotFollowABackslashInAStringOfSeveralLines) {
+    EXPECT_EQ(stray_character("a = \"\"\"x\\\u00e4\"\"\""), 9U);
+    EXPECT_EQ(stray_character("a = \"\"\"x\\ \n \u00e4\"\"\""), 12U);
+    EXPECT_EQ(stray_character("a = \"\"\"x\\n\u00e4\"\"\""), none);
+    EXPECT_EQ(stray_character("a = '''x\\\u00e4'''"), none);
+}
+
 TEST(StrayCharacter, ReadingEndsWithAnUnclosedString) {
     EXPECT_EQ(stray_character("a = \"x\n\u00e4"), none);
     EXPECT_EQ(stray_character("a = \"\"\"x\n\u00e4"), none);
