@@ -80,6 +80,7 @@ int run(const std::string& program, const MemoryFile& in, const MemoryFile& out,
     std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
     std::vector<std::string> environment = plain_environment();
     std::vector<char*> variables;
+    variables.reserve(environment.size() + 1);
     for (std::string& entry : environment) variables.push_back(entry.data());
     variables.push_back(nullptr);
 

@@ -64,7 +64,7 @@ Picture surface_picture(const Surface& s, const std::vector<double>& values, dou
             "set cbrange [0:{1:.4g}]\n"
             "set xtics 1 offset 0,-0.4\nset ytics 1 offset 0,-0.4\n"
             "set xlabel 'x/a'\nset ylabel 'y/a'\nset label '{2}' at screen 0.03,0.93 left\n"
-            "set colorbox user origin 0.91,0.25 size 0.025,0.5\n"
+            "set colorbox user origin 0.87,0.25 size 0.025,0.5\n"
             "set pm3d depthorder border linewidth 0.35 linecolor rgb '#222222'\n"
             "splot $mesh using 1:2:3 with pm3d\n",
             half_width, 1.04 * top, label);

@@ -87,7 +87,7 @@ std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base)
                            significant(*s.shift_increment_ratio / *base.shift_increment_ratio, 3),
                            other);
     if (!(base.final_shift_ratio > negligible_shift)) return {};
-    const char* verb = !s.state ? "shifts" : s.state == State::shakedown ? "settles" : "now stands";
+    const char* verb = !s.state ? "lies" : s.state == State::shakedown ? "settles" : "now stands";
     std::string text = fmt::format("{} {} {} {}", name, verb,
                                    relation(s.final_shift_ratio / base.final_shift_ratio), other);
     if (s.kappa && base.kappa)

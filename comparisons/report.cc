@@ -165,6 +165,7 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
                                     const std::string& version,
                                     const std::vector<contact::History>& histories) {
     std::vector<ModelSummary> summaries;
+    summaries.reserve(histories.size());
     for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
     const std::vector<Plot> plots = make_plots(c, histories);
     const std::vector<Drawing> drawings = draw_all(plots);
