@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace tricontact::contact {
 
 /// Undeformed shape of the indenter, lowest point at the origin, z out of the substrate.
@@ -23,6 +25,9 @@ class AxisymmetricIndenter : public Indenter {
     virtual double profile_slope(double r) const = 0;
     /// Largest radius at which the profile is defined [m].
     virtual double outer_radius() const = 0;
+    /// Radii in (0, outer radius) at which the slope jumps, increasing [m]; integrals over the profile
+    /// are split there.
+    virtual std::vector<double> kinks() const { return {}; }
 };
 
 /// h = r^2 / (2 R): what Hertz' theory calls a sphere.

@@ -94,7 +94,9 @@ std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricInde
                                                  double range) {
     if (const auto* paraboloid = dynamic_cast<const contact::Paraboloid*>(&indenter))
         return std::make_unique<PowerLawProfile>(1 / (2 * paraboloid->radius()), 2);
-    return std::make_unique<TabulatedProfile>(indenter, std::min(range, indenter.outer_radius()));
+    // A rim may be vertical, as a ball's: g is infinite there.
+    const double rim = 0.999 * indenter.outer_radius();
+    return std::make_unique<TabulatedProfile>(indenter, std::min(range, rim));
 }
 
 }  // namespace tricontact::mdr

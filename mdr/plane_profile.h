@@ -50,7 +50,7 @@ class PowerLawProfile final : public PlaneProfile {
 };
 
 /// The closed form where the indenter has one (paraboloid), else a table over |x| <= range [m],
-/// cut off at the indenter's outer radius.
+/// cut off just inside the indenter's outer radius.
 std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricIndenter& indenter,
                                                  double range);
 

@@ -14,10 +14,10 @@ namespace tricontact::mdr {
 /// `n` >= 1, else std::domain_error.
 double power_law_factor(double n);
 
-/// g(x)/|x| [-] at x [m], |x| <= outer radius of the indenter, by adaptive Gauss-Kronrod
-/// quadrature to 1e-13 relative; 1e-11 where h' jumps, since bisection closes in on a kink only so
-/// far. Throws std::domain_error beyond the outer radius and contact::NotConverged when the
-/// estimated error exceeds 1e-10.
+/// g(x)/|x| [-] at x [m], |x| <= outer radius of the indenter, by double exponential quadrature
+/// between the kinks: 1e-12 relative, unless h' itself is ill-conditioned (near a vertical rim).
+/// The slope must not be negative. Throws std::domain_error beyond the outer radius and
+/// contact::InputError when the estimated error exceeds 1e-10: kinks that are not declared.
 double transformed_mean_slope(const contact::AxisymmetricIndenter& indenter, double x);
 
 /// g(x) [m]; see `transformed_mean_slope`.

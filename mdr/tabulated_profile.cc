@@ -18,7 +18,6 @@ namespace tricontact::mdr {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t max_panels = 10000;  // a kink costs about 100
 constexpr double narrowest_panel = 1e-12;  // of the range
 
 }  // namespace
@@ -27,7 +26,13 @@ TabulatedProfile::TabulatedProfile(const contact::AxisymmetricIndenter& indenter
     : range_(range), conical_(indenter.profile_slope(0) > 0) {
     if (!(range > 0 && range <= indenter.outer_radius()) || !std::isfinite(range))
         throw std::domain_error("TabulatedProfile: the range must lie in (0, outer radius]");
-    tabulate(indenter, 0, range);
+    double begin = 0;
+    for (const double kink : indenter.kinks()) {
+        if (kink >= range) break;
+        tabulate(indenter, begin, kink);
+        begin = kink;
+    }
+    tabulate(indenter, begin, range);
     check_monotone();
 }
 
@@ -61,16 +66,13 @@ void TabulatedProfile::tabulate(const contact::AxisymmetricIndenter& indenter, d
                                 double end) {
     const Panel panel = fit(indenter, begin, end);
     const auto& c = panel.coefficients;
-    // The quadrature's own noise beside a kink is 1e-12: no bisection gets below it.
+    // Beyond a kink g has a square root: panels shrink towards it, down to a width that no spring
+    // falls into.
     const double tail = std::max(std::abs(c[n_terms - 1]), std::abs(c[n_terms - 2]));
-    if (tail <= 1e-13 * std::abs(c[0]) || end - begin <= narrowest_panel * range_) {
+    if (tail <= 1e-12 * std::abs(c[0]) || end - begin <= narrowest_panel * range_) {
         panels_.push_back(panel);
         return;
     }
-    if (panels_.size() > max_panels)
-        throw contact::InputError(
-            "indenter: the slope of the profile jumps in more than about 100 places, too rough to "
-            "be transformed; smooth the profile");
     const double middle = std::midpoint(begin, end);
     tabulate(indenter, begin, middle);
     tabulate(indenter, middle, end);

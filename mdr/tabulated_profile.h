@@ -8,14 +8,13 @@
 namespace tricontact::mdr {
 
 /// The profile g of any indenter, transformed once and kept as piecewise Chebyshev series of the
-/// mean slope g(x)/x on panels that are bisected until the series has converged to 1e-13 of itself
-/// (a panel next to a kink ends at 1e-12 of the range instead). A spring then costs one short sum
-/// and not a quadrature; the error of g stays below 1e-12 g where the profile is smooth.
+/// mean slope g(x)/x, on panels between the kinks, bisected until the series has converged to 1e-12
+/// of its largest value. A spring then costs one short sum and not a quadrature.
 class TabulatedProfile final : public PlaneProfile {
   public:
-    /// Table for |x| <= range [m], 0 < range <= outer radius.
+    /// Table for |x| <= range [m], 0 < range <= outer radius (less if the slope is infinite there).
     /// Throws std::domain_error for another range, contact::InputError for a profile whose g
-    /// decreases somewhere (the contact would not be a disc) or that is too rough to tabulate.
+    /// decreases somewhere (the contact would not be a disc) or that is too rough.
     TabulatedProfile(const contact::AxisymmetricIndenter& indenter, double range);
 
     double value(double x) const override;
