@@ -56,7 +56,9 @@ double largest_shift_ratio(const Histories& histories) {
 /// Where the curves are not: below a shift that settles, above one that grows.
 const char* key_position(const Histories& histories) {
     const bool grows = std::any_of(histories.begin(), histories.end(), [](const History& history) {
-        return history.state == contact::State::ratcheting;
+        if (history.steps.empty()) return false;
+        const double half = history.steps[history.steps.size() / 2].shift[0];
+        return history.steps.back().shift[0] > 1.2 * half;
     });
     return grows ? "top left" : "bottom right";
 }

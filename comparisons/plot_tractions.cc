@@ -184,10 +184,10 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
             letter, half_width, strip_bottom(parts.models), parts.curves);
     return {{fmt::format("traction_{}", letter),
              fmt::format("Traction on the centre line along {}", letter),
-             "The last upright state. Strips: what each point does during the last period: stick "
-             "(always in contact, below the friction bound), slip (at the bound μp at some "
-             "instant), zero or released (out of contact at some instant: after shakedown no "
-             "traction is left there). a and p₀ are each model's own.",
+             "The last upright state. Strips: what each point does during the last period. Black, "
+             "stick: always in contact, below the friction bound; grey, slip: at the bound μp at "
+             "some instant; light, zero or released: out of contact at some instant, after "
+             "shakedown no traction is left there. a and p₀ are each model's own.",
              {640, 460, script}}};
 }
 

@@ -95,7 +95,7 @@ Plot zone_map(const History& history) {
     }
     const double half_x = 1.12 + reach_x, half_y = 1.12 + reach_y;
     const int n = static_cast<int>(instants.size());
-    const int panel_width = 216, gap = 12, side = 56, foot = 62, head = 34;
+    const int panel_width = 216, gap = 12, side = 56, foot = 70, head = 34;
     const int map_height = static_cast<int>(std::lround(panel_width * half_y / half_x));
     const int width = side + n * (panel_width + gap), height = head + map_height + foot;
     std::string script =
