@@ -119,7 +119,9 @@ void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& su
     if (c.rolling && has_model(summaries, "mdr")) {
         findings.push_back(
             "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
-            "across it: its result is the same for every angle.");
+            "across it: its result is the same for every angle. Transformed back to three "
+            "dimensions its "
+            "traction may exceed μp: the bound holds spring by spring only.");
     }
     findings.push_back(fmt::format(
         "All models take the bodies as elastic half-spaces: a layer of finite thickness, usually "
