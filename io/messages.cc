@@ -81,7 +81,7 @@ std::string one_line(std::string_view text) {
     return out;
 }
 
-bool is_utf8(std::string_view text) {
+std::size_t first_non_utf8(std::string_view text) {
     // Least code point of a sequence of 1, 2, 3, 4 bytes.
     constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
     for (std::size_t i = 0; i < text.size();) {
@@ -91,18 +91,18 @@ bool is_utf8(std::string_view text) {
                                    : (first >> 4) == 0x0E ? 3
                                    : (first >> 3) == 0x1E ? 4
                                                           : 0;
-        if (length == 0 || i + length > text.size()) return false;
+        if (length == 0 || i + length > text.size()) return i;
         std::uint32_t code = length == 1 ? first : first & (0x7FU >> length);
         for (std::size_t k = 1; k < length; ++k) {
             const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0) != 0x80) return false;
+            if ((next & 0xC0) != 0x80) return i;
             code = (code << 6) | (next & 0x3FU);
         }
         const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-        if (code < least[length] || code > 0x10FFFF || surrogate) return false;
+        if (code < least[length] || code > 0x10FFFF || surrogate) return i;
         i += length;
     }
-    return true;
+    return std::string_view::npos;
 }
 
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {

@@ -21,8 +21,9 @@ std::string shortened(std::string_view text, std::size_t limit);
 /// Control characters replaced by spaces: a message is one line whatever the input holds.
 std::string one_line(std::string_view text);
 
-/// Whether the bytes are UTF-8 (RFC 3629: shortest forms, no surrogates, up to U+10FFFF).
-bool is_utf8(std::string_view text);
+/// Offset of the first byte that is not UTF-8, npos if all are (RFC 3629: shortest forms, no
+/// surrogates, up to U+10FFFF).
+std::string_view::size_type first_non_utf8(std::string_view text);
 
 /// The candidate nearest to the word in edit distance (case ignored), empty if none is near.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);

@@ -16,7 +16,8 @@ std::string trimmed(const std::string& text) {
 }
 
 Entry entry_of(const std::string& text) {
-    if (!is_utf8(text)) fail("--set", "", "the text is not UTF-8", "use a terminal in UTF-8");
+    if (first_non_utf8(text) != std::string::npos)
+        fail("--set", "", "the text is not UTF-8", "use a terminal in UTF-8");
     const std::string place = "--set " + shortened(text, 80);
     const auto equals = text.find('=');
     const std::string path = trimmed(text.substr(0, equals));

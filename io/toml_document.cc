@@ -3,9 +3,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "io/disguise.h"
 #include "io/messages.h"
-#include "io/stray_character.h"
 
 namespace tricontact::io {
 
@@ -18,22 +19,22 @@ std::string place(const std::string& name, const toml::source_position& position
            std::to_string(std::max(position.column, 1U));
 }
 
-Value list_of(const toml::array& array) {
+Value list_of(const toml::array& array, const Disguise& disguise) {
     std::vector<std::string> words;
     for (const toml::node& element : array) {
         const auto* word = element.as_string();
         if (!word) return OtherValue{"a list that does not hold texts only"};
-        words.push_back(word->get());
+        words.push_back(disguise.take_off(word->get()));
     }
     return words;
 }
 
-Value value_of(const toml::node& node) {
+Value value_of(const toml::node& node, const Disguise& disguise) {
     if (const auto* v = node.as_boolean()) return v->get();
     if (const auto* v = node.as_integer()) return v->get();
     if (const auto* v = node.as_floating_point()) return v->get();
-    if (const auto* v = node.as_string()) return v->get();
-    if (const auto* v = node.as_array()) return list_of(*v);
+    if (const auto* v = node.as_string()) return disguise.take_off(v->get());
+    if (const auto* v = node.as_array()) return list_of(*v, disguise);
     if (node.is_table()) return OtherValue{"a table"};
     return OtherValue{"a date or time"};
 }
@@ -50,12 +51,12 @@ struct Positioned {
 };
 
 void collect(const toml::table& table, const std::string& prefix, const std::string& name,
-             std::vector<Positioned>& out) {
+             const Disguise& disguise, std::vector<Positioned>& out) {
     for (const auto& [key, node] : table) {
         const auto& at = key.source().begin;
         out.push_back({at,
-                       {.path = path_of(prefix, key.str()),
-                        .value = value_of(node),
+                       {.path = path_of(prefix, disguise.take_off(key.str())),
+                        .value = value_of(node, disguise),
                         .place = place(name, node.source().begin),
                         .key_place = place(name, at)}});
     }
@@ -69,44 +70,50 @@ bool looks_binary(std::string_view text) {
     });
 }
 
-// The whole character (UTF-8) that begins at `begin`.
-std::string_view character_at(std::string_view text, std::size_t begin) {
-    std::size_t end = begin + 1;
-    while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) ++end;
-    return text.substr(begin, end - begin);
-}
-
-void refuse_stray_character(std::string_view text, const std::string& name) {
-    const std::size_t at = stray_character(text);
-    if (at == std::string_view::npos) return;
-    const auto line =
-        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const std::size_t line_begin = text.substr(0, at).rfind('\n') + 1;  // npos + 1 is 0
-    const auto before = text.substr(line_begin, at - line_begin);
-    const auto column = std::count_if(before.begin(), before.end(), [](char c) {
+// "line:column" of an offset, in characters.
+std::string line_and_column(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, offset);
+    const auto line = std::count(before.begin(), before.end(), '\n');
+    const std::string_view last = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+    const auto column = std::count_if(last.begin(), last.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
     });
-    fail(name + ':' + std::to_string(line + 1) + ':' + std::to_string(column + 1), "",
-         "not valid TOML: the character " + toml_string(character_at(text, at)) +
-             " may not stand outside quotes or behind a backslash",
-         "put texts and quantities in double quotes");
+    return std::to_string(line + 1) + ':' + std::to_string(column + 1);
 }
 
-toml::table parse_toml(std::string_view text, const std::string& name) {
+// Such an escape would be taken for a disguised character.
+bool escapes_disguise(std::string_view text) {
+    return text.find("\\U000F") != std::string_view::npos ||
+           text.find("\\U000f") != std::string_view::npos;
+}
+
+void check_text(std::string_view text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         fail(name + ":1:1", "", "the file is empty", "copy a case from the folder cases/");
     if (looks_binary(text))
         fail(name + ":1:1", "", "the file is binary, not a TOML text",
              "name a case file such as those in the folder cases/");
-    refuse_stray_character(text, name);
+    const std::size_t bad = first_non_utf8(text);
+    if (bad != std::string_view::npos)
+        fail(name + ':' + line_and_column(text, bad), "", "not valid UTF-8",
+             "save the file in UTF-8");
+    if (escapes_disguise(text))
+        fail(name + ":1:1", "", "escapes of private-use characters (\\U000F...) are not supported",
+             "omit them");
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name, Disguise& disguise) {
+    check_text(text, name);
     try {
-        return toml::parse(text);
+        return toml::parse(disguise.put_on(text));
     } catch (const toml::parse_error& error) {
-        const std::string_view what = error.description();
-        const bool twice = what.find("redefine") != std::string_view::npos;
+        const std::string what = disguise.take_off(error.description());
+        const bool twice = what.find("redefine") != std::string::npos;
         fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
              twice ? "keep one of the two"
                    : "correct the line (texts and quantities stand in double quotes)");
+    } catch (const std::length_error& error) {
+        fail(name + ":1:1", "", error.what(), "name a case file");
     }
 }
 
@@ -161,9 +168,10 @@ std::string Document::place_of(std::string_view path) const {
 }
 
 Document parse_document(std::string_view text, const std::string& name) {
-    const toml::table root = parse_toml(text, name);
+    Disguise disguise;
+    const toml::table root = parse_toml(text, name, disguise);
     std::vector<Positioned> top, all;
-    collect(root, "", name, top);
+    collect(root, "", name, disguise, top);
     std::sort(top.begin(), top.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     Document document{.name = name, .sections = {}, .entries = {}};
     for (auto& item : top) {
@@ -173,7 +181,7 @@ Document parse_document(std::string_view text, const std::string& name) {
             continue;
         }
         document.sections.push_back({item.entry.path, item.entry.place});
-        collect(*section, item.entry.path + '.', name, all);
+        collect(*section, item.entry.path + '.', name, disguise, all);
     }
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     for (auto& item : all) document.entries.push_back(std::move(item.entry));
@@ -181,14 +189,13 @@ Document parse_document(std::string_view text, const std::string& name) {
 }
 
 Value parse_value(const std::string& text) {
-    const std::string line = "v = " + text;
-    const bool plain = text.find_first_of("\r\n") == std::string::npos &&
-                       stray_character(line) == std::string::npos;
-    if (!plain) return text;
+    // A line break could smuggle in a second key.
+    if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text)) return text;
     try {
-        const toml::table table = toml::parse(line);
+        Disguise disguise;
+        const toml::table table = toml::parse(disguise.put_on("v = " + text));
         const toml::node* node = table.get("v");
-        if (table.size() == 1 && node) return value_of(*node);
+        if (table.size() == 1 && node) return value_of(*node, disguise);
     } catch (const toml::parse_error&) {
         return text;
     }
