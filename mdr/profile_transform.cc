@@ -30,13 +30,15 @@ double transformed_mean_slope(const contact::AxisymmetricIndenter& indenter, dou
     auto add_piece = [&](double end) {
         // Strictly inside of the piece: rounding must not read the slope beyond a kink or the rim.
         const double least = std::nextafter(begin, end), most = std::nextafter(end, begin);
-        auto slope = [&](double t) {
-            return indenter.profile_slope(std::clamp(radius * std::sin(t), least, most));
+        const double start = std::asin(begin / radius);
+        const double length = std::asin(end / radius) - start;
+        auto slope = [&](double part) {
+            const double r = radius * std::sin(start + part * length);
+            return indenter.profile_slope(std::clamp(r, least, most));
         };
         double piece_error = 0;
-        value += quadrature.integrate(slope, std::asin(begin / radius), std::asin(end / radius),
-                                      1e-12, &piece_error);
-        error += piece_error;
+        value += length * quadrature.integrate(slope, 0., 1., 1e-12, &piece_error);
+        error += length * piece_error;
         begin = end;
     };
     for (const double kink : indenter.kinks())

@@ -107,8 +107,22 @@ double TabulatedProfile::value(double x) const {
 }
 
 void TabulatedProfile::sample(double first, double spacing, std::span<double> heights) const {
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] = value(first + static_cast<double>(i) * spacing);
+    const int n = static_cast<int>(heights.size());
+    auto distance = [=](int i) { return std::abs(first + i * spacing); };
+    for (int i = 0; i < n;) {
+        if (!(distance(i) <= range_)) {
+            heights[i++] = infinity;
+            continue;
+        }
+        // Neighbours on one panel go through the vector unit together.
+        const Panel& panel = panel_at(distance(i));
+        int last = i + 1;
+        while (last < n && distance(last) >= panel.begin && distance(last) < panel.end) ++last;
+        double* const height = heights.data();
+#pragma omp simd
+        for (int k = i; k < last; ++k) height[k] = distance(k) * panel.mean_slope(distance(k));
+        i = last;
+    }
 }
 
 double TabulatedProfile::integral(double a) const {
