@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/contact_radius.h"
+#include "contact/placement.h"
 #include "contact/surface_audit.h"
 
 namespace tricontact::contact {
@@ -51,6 +52,7 @@ StepRecord SurfaceModel::advance(const LoadStep& step) {
 }
 
 const NormalSolution& SurfaceModel::solve_normal(const LoadStep& step, bool& reused) {
+    const ContactPoints& points = compliance_->points();
     const Key key{step.offset, step.normal.value};
     if (const auto it = normal_cache_.find(key); it != normal_cache_.end()) {
         reused = true;
@@ -60,31 +62,14 @@ const NormalSolution& SurfaceModel::solve_normal(const LoadStep& step, bool& reu
         normal_ && step.normal.kind == NormalControl::Kind::force ? normal_->pressure
                                                                   : std::vector<double>{};
     auto solution = std::make_shared<const NormalSolution>(
-        normal_solver_.solve(heights(step.offset), step.normal, start));
-    check_edge(*solution);
+        normal_solver_.solve(heights_over(points, *indenter_, step.offset), step.normal, start));
+    if (reaches_edge(points, solution->pressure))
+        throw ContactAtEdge(fmt::format("{}: the contact reaches the edge of the {} x {} grid at "
+                                        "phase {:.4g}",
+                                        name_, points.n_x, points.n_y, step.phase));
     const std::size_t bytes = 2 * sizeof(double) * bound_.size();
     if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = solution;
     return *(normal_ = solution);
-}
-
-std::vector<double> SurfaceModel::heights(const Vector2& offset) const {
-    const ContactPoints& points = compliance_->points();
-    std::vector<double> height(points.size());
-    for (std::size_t i = 0; i < height.size(); ++i)
-        height[i] = indenter_->height(points.x[i] - offset[0], points.y[i] - offset[1]);
-    return height;
-}
-
-void SurfaceModel::check_edge(const NormalSolution& solution) const {
-    const ContactPoints& points = compliance_->points();
-    if (points.n_x == 0) return;
-    for (int j = 0; j < points.n_y; ++j)
-        for (int i = 0; i < points.n_x; ++i) {
-            const bool edge = i == 0 || j == 0 || i == points.n_x - 1 || j == points.n_y - 1;
-            if (edge && solution.pressure[static_cast<std::size_t>(j) * points.n_x + i] > 0)
-                throw ContactAtEdge(fmt::format("the contact reaches the edge of the {} x {} grid",
-                                                points.n_x, points.n_y));
-        }
 }
 
 void SurfaceModel::solve_tangential(const LoadStep& step) {
@@ -92,7 +77,11 @@ void SurfaceModel::solve_tangential(const LoadStep& step) {
     for (int d = 0; d < 2; ++d)
         if (control[d].kind == TangentialControl::Kind::shift) control[d].value -= shift_[d];
     const TangentialField before = tangential_.displacement;
-    tangential_solver_.solve({bound_, before, control}, tangential_);
+    double contact_area = 0;
+    for (std::size_t i = 0; i < bound_.size(); ++i)
+        if (bound_[i] > 0) contact_area += compliance_->points().area[i];
+    const double contact_compliance = normal_->indentation * contact_area / normal_->force;
+    tangential_solver_.solve({bound_, before, control, contact_compliance}, tangential_);
     for (int d = 0; d < 2; ++d) shift_[d] += tangential_.shift_increment[d];
 }
 
@@ -226,7 +215,7 @@ Surface SurfaceModel::surface() const {
     s.displacement_x = tangential_.displacement.x;
     s.displacement_y = tangential_.displacement.y;
     s.displacement_z = normal_->displacement;
-    s.gap = heights(offset_);
+    s.gap = heights_over(points, *indenter_, offset_);
     s.slip_x = slip_.x;
     s.slip_y = slip_.y;
     s.dissipation.resize(bound_.size());

@@ -37,8 +37,6 @@ class SurfaceModel final : public Model {
     using Key = std::pair<Vector2, double>;  // offset and normal control's value
 
     const NormalSolution& solve_normal(const LoadStep& step, bool& reused);
-    void check_edge(const NormalSolution& solution) const;
-    std::vector<double> heights(const Vector2& offset) const;
     void solve_tangential(const LoadStep& step);
     void update_slip(const TangentialField& displacement_before);
     double elastic_energy() const;

@@ -28,6 +28,7 @@ class Newton {
           area_(compliance.points().area),
           problem_(problem),
           tolerance_(tolerance),
+          alpha_(problem.contact_compliance),
           solution_(solution) {
         for (int d = 0; d < 2; ++d)
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
@@ -112,17 +113,6 @@ class Newton {
         }
         for (int d = 0; d < 2; ++d)
             solution_.shift_increment[d] = force_controlled_[d] ? 0 : problem_.control[d].value;
-        set_local_compliances();
-    }
-
-    void set_local_compliances() {
-        TangentialField mean(area_.size()), u(area_.size());
-        for (const std::size_t i : active_) mean.x[i] = problem_.bound[i];
-        compliance_.tangential(mean, u);
-        ++solution_.iterations;
-        double displacement = 0;
-        for (const std::size_t i : active_) displacement += area_[i] * std::abs(u.x[i]);
-        contact_compliance_ = displacement / total_bound_;
     }
 
     void update_slip() {
@@ -140,7 +130,7 @@ class Newton {
     /// t + s/alpha: inside the friction disc where the point sticks.
     Vector2 trial(std::size_t k) const {
         const Vector2 t = traction_at(active_[k]);
-        return {t[0] + slip_[k][0] / contact_compliance_, t[1] + slip_[k][1] / contact_compliance_};
+        return {t[0] + slip_[k][0] / alpha_, t[1] + slip_[k][1] / alpha_};
     }
 
     void update_residual() {
@@ -183,8 +173,8 @@ class Newton {
             curvature[k] = std::max(0.0, dot(slip_[k], t) / bound) / bound;
         }
         const TangentialSystem system(compliance_, active_, slipping_, std::move(tangent),
-                                      std::move(curvature), contact_compliance_, force_controlled_);
-        const double scale = contact_compliance_ * mean_bound_;
+                                      std::move(curvature), alpha_, force_controlled_);
+        const double scale = alpha_ * mean_bound_;
         const auto result = system.solve(
             right_hand_side, missing_force_,
             {.relative = 0.02, .absolute = 0.1 * tolerance_ * scale, .iterations = cg_iterations});
@@ -231,6 +221,7 @@ class Newton {
     const std::vector<double>& area_;
     const TangentialProblem& problem_;
     const double tolerance_;
+    const double alpha_;  // contact compliance [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
     std::vector<std::size_t> active_;
@@ -238,7 +229,6 @@ class Newton {
     std::vector<Vector2> slip_;           // s [m] per active point
     Vector2 missing_force_{};
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
-    double contact_compliance_ = 0;  // alpha [m/Pa]
 };
 
 }  // namespace

@@ -16,6 +16,9 @@ struct TangentialProblem {
     const TangentialField& previous_displacement;   ///< [m], before the step
     /// Per direction: total force on the substrate [N], or increment of the rigid shift [m].
     std::array<TangentialControl, 2> control;
+    /// Displacement over traction of the contact as a whole [m/Pa], e.g. indentation over mean
+    /// pressure: relates slip to traction in zones and residual.
+    double contact_compliance;
 };
 
 struct TangentialSolution {
@@ -33,7 +36,7 @@ struct TangentialSolution {
 /// gradients take over when the active set cycles.
 ///
 /// Residual: largest |t - P(t + s/alpha)| over the mean bound, P the projection onto the friction
-/// disc, alpha the compliance that turns the mean bound into its own mean displacement. It reads:
+/// disc, alpha the contact's compliance. It reads:
 /// slip of sticking points over the shift of full sliding, and angle between slip and traction.
 class TangentialSolver {
   public:

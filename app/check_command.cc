@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+
+#include "app/commands.h"
+#include "app/models.h"
+#include "contact/error.h"
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::app {
+
+namespace {
+
+std::string derived_values(const contact::Case& c) {
+    const contact::HertzScales hertz = hertz_scales(c);
+    const contact::MaterialPair materials = c.materials();
+    std::string text = "# What follows from it (Hertz; Cattaneo and Mindlin)\n";
+    auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
+        text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
+    };
+    line("a", hertz.contact_radius * 1e3, "mm", "contact radius");
+    line("d", hertz.indentation * 1e3, "mm", "indentation");
+    line("F_N", hertz.normal_force, "N", "normal force");
+    line("p0", hertz.peak_pressure * 1e-6, "MPa", "peak pressure");
+    line("U_max", hertz.unit_shift * 1e3, "mm", "shift at the onset of sliding");
+    line("E*", materials.effective_modulus() * 1e-6, "MPa", "effective modulus");
+    line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
+    line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
+    const double limit = c.friction_coefficient * hertz.normal_force;
+    const double force = c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
+    line("F_T", force, "N", "tangential force");
+    line("f_T", force / limit, "-", "F_T/(mu F_N)");
+    if (!c.rolling) return text;
+    const double amplitude = rolling_amplitude(*c.rolling, hertz.contact_radius);
+    const double w = amplitude / hertz.contact_radius;
+    line("W", amplitude * 1e3, "mm", "rolling amplitude");
+    line("w", w, "-", "W/a");
+    if (w <= 1) line("f_T,lim", theory::shakedown_limit(w), "-", "exact shakedown limit");
+    return text;
+}
+
+}  // namespace
+
+void check_command(const std::string& case_file, const std::vector<std::string>& overrides) {
+    const contact::Case c = io::read_case(case_file, overrides);
+    std::cout << io::write_case(c) << '\n' << derived_values(c);
+}
+
+void list_command(const std::string& folder) {
+    std::cout << "models\n";
+    for (const auto& model : known_models())
+        std::cout << fmt::format("  {:<8} {}\n", model.name, model.text);
+    if (!std::filesystem::is_directory(folder))
+        throw contact::InputError(folder + ": is not a folder; name one that holds case files");
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    std::cout << "cases\n";
+    for (const auto& file : files)
+        std::cout << fmt::format("  {}: {}\n", file, io::read_case(file).title);
+}
+
+}  // namespace tricontact::app

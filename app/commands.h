@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tricontact::app {
+
+struct RunOptions {
+    std::string case_file;
+    std::string output;                  ///< empty: results/<name of the case file>
+    std::vector<std::string> models;     ///< empty: those of the case
+    std::vector<std::string> overrides;  ///< key=value
+    int threads = 1;
+    bool quiet = false;
+    bool report = true;
+};
+
+/// Runs the case's models and writes everything. Throws InputError, NotConverged.
+void run_command(const RunOptions& options);
+
+/// Prints the resolved case and what follows from it to standard output. Throws InputError.
+void check_command(const std::string& case_file, const std::vector<std::string>& overrides);
+
+/// Prints the models, and the case files below `folder`, to standard output.
+void list_command(const std::string& folder);
+
+}  // namespace tricontact::app

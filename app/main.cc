@@ -1,0 +1,92 @@
+// The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <thread>
+
+#include "app/commands.h"
+#include "comparisons/gnuplot.h"
+#include "contact/error.h"
+
+namespace {
+
+using tricontact::app::RunOptions;
+
+constexpr int exit_failed = 1;
+constexpr int exit_bad_input = 2;
+
+int fail(int code, const char* message) {
+    std::fprintf(stderr, "error: %s\n", message);
+    return code;
+}
+
+void add_case_arguments(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {
+    command.add_option("case", file, "Case file (TOML)")->required()->type_name("CASE.toml");
+    command
+        .add_option("--set", overrides,
+                    "Override a key of the case: section.key=value (may be repeated)")
+        ->type_name("KEY=VALUE")
+        ->take_all()
+        ->allow_extra_args(false);
+}
+
+int run_program(int argc, char** argv) {
+    CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
+    app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
+    app.require_subcommand(1);
+
+    RunOptions options;
+    auto* run = app.add_subcommand("run", "Run a case: numbers, ParaView files and a report");
+    add_case_arguments(*run, options.case_file, options.overrides);
+    run->add_option("--output", options.output, "Folder for the results (results/<case>)")
+        ->type_name("DIR");
+    run->add_option("--models", options.models, "Run these models instead of the case's")
+        ->type_name("NAME,NAME")
+        ->delimiter(',');
+    options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    run->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    run->add_flag("--quiet", options.quiet, "No progress, no closing lines");
+    run->add_flag("!--no-report", options.report, "Leave out report.html and the plots");
+
+    std::string check_file;
+    std::vector<std::string> check_overrides;
+    auto* check = app.add_subcommand("check", "Validate a case; print it resolved, with scales");
+    add_case_arguments(*check, check_file, check_overrides);
+
+    std::string list_folder = "cases";
+    auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
+    list->add_option("folder", list_folder, "Folder to look into (cases)");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& e) {
+        return app.exit(e);
+    } catch (const CLI::ParseError& e) {
+        return fail(exit_bad_input, (std::string(e.what()) + "; see tricontact --help").c_str());
+    }
+    if (*run) tricontact::app::run_command(options);
+    if (*check) tricontact::app::check_command(check_file, check_overrides);
+    if (*list) tricontact::app::list_command(list_folder);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // A file size limit is then an error like a full disk, with a message, instead of a signal.
+    std::signal(SIGXFSZ, SIG_IGN);
+    try {
+        return run_program(argc, argv);
+    } catch (const tricontact::contact::InputError& e) {
+        return fail(exit_bad_input, e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(exit_failed, "not enough memory; choose a larger spacing or fewer springs");
+    } catch (const std::exception& e) {
+        return fail(exit_failed, e.what());
+    }
+}

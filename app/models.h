@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "contact/model.h"
+
+namespace tricontact::app {
+
+struct ModelDescription {
+    std::string name;
+    std::string text;
+};
+/// The models a case file may name.
+const std::vector<ModelDescription>& known_models();
+
+/// Case -> model, the only place that knows all of them. `name` is one of known_models().
+std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
+                                           int n_threads);
+
+}  // namespace tricontact::app

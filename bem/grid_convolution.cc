@@ -1,0 +1,195 @@
+#include "bem/grid_convolution.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+namespace tricontact::bem {
+
+namespace {
+
+constexpr int piece = 8;  // rows or columns per FFTW call
+
+int whole_pieces(int n) { return (n + piece - 1) / piece * piece; }
+
+FftwReal allocate_real(std::size_t n) {
+    FftwReal memory(fftw_alloc_real(n));
+    if (!memory) throw std::bad_alloc();
+    std::fill_n(memory.get(), n, 0.0);
+    return memory;
+}
+
+FftwComplex allocate_complex(std::size_t n) {
+    FftwComplex memory(fftw_alloc_complex(n));
+    if (!memory) throw std::bad_alloc();
+    std::memset(memory.get(), 0, n * sizeof(fftw_complex));
+    return memory;
+}
+
+bool is_good(int n) {
+    for (const int prime : {2, 3, 5, 7})
+        while (n % prime == 0) n /= prime;
+    return n == 1;
+}
+
+}  // namespace
+
+int good_fft_size(int n) {
+    n += n % 2;
+    while (!is_good(n)) n += 2;
+    return n;
+}
+
+GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads)
+    : n_x_(n_x),
+      n_y_(n_y),
+      period_x_(period_x),
+      period_y_(period_y),
+      n_threads_(n_threads),
+      n_rows_(whole_pieces(n_y)),
+      pitch_(whole_pieces(period_x / 2 + 1)) {
+    field_[0] = make_field();
+    double* rows = field_[0].rows.get();
+    fftw_complex* spectrum = field_[0].spectrum.get();
+    row_forward_ = fftw_plan_many_dft_r2c(1, &period_x_, piece, rows, nullptr, 1, period_x_,
+                                          spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE);
+    row_backward_ = fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_, rows,
+                                           nullptr, 1, period_x_, FFTW_ESTIMATE);
+    column_forward_ = fftw_plan_many_dft(1, &period_y_, piece, spectrum, nullptr, pitch_, 1,
+                                         spectrum, nullptr, pitch_, 1, FFTW_FORWARD, FFTW_ESTIMATE);
+    column_backward_ =
+        fftw_plan_many_dft(1, &period_y_, piece, spectrum, nullptr, pitch_, 1, spectrum, nullptr,
+                           pitch_, 1, FFTW_BACKWARD, FFTW_ESTIMATE);
+}
+
+GridConvolution::~GridConvolution() {
+    for (fftw_plan plan : {row_forward_, row_backward_, column_forward_, column_backward_})
+        fftw_destroy_plan(plan);
+}
+
+GridConvolution::Field GridConvolution::make_field() const {
+    const std::size_t spectrum_rows = std::max(period_y_, n_rows_);
+    return {allocate_real(static_cast<std::size_t>(n_rows_) * period_x_),
+            allocate_complex(spectrum_rows * pitch_)};
+}
+
+template <typename Body>
+void GridConvolution::for_each_piece(int n, Body body) const {
+#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
+    for (int first = 0; first < n; first += piece) body(first);
+}
+
+void GridConvolution::rows_forward(std::span<const double> in, Field& field) const {
+    for_each_piece(n_rows_, [&](int first) {
+        for (int j = first; j < std::min(first + piece, n_y_); ++j) {
+            double* row = field.rows.get() + static_cast<std::size_t>(j) * period_x_;
+            std::copy_n(in.data() + static_cast<std::size_t>(j) * n_x_, n_x_, row);
+            std::fill(row + n_x_, row + period_x_, 0.0);
+        }
+        for (int j = std::max(first, n_y_); j < first + piece; ++j)
+            std::fill_n(field.rows.get() + static_cast<std::size_t>(j) * period_x_, period_x_, 0.0);
+        fftw_execute_dft_r2c(row_forward_,
+                             field.rows.get() + static_cast<std::size_t>(first) * period_x_,
+                             field.spectrum.get() + static_cast<std::size_t>(first) * pitch_);
+    });
+}
+
+void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
+    for_each_piece(n_rows_, [&](int first) {
+        fftw_execute_dft_c2r(row_backward_,
+                             field.spectrum.get() + static_cast<std::size_t>(first) * pitch_,
+                             field.rows.get() + static_cast<std::size_t>(first) * period_x_);
+        for (int j = first; j < std::min(first + piece, n_y_); ++j)
+            std::copy_n(field.rows.get() + static_cast<std::size_t>(j) * period_x_, n_x_,
+                        out.data() + static_cast<std::size_t>(j) * n_x_);
+    });
+}
+
+void GridConvolution::columns_forward(fftw_complex* column) const {
+    for (int j = n_y_; j < period_y_; ++j)
+        std::memset(column + static_cast<std::size_t>(j) * pitch_, 0, piece * sizeof(fftw_complex));
+    fftw_execute_dft(column_forward_, column, column);
+}
+
+void GridConvolution::columns_backward(fftw_complex* column) const {
+    fftw_execute_dft(column_backward_, column, column);
+}
+
+GridConvolution::Symbol GridConvolution::symbol(
+    const std::function<double(int, int)>& coefficient) const {
+    const int n_kx = period_x_ / 2 + 1;
+    FftwReal kernel = allocate_real(static_cast<std::size_t>(period_x_) * period_y_);
+    FftwComplex spectrum = allocate_complex(static_cast<std::size_t>(n_kx) * period_y_);
+    auto wrapped = [](int i, int period) { return i <= period / 2 ? i : i - period; };
+    for_each_piece(whole_pieces(period_y_), [&](int first) {
+        for (int j = first; j < std::min(first + piece, period_y_); ++j)
+            for (int i = 0; i < period_x_; ++i)
+                kernel[static_cast<std::size_t>(j) * period_x_ + i] =
+                    coefficient(wrapped(i, period_x_), wrapped(j, period_y_));
+    });
+    fftw_plan plan =
+        fftw_plan_dft_r2c_2d(period_y_, period_x_, kernel.get(), spectrum.get(), FFTW_ESTIMATE);
+    fftw_execute(plan);
+    fftw_destroy_plan(plan);
+
+    const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
+    Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
+    for (int j = 0; j < period_y_; ++j)
+        for (int i = 0; i < n_kx; ++i)
+            result[static_cast<std::size_t>(j) * pitch_ + i] =
+                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][0];
+    return result;
+}
+
+void GridConvolution::apply(const Symbol& symbol, std::span<const double> in,
+                            std::span<double> out) const {
+    Field& field = field_[0];
+    rows_forward(in, field);
+    for_each_piece(pitch_, [&](int first) {
+        fftw_complex* column = field.spectrum.get() + first;
+        columns_forward(column);
+        for (int j = 0; j < period_y_; ++j) {
+            fftw_complex* value = column + static_cast<std::size_t>(j) * pitch_;
+            const double* factor = symbol.data() + static_cast<std::size_t>(j) * pitch_ + first;
+            for (int i = 0; i < piece; ++i) {
+                value[i][0] *= factor[i];
+                value[i][1] *= factor[i];
+            }
+        }
+        columns_backward(column);
+    });
+    rows_backward(field, out);
+}
+
+void GridConvolution::apply(const Symbol2& symbol, std::span<const double> in_x,
+                            std::span<const double> in_y, std::span<double> out_x,
+                            std::span<double> out_y) const {
+    if (!field_[1].rows) field_[1] = make_field();
+    rows_forward(in_x, field_[0]);
+    rows_forward(in_y, field_[1]);
+    for_each_piece(pitch_, [&](int first) {
+        fftw_complex* column_x = field_[0].spectrum.get() + first;
+        fftw_complex* column_y = field_[1].spectrum.get() + first;
+        columns_forward(column_x);
+        columns_forward(column_y);
+        for (int j = 0; j < period_y_; ++j) {
+            const std::size_t row = static_cast<std::size_t>(j) * pitch_;
+            fftw_complex *x = column_x + row, *y = column_y + row;
+            const double* xx = symbol.xx.data() + row + first;
+            const double* xy = symbol.xy.data() + row + first;
+            const double* yy = symbol.yy.data() + row + first;
+            for (int i = 0; i < piece; ++i)
+                for (int part = 0; part < 2; ++part) {
+                    const double a = x[i][part], b = y[i][part];
+                    x[i][part] = xx[i] * a + xy[i] * b;
+                    y[i][part] = xy[i] * a + yy[i] * b;
+                }
+        }
+        columns_backward(column_x);
+        columns_backward(column_y);
+    });
+    rows_backward(field_[0], out_x);
+    rows_backward(field_[1], out_y);
+}
+
+}  // namespace tricontact::bem

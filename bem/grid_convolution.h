@@ -1,0 +1,72 @@
+#pragma once
+
+#include <fftw3.h>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace tricontact::bem {
+
+/// Smallest even number >= n whose only prime factors are 2, 3, 5, 7: lengths FFTW is fast at.
+int good_fft_size(int n);
+
+/// Memory for FFTW: aligned, counted in doubles.
+struct FftwFree {
+    void operator()(void* p) const { fftw_free(p); }
+};
+using FftwReal = std::unique_ptr<double[], FftwFree>;
+using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
+
+/// Convolution of fields on an n_x * n_y grid (x fastest) with kernels that are real in Fourier
+/// space (even in both directions, or odd in both). The transforms are pruned: rows that hold only
+/// zeros or that nobody reads are not transformed. Plans are estimated, not measured, and work is
+/// split into fixed pieces, so results do not depend on timing or on the number of threads.
+///
+/// With period_x >= 2 n_x - 1 (and y) the convolution is linear; with less it is periodic.
+class GridConvolution {
+  public:
+    /// Transform of a kernel, scaled by 1/(period_x period_y): one real number per wave vector.
+    using Symbol = std::vector<double>;
+    /// Symmetric 2x2 matrix per wave vector.
+    struct Symbol2 {
+        Symbol xx, xy, yy;
+    };
+
+    GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
+    ~GridConvolution();
+    GridConvolution(const GridConvolution&) = delete;
+    GridConvolution& operator=(const GridConvolution&) = delete;
+
+    /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
+    /// (either sign).
+    Symbol symbol(const std::function<double(int, int)>& coefficient) const;
+
+    /// out = kernel * in, both n_x * n_y.
+    void apply(const Symbol& symbol, std::span<const double> in, std::span<double> out) const;
+    /// Both components at once; in and out may not overlap.
+    void apply(const Symbol2& symbol, std::span<const double> in_x, std::span<const double> in_y,
+               std::span<double> out_x, std::span<double> out_y) const;
+
+  private:
+    struct Field {  // one component: padded rows and their spectrum
+        FftwReal rows;
+        FftwComplex spectrum;
+    };
+    Field make_field() const;
+    void rows_forward(std::span<const double> in, Field& field) const;
+    void rows_backward(Field& field, std::span<double> out) const;
+    void columns_forward(fftw_complex* column) const;
+    void columns_backward(fftw_complex* column) const;
+    template <typename Body>
+    void for_each_piece(int n, Body body) const;
+
+    const int n_x_, n_y_, period_x_, period_y_, n_threads_;
+    const int n_rows_;   // n_y rounded up to whole pieces
+    const int pitch_;    // of the spectrum's rows, >= period_x/2 + 1, whole pieces
+    mutable Field field_[2];
+    fftw_plan row_forward_, row_backward_, column_forward_, column_backward_;
+};
+
+}  // namespace tricontact::bem

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/compliance.h"
+#include "contact/indenter.h"
+
+namespace tricontact::contact {
+
+/// Height of the indenter, its lowest point at `offset`, over each contact point [m].
+std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
+                                 const Vector2& offset);
+
+/// Some point at the edge of a regular grid carries pressure: the contact may go on outside.
+bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure);
+
+}  // namespace tricontact::contact

@@ -1,0 +1,142 @@
+#include "contact/run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "contact/verdict.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+/// CPU time of this thread's process [s].
+double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Keeps the surfaces worth drawing: the quarters of the first three periods and of the last one.
+class SnapshotKeeper {
+  public:
+    void keep(double phase, Surface surface) {
+        const int period = static_cast<int>(std::ceil(phase));  // n-th period: phases in (n-1, n]
+        if (period != recent_period_) recent_.clear();
+        recent_period_ = period;
+        (phase <= kept_for_good ? kept_ : recent_).push_back({phase, std::move(surface)});
+    }
+    std::vector<Snapshot> take() {
+        for (auto& snapshot : recent_) kept_.push_back(std::move(snapshot));
+        return std::move(kept_);
+    }
+
+  private:
+    static constexpr double kept_for_good = 3;
+    std::vector<Snapshot> kept_, recent_;
+    int recent_period_ = 0;
+};
+
+class Run {
+  public:
+    Run(const Case& c, Model& model, const Observer& observer)
+        : case_(c), model_(model), observer_(observer) {}
+
+    History go() {
+        const double cpu = cpu_now();
+        const auto wall = std::chrono::steady_clock::now();
+        history_.model = model_.name();
+        press_and_load();
+        roll();
+        finish();
+        history_.cpu_s = cpu_now() - cpu;
+        history_.wall_s =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+        return std::move(history_);
+    }
+
+  private:
+    void press_and_load() {
+        if (case_.rolling) n_at_most_ = case_.rolling->periods;  // a guess until the path is known
+        take(press_step(case_), false);
+        history_.scales = model_.scales();
+        const Scales& scales = history_.scales;
+        path_ = make_load_path(case_, scales.normal_force, scales.contact_radius);
+        history_.amplitude = path_.amplitude;
+        history_.friction_limit = case_.friction_coefficient * scales.normal_force;
+        n_at_most_ = 1 + static_cast<int>(path_.loading.size()) +
+                     path_.max_periods * static_cast<int>(path_.period.size());
+        for (const LoadStep& step : path_.loading) take(step, true);
+        history_.tangential_force = history_.steps.back().tangential_force[0];
+        history_.static_shift = history_.steps.back().shift[0];
+    }
+
+    void roll() {
+        model_.start_limit();
+        for (int n = 0; n < path_.max_periods; ++n) {
+            double dissipation = 0;
+            for (std::size_t k = 0; k < path_.period.size(); ++k) {
+                LoadStep step = path_.period[k];
+                step.phase += n;
+                take(step, (k + 1) % (path_.period.size() / 4) == 0);
+                dissipation += history_.steps.back().dissipation;
+            }
+            history_.shift_per_period.push_back(history_.steps.back().shift[0]);
+            history_.dissipation_per_period.push_back(dissipation);
+            if (look_back() && !path_.run_all) break;
+        }
+    }
+
+    void take(const LoadStep& step, bool quarter) {
+        history_.steps.push_back(model_.advance(step));
+        if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
+        if (quarter) snapshots_.keep(step.phase, model_.surface());
+        if (observer_)
+            observer_(history_.steps.back(), model_,
+                      {static_cast<int>(history_.steps.size()), n_at_most_, quarter});
+    }
+
+    std::string failed_audit(const LoadStep& step) const {
+        for (const auto& check : model_.audit().checks())
+            if (!check.passed())
+                return fmt::format("{}: the solution at phase {:.4g} fails its audit: {} is {:.2e}, "
+                                   "allowed {:.1e}",
+                                   model_.name(), step.phase, check.name, check.worst, check.allowed);
+        return {};
+    }
+
+    /// Updates the verdict; true when the contact has settled.
+    bool look_back() {
+        const double unit = history_.scales.unit_shift;
+        const double energy = history_.friction_limit * unit;
+        std::vector<double> shift, dissipation;
+        for (const double value : history_.shift_per_period) shift.push_back(value / unit);
+        for (const double value : history_.dissipation_per_period)
+            dissipation.push_back(value / energy);
+        const Evolution evolution{history_.static_shift / unit, shift, dissipation};
+        history_.state = judge(evolution);
+        return has_settled(evolution);
+    }
+
+    void finish() {
+        history_.limit_tangential_ratio = model_.limit_tangential_ratio();
+        history_.snapshots = snapshots_.take();
+        history_.audit = model_.audit();
+    }
+
+    const Case& case_;
+    Model& model_;
+    const Observer& observer_;
+    History history_;
+    LoadPath path_;
+    SnapshotKeeper snapshots_;
+    int n_at_most_ = 2;
+};
+
+}  // namespace
+
+History run(const Case& c, Model& model, const Observer& observer) {
+    return Run(c, model, observer).go();
+}
+
+}  // namespace tricontact::contact
