@@ -80,6 +80,10 @@ void HalfSpaceCompliance::tangential(const contact::TangentialField& t,
     linear_.apply(*tangential_, t.x, t.y, u.x, u.y);
 }
 
+double HalfSpaceCompliance::local_tangential() const {
+    return RectangleInfluence(materials_, grid_.spacing[0], grid_.spacing[1]).at(0, 0).xx;
+}
+
 void HalfSpaceCompliance::precondition_tangential(const contact::TangentialField& r,
                                                   contact::TangentialField& z) const {
     if (!inverse_) prepare_tangential();

@@ -20,6 +20,7 @@ class HalfSpaceCompliance final : public contact::Compliance {
     bool is_coupled() const override { return false; }
     void normal(std::span<const double> p, std::span<double> u_z) const override;
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
+    double local_tangential() const override;
     void precondition_tangential(const contact::TangentialField& r,
                                  contact::TangentialField& z) const override;
 

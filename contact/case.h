@@ -56,7 +56,7 @@ struct Case {
     };
 
     struct Mdr {
-        int springs = 1000;  ///< over the whole bed, contact diameter plus rolling path
+        int springs = 10000;  ///< over the whole bed, contact diameter plus rolling path
     };
 
     struct Output {

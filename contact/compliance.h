@@ -43,6 +43,8 @@ class Compliance {
     virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
     /// Displacement in the surface under the tangential traction t on the substrate.
     virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
+    /// Displacement of a point under unit traction on its own area alone, a typical value [m/Pa].
+    virtual double local_tangential() const = 0;
     /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is free.
     virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
 };

@@ -8,7 +8,7 @@ namespace tricontact::contact {
 TangentialSystem::TangentialSystem(const Compliance& compliance,
                                    const std::vector<std::size_t>& active,
                                    std::vector<std::uint8_t> slipping, std::vector<Vector2> tangent,
-                                   std::vector<double> curvature, double self_compliance,
+                                   std::vector<double> curvature,
                                    std::array<bool, 2> force_controlled)
     : compliance_(compliance),
       active_(active),
@@ -17,6 +17,7 @@ TangentialSystem::TangentialSystem(const Compliance& compliance,
       curvature_(std::move(curvature)),
       scaling_(active.size()),
       force_controlled_(force_controlled) {
+    const double self_compliance = compliance.local_tangential();
     // Points held by a large curvature hardly move: the scaling tells the preconditioner so.
     for (std::size_t k = 0; k < active_.size(); ++k)
         scaling_[k] = slipping_[k] ? std::sqrt(self_compliance / (self_compliance + curvature_[k])) : 1;

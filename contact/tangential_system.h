@@ -36,8 +36,7 @@ class TangentialSystem {
     /// disc), `curvature` (D [m/Pa]): one per active point.
     TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
                      std::vector<std::uint8_t> slipping, std::vector<Vector2> tangent,
-                     std::vector<double> curvature, double self_compliance,
-                     std::array<bool, 2> force_controlled);
+                     std::vector<double> curvature, std::array<bool, 2> force_controlled);
 
     /// `r` [m], `c` [N]: right-hand sides.
     Result solve(const TangentialField& r, const Vector2& c, const Limits& limits) const;
