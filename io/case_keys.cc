@@ -119,8 +119,8 @@ void add_mdr_and_output(std::vector<Key>& keys) {
     keys.push_back({.path = "mdr.springs",
                     .kind = Kind::integer,
                     .range = {10, 1e7},
-                    .default_value = "1000",
-                    .example = "1000",
+                    .default_value = "10000",
+                    .example = "10000",
                     .text = "springs of the whole bed, contact and rolling path",
                     .field = [](Case& c) -> Field { return &c.mdr.springs; }});
     keys.push_back({.path = "output.vtk",
