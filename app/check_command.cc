@@ -32,7 +32,8 @@ std::string derived_values(const contact::Case& c) {
     line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
     line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
     const double limit = c.friction_coefficient * hertz.normal_force;
-    const double force = c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
+    const double force =
+        c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
     line("F_T", force, "N", "tangential force");
     line("f_T", force / limit, "-", "F_T/(mu F_N)");
     if (!c.rolling) return text;

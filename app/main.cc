@@ -1,7 +1,6 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
 #include <CLI/CLI.hpp>
-
 #include <csignal>
 #include <cstdio>
 #include <exception>

@@ -8,7 +8,8 @@ namespace tricontact::app {
 
 const std::vector<ModelDescription>& known_models() {
     static const std::vector<ModelDescription> models = {
-        {"mdr", "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
+        {"mdr",
+         "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
         {"bem", "boundary elements on the elastic half-space, FFT convolution"}};
     return models;
 }

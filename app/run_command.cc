@@ -1,10 +1,10 @@
 #include <fmt/format.h>
+#include <toml++/toml.h>
 
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "app/commands.h"
 #include "app/models.h"

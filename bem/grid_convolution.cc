@@ -1,5 +1,7 @@
 #include "bem/grid_convolution.h"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -10,7 +12,9 @@ namespace {
 
 constexpr int piece = 8;  // rows or columns per FFTW call
 
-int whole_pieces(int n) { return (n + piece - 1) / piece * piece; }
+int whole_pieces(int n) {
+    return (n + piece - 1) / piece * piece;
+}
 
 FftwReal allocate_real(std::size_t n) {
     FftwReal memory(fftw_alloc_real(n));
@@ -55,11 +59,15 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
                                           spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE);
     row_backward_ = fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_, rows,
                                            nullptr, 1, period_x_, FFTW_ESTIMATE);
-    column_forward_ = fftw_plan_many_dft(1, &period_y_, piece, spectrum, nullptr, pitch_, 1,
-                                         spectrum, nullptr, pitch_, 1, FFTW_FORWARD, FFTW_ESTIMATE);
-    column_backward_ =
-        fftw_plan_many_dft(1, &period_y_, piece, spectrum, nullptr, pitch_, 1, spectrum, nullptr,
-                           pitch_, 1, FFTW_BACKWARD, FFTW_ESTIMATE);
+    for (int k = 0; k < 2 * n_threads; ++k)
+        columns_.push_back(allocate_complex(static_cast<std::size_t>(piece) * period_y));
+    fftw_complex* columns = columns_.front().get();
+    auto column_plan = [&](int sign) {
+        return fftw_plan_many_dft(1, &period_y_, piece, columns, nullptr, 1, period_y_, columns,
+                                  nullptr, 1, period_y_, sign, FFTW_ESTIMATE);
+    };
+    column_forward_ = column_plan(FFTW_FORWARD);
+    column_backward_ = column_plan(FFTW_BACKWARD);
 }
 
 GridConvolution::~GridConvolution() {
@@ -68,9 +76,8 @@ GridConvolution::~GridConvolution() {
 }
 
 GridConvolution::Field GridConvolution::make_field() const {
-    const std::size_t spectrum_rows = std::max(period_y_, n_rows_);
     return {allocate_real(static_cast<std::size_t>(n_rows_) * period_x_),
-            allocate_complex(spectrum_rows * pitch_)};
+            allocate_complex(static_cast<std::size_t>(n_rows_) * pitch_)};
 }
 
 template <typename Body>
@@ -105,14 +112,37 @@ void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
     });
 }
 
-void GridConvolution::columns_forward(fftw_complex* column) const {
-    for (int j = n_y_; j < period_y_; ++j)
-        std::memset(column + static_cast<std::size_t>(j) * pitch_, 0, piece * sizeof(fftw_complex));
-    fftw_execute_dft(column_forward_, column, column);
+fftw_complex* GridConvolution::columns_of_thread(int component) const {
+    return columns_[2 * omp_get_thread_num() + component].get();
 }
 
-void GridConvolution::columns_backward(fftw_complex* column) const {
-    fftw_execute_dft(column_backward_, column, column);
+// Columns are gathered before they are transformed: on large grids their elements lie pages apart.
+void GridConvolution::columns_forward(const Field& field, int first, fftw_complex* columns) const {
+    for (int j = 0; j < n_y_; ++j) {
+        const fftw_complex* row =
+            field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
+        for (int i = 0; i < piece; ++i) {
+            fftw_complex& to = columns[static_cast<std::size_t>(i) * period_y_ + j];
+            to[0] = row[i][0];
+            to[1] = row[i][1];
+        }
+    }
+    for (int i = 0; i < piece; ++i)
+        std::memset(columns + static_cast<std::size_t>(i) * period_y_ + n_y_, 0,
+                    (period_y_ - n_y_) * sizeof(fftw_complex));
+    fftw_execute_dft(column_forward_, columns, columns);
+}
+
+void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& field) const {
+    fftw_execute_dft(column_backward_, columns, columns);
+    for (int j = 0; j < n_y_; ++j) {
+        fftw_complex* row = field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
+        for (int i = 0; i < piece; ++i) {
+            const fftw_complex& from = columns[static_cast<std::size_t>(i) * period_y_ + j];
+            row[i][0] = from[0];
+            row[i][1] = from[1];
+        }
+    }
 }
 
 GridConvolution::Symbol GridConvolution::symbol(
@@ -136,7 +166,7 @@ GridConvolution::Symbol GridConvolution::symbol(
     Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
     for (int j = 0; j < period_y_; ++j)
         for (int i = 0; i < n_kx; ++i)
-            result[static_cast<std::size_t>(j) * pitch_ + i] =
+            result[static_cast<std::size_t>(i) * period_y_ + j] =
                 scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][0];
     return result;
 }
@@ -146,17 +176,14 @@ void GridConvolution::apply(const Symbol& symbol, std::span<const double> in,
     Field& field = field_[0];
     rows_forward(in, field);
     for_each_piece(pitch_, [&](int first) {
-        fftw_complex* column = field.spectrum.get() + first;
-        columns_forward(column);
-        for (int j = 0; j < period_y_; ++j) {
-            fftw_complex* value = column + static_cast<std::size_t>(j) * pitch_;
-            const double* factor = symbol.data() + static_cast<std::size_t>(j) * pitch_ + first;
-            for (int i = 0; i < piece; ++i) {
-                value[i][0] *= factor[i];
-                value[i][1] *= factor[i];
-            }
+        fftw_complex* columns = columns_of_thread(0);
+        columns_forward(field, first, columns);
+        const double* factor = symbol.data() + static_cast<std::size_t>(first) * period_y_;
+        for (int k = 0; k < piece * period_y_; ++k) {
+            columns[k][0] *= factor[k];
+            columns[k][1] *= factor[k];
         }
-        columns_backward(column);
+        columns_backward(columns, first, field);
     });
     rows_backward(field, out);
 }
@@ -168,25 +195,20 @@ void GridConvolution::apply(const Symbol2& symbol, std::span<const double> in_x,
     rows_forward(in_x, field_[0]);
     rows_forward(in_y, field_[1]);
     for_each_piece(pitch_, [&](int first) {
-        fftw_complex* column_x = field_[0].spectrum.get() + first;
-        fftw_complex* column_y = field_[1].spectrum.get() + first;
-        columns_forward(column_x);
-        columns_forward(column_y);
-        for (int j = 0; j < period_y_; ++j) {
-            const std::size_t row = static_cast<std::size_t>(j) * pitch_;
-            fftw_complex *x = column_x + row, *y = column_y + row;
-            const double* xx = symbol.xx.data() + row + first;
-            const double* xy = symbol.xy.data() + row + first;
-            const double* yy = symbol.yy.data() + row + first;
-            for (int i = 0; i < piece; ++i)
-                for (int part = 0; part < 2; ++part) {
-                    const double a = x[i][part], b = y[i][part];
-                    x[i][part] = xx[i] * a + xy[i] * b;
-                    y[i][part] = xy[i] * a + yy[i] * b;
-                }
-        }
-        columns_backward(column_x);
-        columns_backward(column_y);
+        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
+        columns_forward(field_[0], first, x);
+        columns_forward(field_[1], first, y);
+        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
+        const double *xx = symbol.xx.data() + start, *xy = symbol.xy.data() + start,
+                     *yy = symbol.yy.data() + start;
+        for (int k = 0; k < piece * period_y_; ++k)
+            for (int part = 0; part < 2; ++part) {
+                const double a = x[k][part], b = y[k][part];
+                x[k][part] = xx[k] * a + xy[k] * b;
+                y[k][part] = xy[k] * a + yy[k] * b;
+            }
+        columns_backward(x, first, field_[0]);
+        columns_backward(y, first, field_[1]);
     });
     rows_backward(field_[0], out_x);
     rows_backward(field_[1], out_y);

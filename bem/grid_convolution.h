@@ -27,7 +27,8 @@ using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
 /// With period_x >= 2 n_x - 1 (and y) the convolution is linear; with less it is periodic.
 class GridConvolution {
   public:
-    /// Transform of a kernel, scaled by 1/(period_x period_y): one real number per wave vector.
+    /// Transform of a kernel, scaled by 1/(period_x period_y): one real number per wave vector,
+    /// k_y fastest.
     using Symbol = std::vector<double>;
     /// Symmetric 2x2 matrix per wave vector.
     struct Symbol2 {
@@ -50,22 +51,24 @@ class GridConvolution {
                std::span<double> out_x, std::span<double> out_y) const;
 
   private:
-    struct Field {  // one component: padded rows and their spectrum
+    struct Field {  // one component: padded rows and their spectra, row after row
         FftwReal rows;
         FftwComplex spectrum;
     };
     Field make_field() const;
     void rows_forward(std::span<const double> in, Field& field) const;
     void rows_backward(Field& field, std::span<double> out) const;
-    void columns_forward(fftw_complex* column) const;
-    void columns_backward(fftw_complex* column) const;
+    void columns_forward(const Field& field, int first, fftw_complex* columns) const;
+    void columns_backward(fftw_complex* columns, int first, Field& field) const;
+    fftw_complex* columns_of_thread(int component) const;
     template <typename Body>
     void for_each_piece(int n, Body body) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
-    const int n_rows_;   // n_y rounded up to whole pieces
-    const int pitch_;    // of the spectrum's rows, >= period_x/2 + 1, whole pieces
+    const int n_rows_;  // n_y rounded up to whole pieces
+    const int pitch_;   // of the spectrum's rows, >= period_x/2 + 1, whole pieces
     mutable Field field_[2];
+    mutable std::vector<FftwComplex> columns_;  // per thread and component: a piece of columns
     fftw_plan row_forward_, row_backward_, column_forward_, column_backward_;
 };
 

@@ -24,10 +24,9 @@ Symbol2 tangential_symbol(const GridConvolution& convolution,
                           const contact::MaterialPair& materials,
                           const contact::ContactPoints& grid) {
     using Influence = InfluenceCoefficients;
-    return {
-        symbol_of(convolution, materials, grid, [](const Influence& k) { return k.xx; }),
-        symbol_of(convolution, materials, grid, [](const Influence& k) { return k.xy; }),
-        symbol_of(convolution, materials, grid, [](const Influence& k) { return k.yy; })};
+    return {symbol_of(convolution, materials, grid, [](const Influence& k) { return k.xx; }),
+            symbol_of(convolution, materials, grid, [](const Influence& k) { return k.xy; }),
+            symbol_of(convolution, materials, grid, [](const Influence& k) { return k.yy; })};
 }
 
 /// Below this many cells a thread costs more than it brings.

@@ -10,11 +10,11 @@ namespace {
 /// Antiderivatives in x and y of the kernels, s = sqrt(x^2 + y^2). Terms that cancel between the
 /// corners of a rectangle are left out: y ln(x + s) = y asinh(x/|y|) + y ln|y|.
 struct Corner {
-    double one_over_s;     // 1/s
-    double xx_over_s3;     // x^2/s^3
-    double xy_over_s3;     // x y/s^3
-    double x_over_s2;      // x/s^2
-    double y_over_s2;      // y/s^2
+    double one_over_s;  // 1/s
+    double xx_over_s3;  // x^2/s^3
+    double xy_over_s3;  // x y/s^3
+    double x_over_s2;   // x/s^2
+    double y_over_s2;   // y/s^2
 };
 
 double times_asinh(double factor, double x, double y) {

@@ -15,7 +15,7 @@ namespace tricontact::bem {
 
 namespace {
 
-constexpr double first_margin = 1.08;     // grid over Hertz' contact
+constexpr double first_margin = 1.08;  // grid over Hertz' contact
 constexpr double enlargement = 1.25;
 constexpr double max_cells = 4096. * 4096.;
 
@@ -30,7 +30,8 @@ contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
     if (n_x * n_y > max_cells)
         throw contact::InputError(fmt::format(
             "bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge bem.spacing "
-            "or shorten the rolling path", n_x, n_y, max_cells));
+            "or shorten the rolling path",
+            n_x, n_y, max_cells));
     const auto columns = static_cast<int>(n_x), rows = static_cast<int>(n_y);
     return contact::ContactPoints::grid(
         columns, rows, {-(columns / 2) * spacing, -(rows / 2) * spacing}, {spacing, spacing});
@@ -65,10 +66,9 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
 
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
-        const bool own_radius = c.rolling && c.rolling->amplitude_reference ==
-                                                 contact::Case::AmplitudeReference::model;
-        const auto extent =
-            path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
+        const bool own_radius =
+            c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
+        const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
         auto compliance = std::make_unique<HalfSpaceCompliance>(
             c.materials(),
             make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing),

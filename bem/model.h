@@ -8,8 +8,8 @@
 namespace tricontact::bem {
 
 /// Half-space boundary elements for a case: the grid covers the contact along its whole rolling
-/// path and is enlarged until it does. `n_threads`: for the transforms; results do not depend on it.
-/// Throws contact::InputError if the grid would be too large.
+/// path and is enlarged until it does. `n_threads`: for the transforms; results do not depend on
+/// it. Throws contact::InputError if the grid would be too large.
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads);
 
 }  // namespace tricontact::bem

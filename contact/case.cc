@@ -15,14 +15,16 @@ HertzScales hertz_scales(const Case& c) {
     const MaterialPair materials = c.materials();
     const double e_star = materials.effective_modulus();
     const double radius = c.indenter.radius;
-    const double d = c.load.indentation
-                         ? *c.load.indentation
-                         : std::pow(3 * *c.load.normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
-    return {.contact_radius = std::sqrt(radius * d),
-            .indentation = d,
-            .normal_force = 4. / 3 * e_star * std::sqrt(radius) * std::pow(d, 1.5),
-            .peak_pressure = 2 / std::numbers::pi * e_star * std::sqrt(d / radius),
-            .unit_shift = c.friction_coefficient * e_star / materials.effective_shear_modulus() * d};
+    const double d =
+        c.load.indentation
+            ? *c.load.indentation
+            : std::pow(3 * *c.load.normal_force / (4 * e_star * std::sqrt(radius)), 2. / 3);
+    return {
+        .contact_radius = std::sqrt(radius * d),
+        .indentation = d,
+        .normal_force = 4. / 3 * e_star * std::sqrt(radius) * std::pow(d, 1.5),
+        .peak_pressure = 2 / std::numbers::pi * e_star * std::sqrt(d / radius),
+        .unit_shift = c.friction_coefficient * e_star / materials.effective_shear_modulus() * d};
 }
 
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius) {

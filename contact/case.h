@@ -41,18 +41,18 @@ struct Case {
         std::optional<double> amplitude;        ///< W [m]
         std::optional<double> amplitude_ratio;  ///< w = W over a contact radius, instead
         AmplitudeReference amplitude_reference = AmplitudeReference::hertz;
-        double angle = 0;     ///< between rolling direction and tangential load [rad]
-        int periods = 12;     ///< at most
-        bool run_all = false; ///< do not stop at shakedown
+        double angle = 0;      ///< between rolling direction and tangential load [rad]
+        int periods = 12;      ///< at most
+        bool run_all = false;  ///< do not stop at shakedown
         Steps steps = Steps::per_quarter;
-        double increment = 0;        ///< dW [m], for Steps::increment
-        int steps_per_quarter = 6;   ///< for Steps::per_quarter
+        double increment = 0;       ///< dW [m], for Steps::increment
+        int steps_per_quarter = 6;  ///< for Steps::per_quarter
     };
 
     struct Bem {
-        std::optional<double> spacing;             ///< cell size h [m]
-        std::optional<double> cells_per_radius;    ///< Hertz radius / h, instead
-        double tolerance = 1e-7;                   ///< see TangentialSolver, NormalSolver
+        std::optional<double> spacing;           ///< cell size h [m]
+        std::optional<double> cells_per_radius;  ///< Hertz radius / h, instead
+        double tolerance = 1e-7;                 ///< see TangentialSolver, NormalSolver
     };
 
     struct Mdr {

@@ -18,10 +18,10 @@ struct TangentialField {
 
 /// Where tractions act and displacements are read. On a grid x runs fastest.
 struct ContactPoints {
-    std::vector<double> x, y;  ///< positions on the substrate [m]
-    std::vector<double> area;  ///< tributary areas [m^2]
-    int n_x = 0, n_y = 0;      ///< > 0 on a regular grid
-    Vector2 first{}, spacing{};///< of a regular grid [m]
+    std::vector<double> x, y;    ///< positions on the substrate [m]
+    std::vector<double> area;    ///< tributary areas [m^2]
+    int n_x = 0, n_y = 0;        ///< > 0 on a regular grid
+    Vector2 first{}, spacing{};  ///< of a regular grid [m]
 
     std::size_t size() const { return x.size(); }
     /// Regular grid of n_x * n_y cells; `first` is the centre of the first one.
@@ -45,7 +45,8 @@ class Compliance {
     virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
     /// Displacement of a point under unit traction on its own area alone, a typical value [m/Pa].
     virtual double local_tangential() const = 0;
-    /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is free.
+    /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
+    /// free.
     virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
 };
 

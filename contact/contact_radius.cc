@@ -1,7 +1,6 @@
 #include "contact/contact_radius.h"
 
 #include <Eigen/Dense>
-
 #include <cmath>
 #include <numbers>
 

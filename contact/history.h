@@ -11,17 +11,17 @@ namespace tricontact::contact {
 
 /// One row per quasi-static step, values at its end.
 struct StepRecord {
-    double phase = 0;              ///< rolling periods since the start
-    Vector2 offset{};              ///< rolling offset [m]
-    double normal_force = 0;       ///< F_N [N]
-    Vector2 tangential_force{};    ///< on the substrate [N]
-    double indentation = 0;        ///< d [m]
-    Vector2 shift{};               ///< rigid tangential shift U of the indenter since the start [m]
-    double dissipation = 0;        ///< frictional, in this step: sum tau . ds dA [J]
+    double phase = 0;            ///< rolling periods since the start
+    Vector2 offset{};            ///< rolling offset [m]
+    double normal_force = 0;     ///< F_N [N]
+    Vector2 tangential_force{};  ///< on the substrate [N]
+    double indentation = 0;      ///< d [m]
+    Vector2 shift{};             ///< rigid tangential shift U of the indenter since the start [m]
+    double dissipation = 0;      ///< frictional, in this step: sum tau . ds dA [J]
     double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
     int normal_iterations = 0, tangential_iterations = 0;
     double normal_residual = 0, tangential_residual = 0;  ///< as their solvers define them [-]
-    double force_residual = 0;     ///< worst force balance over F_N or mu F_N [-]
+    double force_residual = 0;  ///< worst force balance over F_N or mu F_N [-]
 };
 
 /// What makes a model's numbers dimensionless: its own pressed, upright, unsheared state.

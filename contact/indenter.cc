@@ -23,7 +23,9 @@ double AxisymmetricIndenter::height(double x, double y) const {
 }
 
 Paraboloid::Paraboloid(double radius) : radius_(checked_radius(radius)) {}
-double Paraboloid::outer_radius() const { return infinity; }
+double Paraboloid::outer_radius() const {
+    return infinity;
+}
 
 Sphere::Sphere(double radius) : radius_(checked_radius(radius)) {}
 
@@ -32,6 +34,8 @@ double Sphere::profile(double r) const {
     return r * r / (radius_ + std::sqrt(radius_ * radius_ - r * r));
 }
 
-double Sphere::profile_slope(double r) const { return r / std::sqrt(radius_ * radius_ - r * r); }
+double Sphere::profile_slope(double r) const {
+    return r / std::sqrt(radius_ * radius_ - r * r);
+}
 
 }  // namespace tricontact::contact

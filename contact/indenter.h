@@ -25,8 +25,8 @@ class AxisymmetricIndenter : public Indenter {
     virtual double profile_slope(double r) const = 0;
     /// Largest radius at which the profile is defined [m].
     virtual double outer_radius() const = 0;
-    /// Radii in (0, outer radius) at which the slope jumps, increasing [m]; integrals over the profile
-    /// are split there.
+    /// Radii in (0, outer radius) at which the slope jumps, increasing [m]; integrals over the
+    /// profile are split there.
     virtual std::vector<double> kinks() const { return {}; }
 };
 

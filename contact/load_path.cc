@@ -17,10 +17,14 @@ double triangle_of_step(int k, int n) {
     const double up = static_cast<double>(rest) / n;
     const double down = static_cast<double>(n - rest) / n;
     switch (quarter % 4) {
-        case 0: return up;
-        case 1: return down;
-        case 2: return -up;
-        default: return -down;
+        case 0:
+            return up;
+        case 1:
+            return down;
+        case 2:
+            return -up;
+        default:
+            return -down;
     }
 }
 
@@ -37,9 +41,12 @@ NormalControl mean_normal_control(const Case& c) {
 
 int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
     switch (rolling.steps) {
-        case Case::Steps::turning_points: return 1;
-        case Case::Steps::per_quarter: return rolling.steps_per_quarter;
-        case Case::Steps::increment: break;
+        case Case::Steps::turning_points:
+            return 1;
+        case Case::Steps::per_quarter:
+            return rolling.steps_per_quarter;
+        case Case::Steps::increment:
+            break;
     }
     // Equal steps no longer than the increment; 1e-9 forgives the rounding of W / dW.
     return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
@@ -70,13 +77,14 @@ LoadStep press_step(const Case& c) {
 }
 
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
-    const double mean_force = c.load.tangential_force
-                                  ? *c.load.tangential_force
-                                  : *c.load.tangential_ratio * c.friction_coefficient * normal_force;
+    const double mean_force =
+        c.load.tangential_force ? *c.load.tangential_force
+                                : *c.load.tangential_ratio * c.friction_coefficient * normal_force;
     auto loads_at = [&](LoadStep& step) {
         auto factor = [&](double ratio, double shift) {
-            return ratio == 0 ? 1
-                              : 1 + ratio * triangle_wave(step.phase + shift / (2 * std::numbers::pi));
+            return ratio == 0
+                       ? 1
+                       : 1 + ratio * triangle_wave(step.phase + shift / (2 * std::numbers::pi));
         };
         step.normal = mean_normal_control(c);
         step.normal.value *= factor(c.load.normal_amplitude_ratio, c.load.normal_phase);

@@ -43,9 +43,9 @@ struct LoadPath {
 /// The indenter pressed at the mean normal control, upright, without tangential load.
 LoadStep press_step(const Case& c);
 
-/// The path after pressing. `normal_force` [N] and `contact_radius` [m] are the pressed model's own:
-/// what ratios over "the model" refer to.
-/// Throws InputError when F_T exceeds mu F_N somewhere on the path (force control).
+/// The path after pressing. `normal_force` [N] and `contact_radius` [m] are the pressed model's
+/// own: what ratios over "the model" refer to. Throws InputError when F_T exceeds mu F_N somewhere
+/// on the path (force control).
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
 
 /// Triangular wave of period 1 and amplitude 1: 0, 1, 0, -1, 0 at phases 0, 1/4, 1/2, 3/4, 1.

@@ -59,15 +59,15 @@ class Iteration {
         } else {
             p.resize(height_.size());
             for (std::size_t i = 0; i < p.size(); ++i)
-                p[i] = force_controlled() ? std::isfinite(height_[i])
-                                          : height_[i] < control_.value;
+                p[i] = force_controlled() ? std::isfinite(height_[i]) : height_[i] < control_.value;
         }
         for (std::size_t i = 0; i < p.size(); ++i)
             if (!std::isfinite(height_[i])) p[i] = 0;
         if (force_controlled()) {
             scale_to_force();
         } else if (start.empty()) {
-            // A pressure of the right magnitude: it displaces by at most half of what is prescribed.
+            // A pressure of the right magnitude: it displaces by at most half of what is
+            // prescribed.
             update_displacement();
             const auto& u = solution_.displacement;
             const double factor = control_.value / (2 * *std::max_element(u.begin(), u.end()));
@@ -106,9 +106,9 @@ class Iteration {
 
     void update_gap() {
         const auto& u = solution_.displacement;
-        solution_.indentation =
-            force_controlled() ? contact_mean([&](std::size_t i) { return u[i] + height_[i]; })
-                               : control_.value;
+        solution_.indentation = force_controlled()
+                                    ? contact_mean([&](std::size_t i) { return u[i] + height_[i]; })
+                                    : control_.value;
         double worst = 0;
         n_contact_ = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {

@@ -15,11 +15,16 @@ namespace tricontact::contact {
 namespace {
 
 /// CPU time of this thread's process [s].
-double cpu_now() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double cpu_now() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 /// Keeps the surfaces worth drawing: the quarters of the first three periods and of the last one.
 class SnapshotKeeper {
   public:
+    bool wants(double phase, bool perhaps_last_period) const {
+        return phase <= kept_for_good || perhaps_last_period;
+    }
     void keep(double phase, Surface surface) {
         const int period = static_cast<int>(std::ceil(phase));  // n-th period: phases in (n-1, n]
         if (period != recent_period_) recent_.clear();
@@ -74,6 +79,7 @@ class Run {
     void roll() {
         model_.start_limit();
         for (int n = 0; n < path_.max_periods; ++n) {
+            perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             double dissipation = 0;
             for (std::size_t k = 0; k < path_.period.size(); ++k) {
                 LoadStep step = path_.period[k];
@@ -90,7 +96,8 @@ class Run {
     void take(const LoadStep& step, bool quarter) {
         history_.steps.push_back(model_.advance(step));
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
-        if (quarter) snapshots_.keep(step.phase, model_.surface());
+        if (quarter && snapshots_.wants(step.phase, perhaps_last_period_))
+            snapshots_.keep(step.phase, model_.surface());
         if (observer_)
             observer_(history_.steps.back(), model_,
                       {static_cast<int>(history_.steps.size()), n_at_most_, quarter});
@@ -99,9 +106,10 @@ class Run {
     std::string failed_audit(const LoadStep& step) const {
         for (const auto& check : model_.audit().checks())
             if (!check.passed())
-                return fmt::format("{}: the solution at phase {:.4g} fails its audit: {} is {:.2e}, "
-                                   "allowed {:.1e}",
-                                   model_.name(), step.phase, check.name, check.worst, check.allowed);
+                return fmt::format(
+                    "{}: the solution at phase {:.4g} fails its audit: {} is {:.2e}, "
+                    "allowed {:.1e}",
+                    model_.name(), step.phase, check.name, check.worst, check.allowed);
         return {};
     }
 
@@ -115,6 +123,7 @@ class Run {
             dissipation.push_back(value / energy);
         const Evolution evolution{history_.static_shift / unit, shift, dissipation};
         history_.state = judge(evolution);
+        nearly_settled_ = last_increment(evolution) < 1e-4;  // keep surfaces from now on
         return has_settled(evolution);
     }
 
@@ -131,6 +140,7 @@ class Run {
     LoadPath path_;
     SnapshotKeeper snapshots_;
     int n_at_most_ = 2;
+    bool nearly_settled_ = false, perhaps_last_period_ = false;
 };
 
 }  // namespace

@@ -10,9 +10,10 @@ namespace tricontact::contact {
 
 /// Called after every step with the model in its new state: progress bars, file output.
 struct Progress {
-    int step = 0;            ///< steps done
-    int steps_at_most = 0;   ///< total if every period is run
-    bool quarter = false;    ///< the indenter is upright or at a turning point, or rolling has not begun
+    int step = 0;           ///< steps done
+    int steps_at_most = 0;  ///< total if every period is run
+    bool quarter =
+        false;  ///< the indenter is upright or at a turning point, or rolling has not begun
 };
 using Observer = std::function<void(const StepRecord&, const Model&, const Progress&)>;
 

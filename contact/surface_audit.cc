@@ -53,8 +53,8 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
     audit.record("slip_along_traction", std::max(across, backward) / facts.length, 10 * tolerance);
     for (int d = 0; d < 2; ++d)
         if (facts.control[d].kind == TangentialControl::Kind::force)
-            audit.record("tangential_force", std::abs(force[d] - facts.control[d].value) / total_bound,
-                         force_allowed);
+            audit.record("tangential_force",
+                         std::abs(force[d] - facts.control[d].value) / total_bound, force_allowed);
 }
 
 void audit_energy(const EnergyFacts& facts, Audit& audit) {
@@ -62,10 +62,9 @@ void audit_energy(const EnergyFacts& facts, Audit& audit) {
     for (std::size_t i = 0; i < facts.area.size(); ++i) {
         const Vector2 mean = {(facts.traction_before.x[i] + facts.traction.x[i]) / 2,
                               (facts.traction_before.y[i] + facts.traction.y[i]) / 2};
-        const Vector2 slip = {facts.shift_increment[0] -
-                                  (facts.displacement.x[i] - facts.displacement_before.x[i]),
-                              facts.shift_increment[1] -
-                                  (facts.displacement.y[i] - facts.displacement_before.y[i])};
+        const Vector2 slip = {
+            facts.shift_increment[0] - (facts.displacement.x[i] - facts.displacement_before.x[i]),
+            facts.shift_increment[1] - (facts.displacement.y[i] - facts.displacement_before.y[i])};
         work += facts.area[i] * dot(mean, facts.shift_increment);
         friction += facts.area[i] * dot(mean, slip);
     }

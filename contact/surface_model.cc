@@ -12,7 +12,8 @@
 namespace tricontact::contact {
 
 namespace {
-// Normal solutions are kept while they fit: a period comes back to the same offsets again and again.
+// Normal solutions are kept while they fit: a period comes back to the same offsets again and
+// again.
 constexpr std::size_t normal_cache_bytes = std::size_t{1} << 28;
 }  // namespace
 
@@ -58,15 +59,16 @@ const NormalSolution& SurfaceModel::solve_normal(const LoadStep& step, bool& reu
         reused = true;
         return *(normal_ = it->second);
     }
-    const std::vector<double> start =
-        normal_ && step.normal.kind == NormalControl::Kind::force ? normal_->pressure
-                                                                  : std::vector<double>{};
+    const std::vector<double> start = normal_ && step.normal.kind == NormalControl::Kind::force
+                                          ? normal_->pressure
+                                          : std::vector<double>{};
     auto solution = std::make_shared<const NormalSolution>(
         normal_solver_.solve(heights_over(points, *indenter_, step.offset), step.normal, start));
     if (reaches_edge(points, solution->pressure))
-        throw ContactAtEdge(fmt::format("{}: the contact reaches the edge of the {} x {} grid at "
-                                        "phase {:.4g}",
-                                        name_, points.n_x, points.n_y, step.phase));
+        throw ContactAtEdge(
+            fmt::format("{}: the contact reaches the edge of the {} x {} grid at "
+                        "phase {:.4g}",
+                        name_, points.n_x, points.n_y, step.phase));
     const std::size_t bytes = 2 * sizeof(double) * bound_.size();
     if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = solution;
     return *(normal_ = solution);
@@ -129,9 +131,15 @@ StepRecord SurfaceModel::record(const LoadStep& step, bool normal_reused) const 
         r.dissipation += area[i] * (tangential_.traction.x[i] * slip_.x[i] +
                                     tangential_.traction.y[i] * slip_.y[i]);
         switch (contact_state_[i]) {
-            case ContactState::open: r.open_area += area[i]; break;
-            case ContactState::stick: r.stick_area += area[i]; break;
-            case ContactState::slip: r.slip_area += area[i]; break;
+            case ContactState::open:
+                r.open_area += area[i];
+                break;
+            case ContactState::stick:
+                r.stick_area += area[i];
+                break;
+            case ContactState::slip:
+                r.slip_area += area[i];
+                break;
         }
     }
     r.contact_area = r.stick_area + r.slip_area;
@@ -221,8 +229,8 @@ Surface SurfaceModel::surface() const {
     s.dissipation.resize(bound_.size());
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         s.gap[i] += normal_->displacement[i] - normal_->indentation;
-        s.dissipation[i] = tangential_.traction.x[i] * slip_.x[i] +
-                           tangential_.traction.y[i] * slip_.y[i];
+        s.dissipation[i] =
+            tangential_.traction.x[i] * slip_.x[i] + tangential_.traction.y[i] * slip_.y[i];
     }
     s.contact_state = contact_state_;
     return s;

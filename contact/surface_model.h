@@ -58,10 +58,10 @@ class SurfaceModel final : public Model {
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
     std::vector<double> bound_;  // mu p [Pa]
     TangentialSolution tangential_;
-    TangentialField slip_;                    // of the last step [m]
+    TangentialField slip_;  // of the last step [m]
     std::vector<ContactState> contact_state_;
-    std::vector<double> least_pressure_;      // since start_limit()
-    double least_pressure_force_ = 0;         // F_N at start_limit()
+    std::vector<double> least_pressure_;  // since start_limit()
+    double least_pressure_force_ = 0;     // F_N at start_limit()
     Audit audit_;
 };
 

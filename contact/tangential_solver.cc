@@ -15,7 +15,7 @@ namespace tricontact::contact {
 namespace {
 
 constexpr int max_newton_steps = 200;
-constexpr int patience = 8;             // Newton steps without progress before gradients take over
+constexpr int patience = 8;  // Newton steps without progress before gradients take over
 constexpr int gradient_iterations = 60;
 constexpr int cg_iterations = 300;
 constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
@@ -54,11 +54,12 @@ class Newton {
             }
             classify();
         }
-        throw NotConverged(fmt::format(
-            "tangential contact: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
-            "Newton steps; {} points in contact, {} slipping",
-            solution_.residual, tolerance_, solution_.force_residual, max_newton_steps,
-            active_.size(), std::count(slipping_.begin(), slipping_.end(), 1)));
+        throw NotConverged(
+            fmt::format("tangential contact: residual {:.2e} (tolerance {:.1e}), force residual "
+                        "{:.2e} after {} "
+                        "Newton steps; {} points in contact, {} slipping",
+                        solution_.residual, tolerance_, solution_.force_residual, max_newton_steps,
+                        active_.size(), std::count(slipping_.begin(), slipping_.end(), 1)));
     }
 
   private:
@@ -140,7 +141,7 @@ class Newton {
             const std::size_t i = active_[k];
             const Vector2 t = traction_at(i);
             const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
-            worst = std::max(worst, std::hypot(t[0] - p[0], t[1] - p[1]));
+            worst = std::max(worst, norm({t[0] - p[0], t[1] - p[1]}));
             force[0] += area_[i] * t[0];
             force[1] += area_[i] * t[1];
         }
@@ -177,9 +178,10 @@ class Newton {
         const double scale = alpha_ * mean_bound_;
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
-        const auto result = system.solve(
-            right_hand_side, missing_force_,
-            {.relative = forcing, .absolute = 0.1 * tolerance_ * scale, .iterations = cg_iterations});
+        const auto result = system.solve(right_hand_side, missing_force_,
+                                         {.relative = forcing,
+                                          .absolute = 0.1 * tolerance_ * scale,
+                                          .iterations = cg_iterations});
         solution_.iterations += result.iterations;
         if (!result.solved) return false;
         move(result);

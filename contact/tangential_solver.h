@@ -12,8 +12,8 @@ namespace tricontact::contact {
 /// |t| <= bound, such that the slip s = dU + u_previous - A t vanishes where |t| < bound and points
 /// along t where |t| = bound.
 struct TangentialProblem {
-    const std::vector<double>& bound;               ///< mu p [Pa] per point, 0 outside the contact
-    const TangentialField& previous_displacement;   ///< [m], before the step
+    const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
+    const TangentialField& previous_displacement;  ///< [m], before the step
     /// Per direction: total force on the substrate [N], or increment of the rigid shift [m].
     std::array<TangentialControl, 2> control;
     /// Displacement over traction of the contact as a whole [m/Pa], e.g. indentation over mean
@@ -27,13 +27,13 @@ struct TangentialSolution {
     Vector2 shift_increment{};     ///< dU [m], indenter over substrate
     int iterations = 0;            ///< applications of the compliance
     double residual = 0;           ///< see TangentialSolver
-    double force_residual = 0;     ///< |sum t A - F| / sum bound A, worst force-controlled direction
+    double force_residual = 0;  ///< |sum t A - F| / sum bound A, worst force-controlled direction
 };
 
 /// Semismooth Newton method (active set): the unknowns are t where points stick and the traction's
-/// angle where they slip; each linear system is symmetric positive definite on the null space of the
-/// force balance and solved by projected, preconditioned conjugate gradients. Accelerated projected
-/// gradients take over when the active set cycles.
+/// angle where they slip; each linear system is symmetric positive definite on the null space of
+/// the force balance and solved by projected, preconditioned conjugate gradients. Accelerated
+/// projected gradients take over when the active set cycles.
 ///
 /// Residual: largest |t - P(t + s/alpha)| over the mean bound, P the projection onto the friction
 /// disc, alpha the contact's compliance. It reads:

@@ -1,5 +1,6 @@
 #include "contact/tangential_system.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,11 +17,14 @@ TangentialSystem::TangentialSystem(const Compliance& compliance,
       tangent_(std::move(tangent)),
       curvature_(std::move(curvature)),
       scaling_(active.size()),
+      scaled_(compliance.points().size()),
+      full_(compliance.points().size()),
       force_controlled_(force_controlled) {
     const double self_compliance = compliance.local_tangential();
     // Points held by a large curvature hardly move: the scaling tells the preconditioner so.
     for (std::size_t k = 0; k < active_.size(); ++k)
-        scaling_[k] = slipping_[k] ? std::sqrt(self_compliance / (self_compliance + curvature_[k])) : 1;
+        scaling_[k] =
+            slipping_[k] ? std::sqrt(self_compliance / (self_compliance + curvature_[k])) : 1;
     regular_ = prepare_constraint();
 }
 
@@ -34,27 +38,18 @@ void TangentialSystem::project(TangentialField& f) const {
     }
 }
 
-void TangentialSystem::scale(TangentialField& f) const {
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        f.x[active_[k]] *= scaling_[k];
-        f.y[active_[k]] *= scaling_[k];
-    }
-}
-
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) const {
-    TangentialField scaled(r.size());
     for (std::size_t k = 0; k < active_.size(); ++k) {
         const std::size_t i = active_[k];
-        scaled.x[i] = scaling_[k] * r.x[i];
-        scaled.y[i] = scaling_[k] * r.y[i];
+        scaled_.x[i] = scaling_[k] * r.x[i];
+        scaled_.y[i] = scaling_[k] * r.y[i];
     }
-    TangentialField full(r.size());
-    compliance_.precondition_tangential(scaled, full);
-    for (const std::size_t i : active_) {
-        z.x[i] = full.x[i];
-        z.y[i] = full.y[i];
+    compliance_.precondition_tangential(scaled_, full_);
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        const std::size_t i = active_[k];
+        z.x[i] = scaling_[k] * full_.x[i];
+        z.y[i] = scaling_[k] * full_.y[i];
     }
-    scale(z);
     project(z);
 }
 
@@ -107,89 +102,118 @@ Vector2 TangentialSystem::constraint_multiplier(const Vector2& force) const {
     return lambda;
 }
 
-TangentialSystem::Result TangentialSystem::solve(const TangentialField& right_hand_side,
-                                                 const Vector2& c, const Limits& limits) const {
-    const std::size_t n = right_hand_side.size();
-    Result result{TangentialField(n), TangentialField(n)};
-    if (!regular_) return result;
-    result.solved = true;
-
-    TangentialField residual(n), direction(n), a_direction(n), h_direction(n), z(n);
-    for (const std::size_t i : active_) {
-        residual.x[i] = right_hand_side.x[i];
-        residual.y[i] = right_hand_side.y[i];
+/// Projected, preconditioned conjugate gradients: z keeps the total force that it starts with.
+class TangentialSystem::ConjugateGradients {
+  public:
+    ConjugateGradients(const TangentialSystem& system, const TangentialField& right_hand_side)
+        : system_(system),
+          n_(right_hand_side.size()),
+          result_{TangentialField(n_), TangentialField(n_)},
+          residual_(n_),
+          direction_(n_),
+          a_direction_(n_),
+          h_direction_(n_),
+          z_(n_) {
+        for (const std::size_t i : system.active_) {
+            residual_.x[i] = right_hand_side.x[i];
+            residual_.y[i] = right_hand_side.y[i];
+            area_ += system.compliance_.points().area[i];
+        }
+        system.project(residual_);
     }
-    project(residual);
 
-    auto add = [this](TangentialField& to, double factor, const TangentialField& from) {
-        for (const std::size_t i : active_) {
+    /// A particular solution that carries the force `c`.
+    void carry(const Vector2& c) {
+        const Vector2 lambda = system_.constraint_multiplier(c);
+        if (lambda[0] == 0 && lambda[1] == 0) return;
+        for (int d = 0; d < 2; ++d)
+            if (system_.force_controlled_[d])
+                add(direction_, lambda[d], system_.preconditioned_[d]);
+        apply();
+        move(1);
+    }
+
+    Result iterate(const Limits& limits) {
+        precondition();
+        const double target = std::max(limits.absolute, limits.relative * rms_residual());
+        double rho = system_.inner(residual_, z_);
+        direction_ = z_;
+        while (result_.iterations < limits.iterations && rms_residual() > target && rho > 0) {
+            apply();
+            move(rho / system_.inner(direction_, h_direction_));
+            precondition();
+            const double rho_new = system_.inner(residual_, z_);
+            turn(rho_new / rho);
+            rho = rho_new;
+        }
+        result_.solved = true;
+        return std::move(result_);
+    }
+
+  private:
+    void add(TangentialField& to, double factor, const TangentialField& from) const {
+        for (const std::size_t i : system_.active_) {
             to.x[i] += factor * from.x[i];
             to.y[i] += factor * from.y[i];
         }
-    };
-    auto apply = [&](const TangentialField& from) {
-        compliance_.tangential(from, a_direction);
-        ++result.iterations;
-        for (const std::size_t i : active_) {
-            h_direction.x[i] = a_direction.x[i];
-            h_direction.y[i] = a_direction.y[i];
+    }
+
+    /// H d = P A d + D d.
+    void apply() {
+        system_.compliance_.tangential(direction_, a_direction_);
+        ++result_.iterations;
+        for (const std::size_t i : system_.active_) {
+            h_direction_.x[i] = a_direction_.x[i];
+            h_direction_.y[i] = a_direction_.y[i];
         }
-        project(h_direction);
-        for (std::size_t k = 0; k < active_.size(); ++k) {
-            h_direction.x[active_[k]] += curvature_[k] * from.x[active_[k]];
-            h_direction.y[active_[k]] += curvature_[k] * from.y[active_[k]];
+        system_.project(h_direction_);
+        for (std::size_t k = 0; k < system_.active_.size(); ++k) {
+            const std::size_t i = system_.active_[k];
+            h_direction_.x[i] += system_.curvature_[k] * direction_.x[i];
+            h_direction_.y[i] += system_.curvature_[k] * direction_.y[i];
         }
-    };
-    auto move_along = [&](double step) {
-        add(result.z, step, direction);
-        add(residual, -step, h_direction);
-        for (std::size_t i = 0; i < n; ++i) {
-            result.a_z.x[i] += step * a_direction.x[i];
-            result.a_z.y[i] += step * a_direction.y[i];
+    }
+
+    void move(double step) {
+        add(result_.z, step, direction_);
+        add(result_.a_z, step, a_direction_);
+        add(residual_, -step, h_direction_);
+    }
+
+    void turn(double beta) {
+        for (const std::size_t i : system_.active_) {
+            direction_.x[i] = z_.x[i] + beta * direction_.x[i];
+            direction_.y[i] = z_.y[i] + beta * direction_.y[i];
         }
-    };
-    // Takes the part of the residual that the rigid shift can cancel, so that z keeps the forces.
-    auto precondition_balanced = [&] {
-        precondition(residual, z);
-        const Vector2 lambda = constraint_multiplier(total(z));
+    }
+
+    /// Gives the rigid shift the part of the residual that it can cancel, so that z is balanced.
+    void precondition() {
+        system_.precondition(residual_, z_);
+        const Vector2 lambda = system_.constraint_multiplier(system_.total(z_));
         for (int d = 0; d < 2; ++d) {
-            if (!force_controlled_[d]) continue;
-            add(residual, -lambda[d], constraint_[d]);
-            add(z, -lambda[d], preconditioned_[d]);
-            result.shift_increment[d] -= lambda[d];
-        }
-    };
-
-    // A particular solution carries the missing force.
-    const Vector2 lambda = constraint_multiplier(c);
-    if (lambda[0] != 0 || lambda[1] != 0) {
-        for (int d = 0; d < 2; ++d)
-            if (force_controlled_[d]) add(direction, lambda[d], preconditioned_[d]);
-        apply(direction);
-        move_along(1);
-    }
-
-    double area = 0;
-    for (const std::size_t i : active_) area += compliance_.points().area[i];
-    auto rms = [&] { return std::sqrt(inner(residual, residual) / area); };
-
-    precondition_balanced();
-    const double target = std::max(limits.absolute, limits.relative * rms());
-    double rho = inner(residual, z);
-    direction = z;
-    while (result.iterations < limits.iterations && rms() > target && rho > 0) {
-        apply(direction);
-        move_along(rho / inner(direction, h_direction));
-        precondition_balanced();
-        const double rho_new = inner(residual, z);
-        const double beta = rho_new / rho;
-        rho = rho_new;
-        for (const std::size_t i : active_) {
-            direction.x[i] = z.x[i] + beta * direction.x[i];
-            direction.y[i] = z.y[i] + beta * direction.y[i];
+            if (!system_.force_controlled_[d]) continue;
+            add(residual_, -lambda[d], system_.constraint_[d]);
+            add(z_, -lambda[d], system_.preconditioned_[d]);
+            result_.shift_increment[d] -= lambda[d];
         }
     }
-    return result;
+
+    double rms_residual() const { return std::sqrt(system_.inner(residual_, residual_) / area_); }
+
+    const TangentialSystem& system_;
+    const std::size_t n_;
+    Result result_;
+    TangentialField residual_, direction_, a_direction_, h_direction_, z_;
+    double area_ = 0;
+};
+
+TangentialSystem::Result TangentialSystem::solve(const TangentialField& right_hand_side,
+                                                 const Vector2& c, const Limits& limits) const {
+    if (!regular_) return {};
+    ConjugateGradients iteration(*this, right_hand_side);
+    iteration.carry(c);
+    return iteration.iterate(limits);
 }
 
 }  // namespace tricontact::contact

@@ -26,7 +26,7 @@ class TangentialSystem {
 
     struct Result {
         TangentialField z;          ///< [Pa]
-        TangentialField a_z;        ///< A z [m], not projected
+        TangentialField a_z;        ///< A z [m] on the active points, not projected
         Vector2 shift_increment{};  ///< dU [m], zero in shift-controlled directions
         int iterations = 0;         ///< applications of the compliance
         bool solved = false;        ///< false: the force balance is singular on these zones
@@ -42,8 +42,9 @@ class TangentialSystem {
     Result solve(const TangentialField& r, const Vector2& c, const Limits& limits) const;
 
   private:
+    class ConjugateGradients;
+
     void project(TangentialField& f) const;
-    void scale(TangentialField& f) const;
     void precondition(const TangentialField& r, TangentialField& z) const;
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
@@ -55,9 +56,10 @@ class TangentialSystem {
     std::vector<std::uint8_t> slipping_;
     std::vector<Vector2> tangent_;
     std::vector<double> curvature_, scaling_;
+    mutable TangentialField scaled_, full_;  // work space of the preconditioner
     std::array<bool, 2> force_controlled_;
-    std::array<TangentialField, 2> constraint_;       // C
-    std::array<TangentialField, 2> preconditioned_;   // M^-1 C
+    std::array<TangentialField, 2> constraint_;      // C
+    std::array<TangentialField, 2> preconditioned_;  // M^-1 C
     std::array<std::array<double, 2>, 2> schur_inverse_{};
     bool regular_ = false;
 };

@@ -8,7 +8,11 @@ namespace tricontact::contact {
 /// A vector in the surface plane: x along the tangential load, y across it.
 using Vector2 = std::array<double, 2>;
 
-inline double dot(const Vector2& a, const Vector2& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline double norm(const Vector2& a) { return std::hypot(a[0], a[1]); }
+inline double dot(const Vector2& a, const Vector2& b) {
+    return a[0] * b[0] + a[1] * b[1];
+}
+inline double norm(const Vector2& a) {
+    return std::sqrt(dot(a, a));
+}
 
 }  // namespace tricontact::contact

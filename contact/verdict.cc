@@ -10,7 +10,6 @@ namespace {
 
 constexpr double negligible_shift = 1e-7;        // per period, over U_max
 constexpr double negligible_dissipation = 1e-6;  // per period, over mu F_N U_max
-constexpr double noise = 1e-6;                   // increments below are not judged as a sequence
 
 std::vector<double> increments(const Evolution& evolution) {
     std::vector<double> result;
@@ -44,15 +43,14 @@ Tail tail_of(const std::vector<double>& d) {
 }
 
 bool decays(const Tail& t) {
-    const bool steady = std::max(t.ratio, t.previous_ratio) < 0.95 &&
-                        std::abs(t.ratio - t.previous_ratio) < 0.05;
+    const bool steady =
+        std::max(t.ratio, t.previous_ratio) < 0.95 && std::abs(t.ratio - t.previous_ratio) < 0.05;
     const bool to_zero = std::max(std::abs(t.limit), std::abs(t.previous_limit)) < 0.1;
     return steady && to_zero && t.last * t.ratio / (1 - t.ratio) < 1e-3;
 }
 
 bool persists(const Tail& t) {
-    const bool constant =
-        std::max(std::abs(t.ratio - 1), std::abs(t.previous_ratio - 1)) < 0.01;
+    const bool constant = std::max(std::abs(t.ratio - 1), std::abs(t.previous_ratio - 1)) < 0.01;
     return constant || std::min(t.limit, t.previous_limit) >= 0.6;
 }
 
@@ -60,15 +58,21 @@ bool persists(const Tail& t) {
 
 const char* name_of(State state) {
     switch (state) {
-        case State::shakedown: return "shakedown";
-        case State::ratcheting: return "ratcheting";
-        default: return "undecided";
+        case State::shakedown:
+            return "shakedown";
+        case State::ratcheting:
+            return "ratcheting";
+        default:
+            return "undecided";
     }
 }
 
+double last_increment(const Evolution& evolution) {
+    return evolution.shift_ratio.empty() ? 0 : std::abs(increments(evolution).back());
+}
+
 bool has_settled(const Evolution& evolution) {
-    return !evolution.shift_ratio.empty() &&
-           std::abs(increments(evolution).back()) <= negligible_shift &&
+    return !evolution.shift_ratio.empty() && last_increment(evolution) <= negligible_shift &&
            std::abs(evolution.dissipation_ratio.back()) <= negligible_dissipation;
 }
 
@@ -77,7 +81,7 @@ State judge(const Evolution& evolution) {
     const std::vector<double> d = increments(evolution);
     const std::size_t n = d.size();
     if (n < 4) return State::undecided;
-    if (std::any_of(d.end() - 4, d.end(), [](double value) { return value < noise; }))
+    if (std::any_of(d.end() - 4, d.end(), [](double value) { return value < negligible_shift; }))
         return State::undecided;
     const Tail tail = tail_of(d);
     if (persists(tail)) return State::ratcheting;

@@ -8,10 +8,13 @@ namespace tricontact::contact {
 
 /// What the verdict looks at, dimensionless so that every model is judged alike.
 struct Evolution {
-    double static_shift_ratio;                       ///< U_stat / U_max
-    const std::vector<double>& shift_ratio;          ///< U / U_max, roller upright, n = 1, 2, ...
-    const std::vector<double>& dissipation_ratio;    ///< per period, over mu F_N U_max
+    double static_shift_ratio;                     ///< U_stat / U_max
+    const std::vector<double>& shift_ratio;        ///< U / U_max, roller upright, n = 1, 2, ...
+    const std::vector<double>& dissipation_ratio;  ///< per period, over mu F_N U_max
 };
+
+/// |U(n) - U(n-1)| / U_max of the last period; 0 before the first.
+double last_increment(const Evolution& evolution);
 
 /// Nothing happens any more: shift below 1e-7 and dissipation below 1e-6 in the last period.
 bool has_settled(const Evolution& evolution);

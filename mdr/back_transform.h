@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace tricontact::mdr {
 
@@ -12,5 +13,11 @@ namespace tricontact::mdr {
 /// Throws std::domain_error for fewer than two positions or unequal lengths.
 double back_transform(std::span<const double> positions, std::span<const double> line_load,
                       double r);
+
+/// The same in two steps, for several loads at one radius: weights of the slopes of the pieces [-],
+/// one fewer than positions, then their sum.
+std::vector<double> abel_weights(std::span<const double> positions, double r);
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      std::span<const double> weights);
 
 }  // namespace tricontact::mdr

@@ -14,7 +14,7 @@ using contact::Surface;
 namespace {
 
 // A picture needs no more points; their transforms cost points times pieces.
-constexpr int max_points = 1000, max_pieces = 400;
+constexpr int max_points = 500, max_pieces = 250;
 
 /// Even line loads on 0 = x_0 < x_1 < ... < a, for the back-transformation.
 struct EvenLoads {
@@ -89,8 +89,9 @@ Surface SpringBed::surface() const {
         even_loads(normal_, deflections_, effective_modulus_, effective_shear_modulus_);
     for (int k = 0; k < s.n_x; ++k) {
         const double r = std::abs(s.x(k) - normal_.position());
-        s.normal_traction[k] = back_transform(loads.positions, loads.normal, r);
-        s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, r);
+        const std::vector<double> weights = abel_weights(loads.positions, r);
+        s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
+        s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
         s.friction_bound[k] = friction_coefficient_ * s.normal_traction[k];
         set_spring_fields(k * stride, k, s);
     }

@@ -225,7 +225,7 @@ cells_per_radius = 22.5
 tolerance = 1e-07
 
 [mdr]
-springs = 1000
+springs = 10000
 
 [output]
 vtk = "quarters"

@@ -167,11 +167,11 @@ TEST(MdrSpringBed, LimitCountsFromItsStart) {
 
 TEST(MdrSpringBed, SurfaceShowsTheSprings) {
     const Units units;
-    SpringBed bed(bed_data(units, 999, 1.5));
+    SpringBed bed(bed_data(units, 499, 1.5));
     bed.advance(step(units, .1, 1, 0));
     const auto r = bed.advance(step(units, .1, 1, .6));
     const contact::Surface s = bed.surface();
-    ASSERT_EQ(s.n_x, 999);
+    ASSERT_EQ(s.n_x, 499);
     EXPECT_EQ(s.offset[0], .1 * units.length);
     double normal = 0, tangential = 0;
     int n_stick = 0;
