@@ -39,6 +39,13 @@ NormalControl mean_normal_control(const Case& c) {
     return {NormalControl::Kind::indentation, *c.load.indentation};
 }
 
+/// What the case's amplitude ratio refers to [m].
+double amplitude_reference(const Case& c, double model_radius) {
+    return c.rolling->amplitude_reference == Case::AmplitudeReference::model
+               ? model_radius
+               : hertz_scales(c).contact_radius;
+}
+
 int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
     switch (rolling.steps) {
         case Case::Steps::turning_points:
@@ -98,7 +105,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     loads_at(path.loading.front());
     if (!c.rolling) return path;
 
-    path.amplitude = rolling_amplitude(*c.rolling, contact_radius);
+    path.amplitude = rolling_amplitude(*c.rolling, amplitude_reference(c, contact_radius));
     path.max_periods = c.rolling->periods;
     path.run_all = c.rolling->run_all;
     const int n = steps_in_quarter(*c.rolling, path.amplitude);

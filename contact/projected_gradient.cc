@@ -76,40 +76,75 @@ class ProjectedGradient {
         return point;
     }
 
-    /// Onto discs and force balance: t = P(point + shift), shift from two monotone equations.
+    /// Balance of forces at one shift: what is missing, how it changes, and the convex potential of
+    /// which it is the negative gradient.
+    struct Balance {
+        Vector2 missing{};
+        double j_xx = 0, j_xy = 0, j_yy = 0;
+        double potential = 0, scale = 0;
+    };
+
+    Balance balance_at(const TangentialField& point, const Vector2& shift) const {
+        Balance b;
+        for (const std::size_t i : active_) {
+            const Vector2 v = {point.x[i] + shift[0], point.y[i] + shift[1]};
+            const double bound = problem_.bound[i], size = norm(v);
+            const bool slips = size > bound;
+            const Vector2 p = project_on_disc(v, bound);
+            for (int d = 0; d < 2; ++d) b.missing[d] -= area_[i] * p[d];
+            b.scale += area_[i] * bound;
+            b.potential += area_[i] * (slips ? bound * (size - bound / 2) : size * size / 2);
+            const double a = area_[i] * (slips ? bound / size : 1);
+            const Vector2 e = slips ? Vector2{v[0] / size, v[1] / size} : Vector2{};
+            b.j_xx += a * (1 - e[0] * e[0]);
+            b.j_xy -= a * e[0] * e[1];
+            b.j_yy += a * (1 - e[1] * e[1]);
+        }
+        for (int d = 0; d < 2; ++d) {
+            if (force_controlled(d)) {
+                b.missing[d] += problem_.control[d].value;
+                b.potential -= problem_.control[d].value * shift[d];
+            } else {
+                b.missing[d] = 0;
+            }
+        }
+        return b;
+    }
+
+    Vector2 newton_step(Balance b) const {
+        if (!force_controlled(0)) b.j_xx = 1, b.j_xy = 0;
+        if (!force_controlled(1)) b.j_yy = 1, b.j_xy = 0;
+        // A trace of the identity keeps the step finite when every point slips.
+        const double floor = 1e-9 * (b.j_xx + b.j_yy);
+        const double det = (b.j_xx + floor) * (b.j_yy + floor) - b.j_xy * b.j_xy;
+        return {((b.j_yy + floor) * b.missing[0] - b.j_xy * b.missing[1]) / det,
+                ((b.j_xx + floor) * b.missing[1] - b.j_xy * b.missing[0]) / det};
+    }
+
+    /// Onto discs and force balance: t = P(point + shift), the shift by damped Newton steps.
     void project(const TangentialField& point, TangentialField& t) {
+        Balance balance = balance_at(point, shift_);
         for (int newton = 0; newton < 60; ++newton) {
-            Vector2 missing{};
-            double j_xx = 0, j_xy = 0, j_yy = 0, scale = 0;
-            for (const std::size_t i : active_) {
-                const Vector2 v = {point.x[i] + shift_[0], point.y[i] + shift_[1]};
-                const double bound = problem_.bound[i], size = norm(v);
-                const Vector2 p = project_on_disc(v, bound);
-                t.x[i] = p[0];
-                t.y[i] = p[1];
-                for (int d = 0; d < 2; ++d) missing[d] -= area_[i] * p[d];
-                scale += area_[i] * bound;
-                const bool slips = size > bound;
-                const double a = area_[i] * (slips ? bound / size : 1);
-                const Vector2 e = slips ? Vector2{v[0] / size, v[1] / size} : Vector2{};
-                j_xx += a * (1 - e[0] * e[0]);
-                j_xy -= a * e[0] * e[1];
-                j_yy += a * (1 - e[1] * e[1]);
+            if (norm(balance.missing) <= 1e-13 * balance.scale) break;
+            Vector2 step = newton_step(balance);
+            for (int halving = 0; halving < 40; ++halving) {
+                const Vector2 next = {shift_[0] + step[0], shift_[1] + step[1]};
+                const Balance there = balance_at(point, next);
+                const double expected = 1e-4 * dot(step, balance.missing);
+                const double rounding = 1e-14 * balance.scale * norm(next);
+                if (there.potential <= balance.potential - expected + rounding) {
+                    shift_ = next;
+                    balance = there;
+                    break;
+                }
+                step = {step[0] / 4, step[1] / 4};
             }
-            double worst = 0;
-            for (int d = 0; d < 2; ++d) {
-                missing[d] = force_controlled(d) ? missing[d] + problem_.control[d].value : 0;
-                worst = std::max(worst, std::abs(missing[d]));
-            }
-            if (worst <= 1e-13 * scale) return;
-            if (!force_controlled(0)) j_xx = 1, j_xy = 0;
-            if (!force_controlled(1)) j_yy = 1, j_xy = 0;
-            // A trace of the identity keeps the step finite when every point slips.
-            const double floor = 1e-9 * (j_xx + j_yy);
-            const double det = (j_xx + floor) * (j_yy + floor) - j_xy * j_xy;
-            const Vector2 step = {((j_yy + floor) * missing[0] - j_xy * missing[1]) / det,
-                                  ((j_xx + floor) * missing[1] - j_xy * missing[0]) / det};
-            for (int d = 0; d < 2; ++d) shift_[d] += step[d];
+        }
+        for (const std::size_t i : active_) {
+            const Vector2 p = project_on_disc({point.x[i] + shift_[0], point.y[i] + shift_[1]},
+                                              problem_.bound[i]);
+            t.x[i] = p[0];
+            t.y[i] = p[1];
         }
     }
 

@@ -178,10 +178,11 @@ class Newton {
         const double scale = alpha_ * mean_bound_;
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
-        const auto result = system.solve(right_hand_side, missing_force_,
-                                         {.relative = forcing,
-                                          .absolute = 0.1 * tolerance_ * scale,
-                                          .iterations = cg_iterations});
+        // Turning slipping tractions costs force in the second order: keep the turns small.
+        const double fine = std::min(tolerance_, std::sqrt(force_tolerance));
+        const auto result = system.solve(
+            right_hand_side, missing_force_,
+            {.relative = forcing, .absolute = 0.1 * fine * scale, .iterations = cg_iterations});
         solution_.iterations += result.iterations;
         if (!result.solved) return false;
         move(result);
