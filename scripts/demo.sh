@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# The main job: builds the program and computes a sphere on rubber, rolled back and forth.
+# usage: demo.sh
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+name=rig_sphere_parallel
+
+"$root/scripts/setup.sh" build
+cmake -S "$root" --preset release --log-level=NOTICE
+cmake --build "$root/build/release" --target tricontact
+"$root/build/release/app/tricontact" run "$root/cases/$name.toml" \
+    --output "$root/results/$name"
+printf '\nThe report:   %s\n' "$root/results/$name/report.html"
+printf 'The numbers:  %s\n' "$root/results/$name/summary.json"
+printf 'For ParaView: %s\n' "$root/results/$name/bem/surface.pvd"

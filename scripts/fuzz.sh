@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Feeds the case reader with mutilated case files, under address and undefined sanitizers.
+# usage: fuzz.sh [SECONDS]   (60)
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+seconds=${1:-60}
+
+"$root/scripts/setup.sh" build fuzz
+cmake -S "$root" --preset fuzz --log-level=NOTICE
+cmake --build "$root/build/fuzz" --target case_reader_fuzz
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+# New inputs go to the first folder; what crashes stays in build/fuzz.
+"$root/build/fuzz/tests/fuzz/case_reader_fuzz" -dict="$root/tests/fuzz/case_reader.dict" \
+    -max_len=3000 -max_total_time="$seconds" -artifact_prefix="$root/build/fuzz/" \
+    -print_final_stats=1 -verbosity=0 "$work" "$root/cases" "$root/tests/cli/bad"

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Builds everything and runs the tests.
+# usage: test.sh [CTEST_ARGUMENT]...   e.g. test.sh -L fast
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+
+"$root/scripts/setup.sh" build
+cmake -S "$root" --preset release --log-level=NOTICE
+cmake --build "$root/build/release"
+ctest --test-dir "$root/build/release" --output-on-failure --parallel "$(nproc)" "$@"
