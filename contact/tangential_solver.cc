@@ -179,7 +179,7 @@ class Newton {
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
         // Turning slipping tractions costs force in the second order: keep the turns small.
-        const double fine = std::min(tolerance_, std::sqrt(force_tolerance));
+        const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance));
         const auto result = system.solve(
             right_hand_side, missing_force_,
             {.relative = forcing, .absolute = 0.1 * fine * scale, .iterations = cg_iterations});
