@@ -21,16 +21,31 @@ contact::Case bem_history() {
     return c;
 }
 
-/// One tangential convolution on the grid of the rig: two forward and two inverse transforms.
+/// The compliance on the grid that the rig's history uses.
+bem::HalfSpaceCompliance rig_compliance() {
+    return {rig(0.24, 0.56).materials(),
+            contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4}), 1};
+}
+
+/// One tangential convolution: two forward and two inverse transforms.
 void tangential_convolution(benchmark::State& state) {
-    const auto grid = contact::ContactPoints::grid(63, 51, {0, 0}, {2e-4, 2e-4});
-    const bem::HalfSpaceCompliance compliance(rig(0.24, 0.56).materials(), grid, 1);
-    contact::TangentialField t(grid.size()), u(grid.size());
-    for (std::size_t i = 0; i < grid.size(); ++i) t.x[i] = static_cast<double>(i % 7);
+    const bem::HalfSpaceCompliance compliance = rig_compliance();
+    const std::size_t n = compliance.points().size();
+    contact::TangentialField t(n), u(n);
     compliance.tangential(t, u);
     for (auto _ : state) compliance.tangential(t, u);
 }
 BENCHMARK(tangential_convolution)->Unit(benchmark::kMicrosecond);
+
+/// One application of the preconditioner: the same on the bare grid.
+void preconditioner(benchmark::State& state) {
+    const bem::HalfSpaceCompliance compliance = rig_compliance();
+    const std::size_t n = compliance.points().size();
+    contact::TangentialField r(n), z(n);
+    compliance.precondition_tangential(r, z);
+    for (auto _ : state) compliance.precondition_tangential(r, z);
+}
+BENCHMARK(preconditioner)->Unit(benchmark::kMicrosecond);
 
 /// 12 periods at 0.2 mm, tolerance 1e-7; `ms_per_step` CPU, `convolutions_per_step` counted.
 void bem_rolling(benchmark::State& state) {

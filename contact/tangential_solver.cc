@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/error.h"
 #include "contact/friction_disc.h"
@@ -34,22 +35,22 @@ class Newton {
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
         find_active_points();
         check_force_is_carried();
+        system_.emplace(compliance_, active_, force_controlled_);
     }
 
     void run() {
         solution_.iterations = 0;
         start();
         double best = std::numeric_limits<double>::infinity();
-        int without_progress = 0;
         for (int step = 0; step < max_newton_steps; ++step) {
             update_slip();
             update_residual();
             if (converged()) return;
-            without_progress = solution_.residual < 0.9 * best ? 0 : without_progress + 1;
+            without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
             best = std::min(best, solution_.residual);
-            if (without_progress >= patience || !solve_linear_system()) {
+            if (without_progress_ >= patience || !solve_linear_system()) {
                 take_gradient_steps();
-                without_progress = 0;
+                without_progress_ = 0;
                 best = std::numeric_limits<double>::infinity();
             }
             classify();
@@ -173,18 +174,18 @@ class Newton {
             tangent[k] = {-t[1] / bound, t[0] / bound};
             curvature[k] = std::max(0.0, dot(slip_[k], t) / bound) / bound;
         }
-        const TangentialSystem system(compliance_, active_, slipping_, std::move(tangent),
-                                      std::move(curvature), force_controlled_);
+        if (!system_->set_zones(slipping_, std::move(tangent), std::move(curvature))) return false;
         const double scale = alpha_ * mean_bound_;
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
-        // Turning slipping tractions costs force in the second order: keep the turns small.
-        const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance));
-        const auto result = system.solve(
+        // Turning slipping tractions costs force in the second order: keep the turns small. The
+        // system's residual is a mean, ours a maximum: go finer where that makes the difference.
+        const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance)) *
+                            std::pow(0.1, without_progress_);
+        const auto& result = system_->solve(
             right_hand_side, missing_force_,
             {.relative = forcing, .absolute = 0.1 * fine * scale, .iterations = cg_iterations});
         solution_.iterations += result.iterations;
-        if (!result.solved) return false;
         move(result);
         return true;
     }
@@ -232,7 +233,9 @@ class Newton {
     std::vector<std::size_t> active_;
     std::vector<std::uint8_t> slipping_;  // per active point
     std::vector<Vector2> slip_;           // s [m] per active point
+    std::optional<TangentialSystem> system_;
     Vector2 missing_force_{};
+    int without_progress_ = 0;  // Newton steps
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
 };
 

@@ -29,39 +29,49 @@ class TangentialSystem {
         TangentialField a_z;        ///< A z [m] on the active points, not projected
         Vector2 shift_increment{};  ///< dU [m], zero in shift-controlled directions
         int iterations = 0;         ///< applications of the compliance
-        bool solved = false;        ///< false: the force balance is singular on these zones
     };
 
-    /// `active`: indices of the points in contact. `slipping`, `tangent` (unit vector along the
-    /// disc), `curvature` (D [m/Pa]): one per active point.
+    /// `active`: indices of the points in contact.
     TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
-                     std::vector<std::uint8_t> slipping, std::vector<Vector2> tangent,
-                     std::vector<double> curvature, std::array<bool, 2> force_controlled);
+                     std::array<bool, 2> force_controlled);
 
-    /// `r` [m], `c` [N]: right-hand sides.
-    Result solve(const TangentialField& r, const Vector2& c, const Limits& limits) const;
+    /// What stands per active point: whether it slips, and if so the unit tangent of its friction
+    /// disc and the curvature D [m/Pa]. False if the force balance is singular on these zones.
+    bool set_zones(const std::vector<std::uint8_t>& slipping, std::vector<Vector2> tangent,
+                   std::vector<double> curvature);
+
+    /// `r` [m], `c` [N]: right-hand sides. The result stays valid until the next call.
+    const Result& solve(const TangentialField& r, const Vector2& c, const Limits& limits);
 
   private:
-    class ConjugateGradients;
-
     void project(TangentialField& f) const;
-    void precondition(const TangentialField& r, TangentialField& z) const;
+    void precondition(const TangentialField& r, TangentialField& z);
+    void add(TangentialField& to, double factor, const TangentialField& from) const;
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
-    bool prepare_constraint();
     Vector2 constraint_multiplier(const Vector2& total_force) const;
+
+    void start(const TangentialField& r);
+    void carry(const Vector2& c);
+    void apply();
+    void move(double step);
+    void turn(double beta);
+    void precondition_balanced();
+    double rms_residual() const;
 
     const Compliance& compliance_;
     const std::vector<std::size_t>& active_;
+    std::array<bool, 2> force_controlled_;
+    double area_ = 0;  // of the active points [m^2]
     std::vector<std::uint8_t> slipping_;
     std::vector<Vector2> tangent_;
     std::vector<double> curvature_, scaling_;
-    mutable TangentialField scaled_, full_;  // work space of the preconditioner
-    std::array<bool, 2> force_controlled_;
     std::array<TangentialField, 2> constraint_;      // C
     std::array<TangentialField, 2> preconditioned_;  // M^-1 C
     std::array<std::array<double, 2>, 2> schur_inverse_{};
-    bool regular_ = false;
+    // Work space of the iteration; large fields are allocated once.
+    Result result_;
+    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_, full_;
 };
 
 }  // namespace tricontact::contact
