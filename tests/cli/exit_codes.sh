@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Exit codes and what stands on standard output and standard error: 0 done, 1 did not converge,
+# 2 bad input (in full: bad_input.sh).
+# usage: exit_codes.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+case_file=$source_dir/cases/rig_sphere_parallel.toml
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+coarse=(--set rolling.periods=1 --set rolling.steps=turning-points --set "bem.spacing=0.5 mm"
+    --no-report)
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# expect CODE ARGUMENTS...: output goes to the files out and err.
+expect() {
+    local code=$1 got
+    shift
+    "$program" "$@" >out 2>err
+    got=$?
+    [ "$got" -eq "$code" ] || complain "exit code $got instead of $code: $*: $(cat err)"
+}
+
+# 1. Done: results on disk, progress and closing line on standard error, nothing on standard output.
+expect 0 run "$case_file" "${coarse[@]}"
+[ -s out ] && complain "run writes to standard output: $(cat out)"
+grep -qx "results in results/rig_sphere_parallel" err || complain "no closing line: $(cat err)"
+grep -q "^mdr: .* steps in .* s, " err || complain "no line for mdr: $(cat err)"
+grep -q "^bem: .* steps in .* s, " err || complain "no line for bem: $(cat err)"
+grep -q $'\r' err && complain "a progress bar where there is no terminal"
+[ -s results/rig_sphere_parallel/summary.json ] || complain "no summary.json"
+[ -e results/rig_sphere_parallel/report.html ] && complain "a report in spite of --no-report"
+
+expect 0 run "$case_file" "${coarse[@]}" --quiet --models mdr --output quiet
+[ -s out ] || [ -s err ] && complain "--quiet is not silent: $(cat out err)"
+[ -d quiet/bem ] && complain "--models mdr ran bem"
+
+# 2. Not converged: rounding forbids a residual of 1.1e-14. One line says so; no numbers are left.
+expect 1 run "$case_file" "${coarse[@]}" --quiet --models bem --set bem.tolerance=1.1e-14 \
+    --output impossible
+[ "$(wc -l <err)" -eq 1 ] || complain "not one line: $(cat err)"
+grep -q "^error: .*residual .* after .* iterations" err || complain "message: $(cat err)"
+[ -z "$(find impossible -name summary.json -o -name history.csv -o -name report.html)" ] ||
+    complain "results of a run that did not converge: $(find impossible)"
+
+# 3. A report that cannot be drawn: the numbers stay, the code tells.
+PATH=/nowhere expect 1 run "$case_file" "${coarse[@]:0:6}" --quiet --models mdr --output undrawn
+grep -q "gnuplot" err || complain "message without gnuplot: $(cat err)"
+[ -s undrawn/summary.json ] || complain "numbers lost with the report"
+
+# 4. Bad input.
+expect 2 run "$case_file" --set substrate.poisson=0.6 --output bad
+grep -q "substrate.poisson = 0.6" err || complain "message: $(cat err)"
+[ -e bad ] && complain "a folder in spite of bad input"
+expect 2 run
+expect 2
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# What the program tells without computing: list, check, --help, --version.
+# usage: list_and_check.sh PROGRAM SOURCE_DIR
+set -euo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# holds TEXT PATTERN: a line of the text matches.
+holds() {
+    grep -qE -- "$2" <<<"$1" || complain "no line matches '$2' in: $1"
+}
+
+# 1. list: the models and every case with its title.
+cd "$source_dir"
+text=$("$program" list)
+holds "$text" '^models$'
+holds "$text" '^  mdr +[a-z]'
+holds "$text" '^  bem +[a-z]'
+n=0
+for file in cases/*.toml; do
+    holds "$text" "^  $file: [A-Z]"
+    n=$((n + 1))
+done
+[ "$n" -ge 6 ] || complain "only $n cases"
+[ "$(grep -c '\.toml: ' <<<"$text")" -eq "$n" ] || complain "list names other cases: $text"
+[ "$(cd "$work" && "$program" list "$source_dir/cases" | grep -c '\.toml: ')" -eq "$n" ] ||
+    complain "list FOLDER differs from list"
+
+# 2. check: values that follow from the case (Hertz; Cattaneo and Mindlin), by hand:
+#    E* = 5.2 MPa/(1 - 1/4) = 6.9333 MPa (steel adds 3e-5), a^3 = 3 F_N R/(4 E*) -> 4.5029 mm,
+#    d = a^2/R, p0 = 3 F_N/(2 pi a^2), U_max = mu 3/2 d, F_T = 0.56 mu F_N, W = 0.24 a,
+#    limit 1 - 3/2 w + 1/2 w^3; beta = -(1 - 2 nu_1) (1 + nu_1)/(2 E_1) E*.
+text=$("$program" check cases/rig_sphere_parallel.toml)
+# The values here have five digits.
+derived() {
+    awk -v name="$1" -v due="$2" -v unit="$3" '
+        $1 == "#" && $2 == name && $3 == "=" {
+            error = $4/due - 1
+            found = error < 2e-5 && error > -2e-5 && $5 == unit
+        }
+        END { exit !found }' <<<"$text" || complain "$1 = $2 $3 is due in: $text"
+}
+derived a 4.5029 mm
+derived d 0.50690 mm
+derived F_N 21.1 N
+derived p0 0.49687 MPa
+derived U_max 0.43340 mm
+derived 'E*' 6.9331 MPa
+derived 'G*' 4.6221 MPa
+derived beta -8.7505e-06 -
+derived F_T 6.7351 N
+derived f_T 0.56 -
+derived W 1.0807 mm
+derived w 0.24 -
+derived f_T,lim 0.64691 -
+
+# 3. check prints a case that reads back to the same text, and writes nothing.
+for file in cases/*.toml; do
+    "$program" check "$file" >"$work/once.toml" || complain "check $file"
+    "$program" check "$work/once.toml" >"$work/twice.toml" || complain "check of $file's check"
+    cmp "$work/once.toml" "$work/twice.toml" || complain "$file: does not read back the same"
+done
+mkdir "$work/empty"
+(cd "$work/empty" && "$program" check "$source_dir/cases/rig_sphere_parallel.toml" >/dev/null)
+[ -z "$(ls -A "$work/empty")" ] || complain "check writes files"
+
+# 4. Overrides, one of a pair included.
+text=$("$program" check cases/rig_sphere_parallel.toml --set "load.tangential_force=6 N" \
+    --set rolling.angle="90 deg")
+holds "$text" '^tangential_force = "6 N"$'
+grep -q '^tangential_ratio' <<<"$text" && complain "both force and ratio are set"
+holds "$text" '^angle = "1\.5707963267948966 rad"$'
+holds "$text" '^# f_T += +0\.4988'
+
+# 5. Help for everything, and the version of CMakeLists.txt.
+text=$("$program" --help)
+for command in run check list; do
+    holds "$text" "^  $command  +[A-Z]"
+    "$program" "$command" --help | grep -q -- --help || complain "$command --help"
+done
+text=$("$program" run --help)
+for option in --set --output --models --threads --quiet --no-report; do
+    holds "$text" "^  $option"
+done
+version=$(sed -n 's/^project(Tricontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+[ "$("$program" --version)" = "tricontact ${version:?}" ] ||
+    complain "version: $("$program" --version) is not $version"
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
