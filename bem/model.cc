@@ -25,16 +25,16 @@ double spacing_of(const contact::Case& c, double radius) {
 
 /// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side.
 contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
-    const double n_x = 2 * std::ceil(half_x / spacing) + 1;
-    const double n_y = 2 * std::ceil(half_y / spacing) + 1;
+    const double beside_x = std::ceil(half_x / spacing), beside_y = std::ceil(half_y / spacing);
+    const double n_x = 2 * beside_x + 1, n_y = 2 * beside_y + 1;
     if (n_x * n_y > max_cells)
-        throw contact::InputError(fmt::format(
-            "bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge bem.spacing "
-            "or shorten the rolling path",
-            n_x, n_y, max_cells));
-    const auto columns = static_cast<int>(n_x), rows = static_cast<int>(n_y);
-    return contact::ContactPoints::grid(
-        columns, rows, {-(columns / 2) * spacing, -(rows / 2) * spacing}, {spacing, spacing});
+        throw contact::InputError(
+            fmt::format("bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge "
+                        "bem.spacing or shorten the rolling path",
+                        n_x, n_y, max_cells));
+    return contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
+                                        {-beside_x * spacing, -beside_y * spacing},
+                                        {spacing, spacing});
 }
 
 /// Half sides of the region that the contact centre sweeps [m].
