@@ -52,12 +52,15 @@ void check_command(const std::string& case_file, const std::vector<std::string>&
     std::cout << io::write_case(c) << '\n' << derived_values(c);
 }
 
-void list_command(const std::string& folder) {
+void list_command(const std::optional<std::string>& given) {
+    const std::string folder = given.value_or("cases");
     std::cout << "models\n";
     for (const auto& model : known_models())
         std::cout << fmt::format("  {:<8} {}\n", model.name, model.text);
-    if (!std::filesystem::is_directory(folder))
+    if (!std::filesystem::is_directory(folder)) {
+        if (!given) return;
         throw contact::InputError(folder + ": is not a folder; name one that holds case files");
+    }
     std::vector<std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         if (entry.path().extension() == ".toml") files.push_back(entry.path().string());

@@ -22,7 +22,8 @@ void run_command(const RunOptions& options);
 /// Prints the resolved case and what follows from it to standard output. Throws InputError.
 void check_command(const std::string& case_file, const std::vector<std::string>& overrides);
 
-/// Prints the models, and the case files below `folder`, to standard output.
-void list_command(const std::string& folder);
+/// Prints the models, and the case files below `folder`, to standard output; without a folder those
+/// below "cases" if there is one. Throws InputError.
+void list_command(const std::optional<std::string>& folder);
 
 }  // namespace tricontact::app

@@ -57,7 +57,7 @@ int run_program(int argc, char** argv) {
     auto* check = app.add_subcommand("check", "Validate a case; print it resolved, with scales");
     add_case_arguments(*check, check_file, check_overrides);
 
-    std::string list_folder = "cases";
+    std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
 

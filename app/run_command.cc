@@ -11,6 +11,7 @@
 #include "comparisons/gnuplot.h"
 #include "comparisons/report.h"
 #include "comparisons/summary.h"
+#include "contact/error.h"
 #include "contact/run.h"
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
@@ -54,7 +55,13 @@ contact::History run_model(const std::string& name, const contact::Case& c,
         bar.update(progress.step, progress.steps_at_most);
         if (wants_vtk(c.output.vtk, progress)) series.add(record.phase, state.surface());
     };
-    contact::History history = contact::run(c, *model, observer);
+    contact::History history;
+    try {
+        history = contact::run(c, *model, observer);
+    } catch (const contact::NotConverged&) {
+        if (c.output.vtk != contact::Case::VtkOutput::none) series.finish();  // what did converge
+        throw;
+    }
     bar.finish(c.rolling ? contact::name_of(history.state) : "");
 
     io::write_file(folder + "/history.csv", io::history_csv(history));
