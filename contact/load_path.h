@@ -21,6 +21,8 @@ struct TangentialControl {
     enum class Kind { force, shift };
     Kind kind = Kind::force;
     double value = 0;  ///< force on the substrate [N] or rigid shift of the indenter [m]
+
+    bool operator==(const TangentialControl&) const = default;
 };
 
 /// One quasi-static step; all values are those at its end.

@@ -10,7 +10,10 @@ namespace {
 
 constexpr double negligible_shift = 1e-7;        // per period, over U_max
 constexpr double negligible_dissipation = 1e-6;  // per period, over mu F_N U_max
+// Still to come, over U_max: where the solver's noise spoils Aitken's limit, but nobody cares.
+constexpr double negligible_remainder = 1e-5;
 
+/// Increments of the shift, positive in the direction of the last one.
 std::vector<double> increments(const Evolution& evolution) {
     std::vector<double> result;
     double last = evolution.static_shift_ratio;
@@ -18,6 +21,8 @@ std::vector<double> increments(const Evolution& evolution) {
         result.push_back(u - last);
         last = u;
     }
+    if (!result.empty() && result.back() < 0)
+        for (double& value : result) value = -value;
     return result;
 }
 
@@ -28,30 +33,30 @@ double relative_limit(double d1, double d2, double d3) {
     return 1 - change * change / (second * d3);
 }
 
-/// The last increments, and what the two last triples of them say.
+/// The end of the increments as seen from one of them and those one and two strides before it.
 struct Tail {
-    double last, ratio, previous_ratio, limit, previous_limit;
+    double change;  ///< factor from the middle one of the three to the last
+    double ratio;   ///< the same per period
+    double limit;   ///< see relative_limit
 };
 
-Tail tail_of(const std::vector<double>& d) {
-    const std::size_t n = d.size();
-    return {.last = d[n - 1],
-            .ratio = d[n - 1] / d[n - 2],
-            .previous_ratio = d[n - 2] / d[n - 3],
-            .limit = relative_limit(d[n - 3], d[n - 2], d[n - 1]),
-            .previous_limit = relative_limit(d[n - 4], d[n - 3], d[n - 2])};
+Tail tail_of(const std::vector<double>& d, std::size_t last, std::size_t stride) {
+    const double change = d[last] / d[last - stride];
+    return {change, std::pow(change, 1.0 / static_cast<double>(stride)),
+            relative_limit(d[last - 2 * stride], d[last - stride], d[last])};
 }
 
-bool decays(const Tail& t) {
+bool decays(double last, const Tail& now, const Tail& before) {
     const bool steady =
-        std::max(t.ratio, t.previous_ratio) < 0.95 && std::abs(t.ratio - t.previous_ratio) < 0.05;
-    const bool to_zero = std::max(std::abs(t.limit), std::abs(t.previous_limit)) < 0.1;
-    return steady && to_zero && t.last * t.ratio / (1 - t.ratio) < 1e-3;
+        std::max(now.ratio, before.ratio) < 0.95 && std::abs(now.ratio - before.ratio) < 0.05;
+    const bool to_zero = std::max(std::abs(now.limit), std::abs(before.limit)) < 0.1;
+    const double to_come = last * now.ratio / (1 - now.ratio);
+    return steady && ((to_zero && to_come < 1e-3) || to_come < negligible_remainder);
 }
 
-bool persists(const Tail& t) {
-    const bool constant = std::max(std::abs(t.ratio - 1), std::abs(t.previous_ratio - 1)) < 0.01;
-    return constant || std::min(t.limit, t.previous_limit) >= 0.6;
+bool persists(const Tail& now, const Tail& before) {
+    const bool constant = std::max(std::abs(now.change - 1), std::abs(before.change - 1)) < 0.01;
+    return constant || std::min(now.limit, before.limit) >= 0.6;
 }
 
 }  // namespace
@@ -81,11 +86,13 @@ State judge(const Evolution& evolution) {
     const std::vector<double> d = increments(evolution);
     const std::size_t n = d.size();
     if (n < 4) return State::undecided;
-    if (std::any_of(d.end() - 4, d.end(), [](double value) { return value < negligible_shift; }))
+    const std::size_t stride = std::max<std::size_t>(1, n / 6);
+    const auto first = d.end() - 1 - 3 * static_cast<std::ptrdiff_t>(stride);
+    if (std::any_of(first, d.end(), [](double value) { return value < negligible_shift; }))
         return State::undecided;
-    const Tail tail = tail_of(d);
-    if (persists(tail)) return State::ratcheting;
-    return decays(tail) ? State::shakedown : State::undecided;
+    const Tail now = tail_of(d, n - 1, stride), before = tail_of(d, n - 1 - stride, stride);
+    if (persists(now, before)) return State::ratcheting;
+    return decays(d[n - 1], now, before) ? State::shakedown : State::undecided;
 }
 
 }  // namespace tricontact::contact

@@ -20,10 +20,12 @@ double last_increment(const Evolution& evolution);
 bool has_settled(const Evolution& evolution);
 
 /// Shakedown: settled, or the increments of the shift decay geometrically (ratio steady and below
-/// 0.95, Aitken's limit of them below a tenth of the last) with less than 1e-3 still to come.
-/// Ratcheting: the increments tend to a constant, by Aitken's limit at least 0.6 of the last one,
-/// or change by less than 1 % per period. Else undecided: run more periods. A contact that slips
-/// to and fro in every period without getting anywhere is neither and remains undecided.
+/// 0.95, Aitken's limit of them below a tenth of the last) with less than 1e-3 still to come; below
+/// 1e-5 Aitken's limit is not asked. Ratcheting: the increments tend to a constant, by Aitken's
+/// limit at least 0.6 of the last one, or changed by less than 1 %. Aitken's three increments lie a
+/// sixth of the periods apart, so that the solver's noise does not spoil their differences. Else
+/// undecided: run more periods. A contact that slips to and fro in every period without getting
+/// anywhere is neither and remains undecided.
 State judge(const Evolution& evolution);
 
 }  // namespace tricontact::contact
