@@ -1,0 +1,99 @@
+// docs/case-file.md holds one table row per key, as the declarations of the keys say it.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "io/case_keys.h"
+#include "io/messages.h"
+
+namespace tricontact::io {
+namespace {
+
+std::string code(std::string_view text) {
+    return '`' + std::string(text) + '`';
+}
+
+std::string listed(const std::vector<Choice>& choices) {
+    std::string out;
+    for (const Choice& choice : choices)
+        out += (out.empty() ? "" : ", ") + code(toml_string(choice.word));
+    return out;
+}
+
+std::string limits(const Key& key) {
+    std::ostringstream out;  // six digits
+    out << (key.range.low_included ? "from " : "above ");
+    if (key.kind == Key::Kind::integer)
+        out << static_cast<long>(key.range.low) << " to " << static_cast<long>(key.range.high);
+    else
+        out << key.range.low << (key.range.high_included ? " to " : " to below ") << key.range.high;
+    if (key.dimension != Dimension::none) out << ' ' << si_unit(key.dimension);
+    return out.str();
+}
+
+std::string admissible(const Key& key) {
+    switch (key.kind) {
+        case Key::Kind::text:
+            return "text";
+        case Key::Kind::choice:
+            return listed(key.choices);
+        case Key::Kind::choice_list:
+            return "list of " + listed(key.choices);
+        case Key::Kind::boolean:
+            return "`true`, `false`";
+        case Key::Kind::integer:
+            return "whole number " + limits(key);
+        case Key::Kind::number:
+            return "number " + limits(key);
+        case Key::Kind::quantity:
+            return std::string(name_of(key.dimension)) + ' ' + limits(key);
+    }
+    return {};
+}
+
+std::string default_of(const Key& key) {
+    std::string out = key.required ? "required" : "";
+    if (!key.default_value.empty()) out = code(key.default_value);
+    for (const Key& other : case_keys())
+        if (key.alternative > 0 && other.alternative == key.alternative && other.path != key.path)
+            out += (out.empty() ? "or " : ", or ") + code(other.name());
+    return out;
+}
+
+std::string row(const Key& key) {
+    std::string meaning(key.text);
+    if (!key.needs.empty()) meaning += "; only with " + code(find_key(key.needs)->name());
+    return "| " + code(key.name()) + " | " + code(key.example) + " | " + admissible(key) + " | " +
+           default_of(key) + " | " + meaning + " |";
+}
+
+/// The rows that the declarations demand, one table per section.
+std::string reference() {
+    std::string out;
+    std::string_view section = "none yet";
+    for (const Key& key : case_keys()) {
+        if (key.section() != section) {
+            section = key.section();
+            out +=
+                "\n### " +
+                (section.empty() ? "Before the sections" : code('[' + std::string(section) + ']')) +
+                "\n\n| Key | Example | Admissible | Default | Meaning |\n|---|---|---|---|---|\n";
+        }
+        out += row(key) + '\n';
+    }
+    return out;
+}
+
+TEST(CaseReference, DocumentNamesEveryKeyAsDeclared) {
+    std::ifstream file(TRICONTACT_SOURCE_DIR "/docs/case-file.md");
+    std::stringstream document;
+    document << file.rdbuf();
+    EXPECT_NE(document.str().find(reference()), std::string::npos)
+        << "docs/case-file.md should hold this:\n"
+        << reference();
+}
+
+}  // namespace
+}  // namespace tricontact::io
