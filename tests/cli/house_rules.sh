@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# What CONTRIBUTING.md says about folders and files: includes point downwards, files stay short,
+# links in the documents lead somewhere.
+# usage: house_rules.sh PROGRAM SOURCE_DIR
+set -euo pipefail
+cd "$2"
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# may_include FOLDER OTHERS...: a folder's files include their own and these.
+may_include() {
+    local folder=$1 pattern
+    pattern="^($(IFS='|' && echo "$*"))/"
+    [ -d "$folder" ] || complain "no folder $folder"
+    while IFS=: read -r file line text; do
+        grep -qE "$pattern" <<<"${text#*\"}" || complain "$file:$line: $text: not for $folder"
+    done < <(grep -nE '^ *#include "' "$folder"/*.h "$folder"/*.cc)
+}
+may_include contact
+may_include theory contact
+may_include mdr contact
+may_include bem contact
+may_include io contact
+may_include comparisons contact theory
+may_include app contact theory mdr bem io comparisons
+
+while read -r lines file; do
+    [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
+done < <(find app bem benchmarks comparisons contact io mdr tests theory \
+    \( -name '*.cc' -o -name '*.h' -o -name '*.sh' \) -exec wc -l {} \;)
+
+# Links [text](path#anchor) relative to their document.
+n=0
+for document in ./*.md docs/*.md benchmarks/*.md; do
+    while read -r target; do
+        n=$((n + 1))
+        [ -e "$(dirname "$document")/$target" ] || complain "$document: no $target"
+    done < <(grep -oE '\]\([^)]+\)' "$document" | sed 's/^](//; s/)$//; s/#.*//' |
+        grep -vE '^(https?:|$)')
+done
+[ "$n" -ge 10 ] || complain "only $n links found"
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
