@@ -17,7 +17,7 @@ struct Progress {
 };
 using Observer = std::function<void(const StepRecord&, const Model&, const Progress&)>;
 
-/// Presses, loads and rolls until shakedown, steady ratcheting or the last period.
+/// Presses, loads and rolls until the contact has settled (see verdict.h) or the last period.
 /// Throws NotConverged (also when a solution fails its audit) and InputError.
 History run(const Case& c, Model& model, const Observer& observer = {});
 
