@@ -1,110 +1,191 @@
-// Tangential loading of the half-space boundary elements against Cattaneo (1938) and Mindlin
-// (1949). Their solution neglects the small traction across the load, which vanishes for nu = 0
-// only: there it is exact. Elastically similar bodies, so that nothing couples normal and
-// tangential.
+// A tangential force on a Hertzian contact of two equal bodies (no coupling) against Cattaneo and
+// Mindlin. Their solution is exact for nu = 0. Else they neglect the transverse traction, which
+// Johnson (1985, section 7.2d) puts at nu/(4 - 2 nu) of the slip traction, and the
+// three-dimensional solution differs. Measured here at a/45, where the change from a/22.5 is below
+// a tenth:
+//   nu  f    shift     max |t_y|/(mu p0)   work per cycle
+//   .3  .2   -.013 %   .0203               -.6 % (slip ring of three cells)
+//   .3  .56  -.041 %   .0328               -.37 %
+//   .3  .9   -.084 %   .0386               -.35 %
+//   .5  .2   -.047 %   .0393               -1.5 %
+//   .5  .56  -.154 %   .0629               -1.4 %
+//   .5  .9   -.303 %   .0743               -1.2 %
+// nu = 0: shift within 2e-5, work within 2e-4 (f = .2: 2e-3), t_y = 0.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "contact/load_path.h"
 #include "tests/verification/bem_rig.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::bem {
 namespace {
 
-contact::Case loaded(double nu, double f, double cells_per_radius) {
-    contact::Case c = rig_case(0, f, 1);
+contact::Case equal_bodies(double nu, double f, double cells_per_radius) {
+    contact::Case c = rig_case(.2, f, 1);
     c.rolling.reset();
-    c.substrate = {5.2e6, nu};
-    c.indenter.material = contact::Material{5.2e6, nu};
+    c.substrate.poisson = nu;
+    c.indenter.material = c.substrate;
     c.bem.spacing.reset();
     c.bem.cells_per_radius = cells_per_radius;
-    c.bem.tolerance = 1e-8;
     return c;
 }
 
-/// Relative deviation of the static shift from Cattaneo and Mindlin.
-double deviation(double nu, double f, double cells_per_radius) {
-    return static_ratio(run_bem(loaded(nu, f, cells_per_radius))) / theory::static_shift_ratio(f) -
+/// Pressed, and loaded as often as asked.
+class Loaded {
+  public:
+    explicit Loaded(const contact::Case& c)
+        : case_(c), hertz_(contact::hertz_scales(c)), model_(make_model(c, 1)) {
+        model_->advance(contact::press_step(c));
+    }
+    /// To F_T = f mu F_N in x.
+    contact::StepRecord load(double f) {
+        contact::LoadStep step = contact::press_step(case_);
+        step.tangential[0].value = f * case_.friction_coefficient * hertz_.normal_force;
+        return model_->advance(step);
+    }
+    contact::Surface surface() const { return model_->surface(); }
+    const contact::HertzScales& hertz() const { return hertz_; }
+    double peak_bound() const { return case_.friction_coefficient * hertz_.peak_pressure; }
+    /// Work of a cycle between -f and f, by Mindlin, and as found.
+    double cycle_ratio(double f) {
+        load(f);
+        double work = 0;
+        for (const double end : {-f, f}) work += load(end).dissipation;
+        return work / theory::cycle_dissipation({case_.friction_coefficient, hertz_.normal_force,
+                                                 case_.materials().effective_shear_modulus(),
+                                                 hertz_.contact_radius, f});
+    }
+
+  private:
+    contact::Case case_;
+    contact::HertzScales hertz_;
+    std::unique_ptr<contact::Model> model_;
+};
+
+double shift_error(double nu, double f, double cells_per_radius) {
+    Loaded contact(equal_bodies(nu, f, cells_per_radius));
+    return contact.load(f).shift[0] / contact.hertz().unit_shift / theory::static_shift_ratio(f) -
            1;
 }
 
-TEST(BemCattaneoMindlin, ExactWithoutLateralContraction) {
-    for (const double f : {0.1, 0.5, 0.9})
-        EXPECT_NEAR(deviation(0, f, 22.5), 0, 1e-3) << f;  // stick radius cut by cells, O(h)
-    // Second order up to the scatter of the cut edges: four times finer, at least eight times
-    // better.
-    EXPECT_LT(std::abs(deviation(0, 0.5, 64)), std::abs(deviation(0, 0.5, 16)) / 8);
-}
-
-// What the closed form neglects, converged in the grid (64 cells per radius): -0.037 % for nu =
-// 0.3, -0.13 % for nu = 0.5 at f_T = 0.5. The transverse traction makes the contact a little
-// stiffer.
-TEST(BemCattaneoMindlin, NeglectedCrossTractionIsATenthOfAPercent) {
-    EXPECT_NEAR(deviation(0.3, 0.5, 45), -3.6e-4, 1e-4);
-    EXPECT_NEAR(deviation(0.5, 0.5, 45), -1.33e-3, 1e-4);
-    EXPECT_GT(deviation(0, 0.5, 45), -1e-4);
-}
-
-TEST(BemCattaneoMindlin, TractionAndStickZone) {
-    const double f = 0.56;
-    const contact::Case c = loaded(0, f, 32);
-    const contact::History h = run_bem(c);
-    const contact::HertzScales hertz = hertz_scales(c);
-    const contact::Surface& s = h.snapshots.front().surface;
-    const double a = hertz.contact_radius, bound = c.friction_coefficient * hertz.peak_pressure;
-    double worst = 0;
-    for (int i = 0; i < s.n_x; ++i) {
-        const double rho = std::abs(s.x(i)) / a;
-        const std::size_t k = static_cast<std::size_t>(s.n_y / 2) * s.n_x + i;
-        if (rho > 0.95) continue;
-        const double exact = theory::cattaneo_mindlin_traction(rho, f);
-        worst = std::max(worst, std::abs(s.tangential_traction_x[k] / bound - exact));
-        EXPECT_NEAR(s.tangential_traction_y[k] / bound, 0, 1e-6);
+/// Root mean square over twelve grids: the edges of contact and stick cut the cells at random.
+double mean_shift_error(double f, double cells_per_radius) {
+    double squares = 0;
+    for (int k = 0; k < 12; ++k) {
+        const double e = shift_error(0, f, cells_per_radius * (1 + k / 96.));
+        squares += e * e / 12;
     }
-    // The square root at the stick radius over one cell: 0.05 sqrt-like, elsewhere below 0.01.
-    EXPECT_LT(worst, 0.06);
-    const double stick_area = h.steps.back().stick_area;
-    EXPECT_NEAR(std::sqrt(stick_area / std::numbers::pi) / a, theory::stick_radius_ratio(f),
-                0.02);  // counted cells: O(h)
+    return std::sqrt(squares);
 }
 
-// One cycle of F_T = +F, -F, +F after loading dissipates Mindlin's W0 (the form re-derived in
-// theory/). Steps of a half cycle are exact: slip grows from the edge at constant bound.
+TEST(BemCattaneoMindlin, ShiftIsExactWithoutCrossTraction) {
+    for (const double f : {.2, .56, .9}) {
+        const double coarse = mean_shift_error(f, 8), fine = mean_shift_error(f, 32);
+        EXPECT_LT(fine, 3e-4) << f;  // f = .2: a slip ring of two cells
+        // second order like the normal contact, or better, over two doublings; a sample
+        EXPECT_GT(std::log2(coarse / fine) / 2, 1.6) << f;
+    }
+}
+
+TEST(BemCattaneoMindlin, TractionProfileAndStickRadius) {
+    constexpr double n = 45;
+    for (const double f : {.2, .56, .9}) {
+        Loaded contact(equal_bodies(0, f, n));
+        const auto record = contact.load(f);
+        const auto s = contact.surface();
+        const double stick = theory::stick_radius_ratio(f), a = contact.hertz().contact_radius;
+        double worst = 0, at_edges = 0;
+        for (int j = 0; j < s.n_y; ++j)
+            for (int i = 0; i < s.n_x; ++i) {
+                const std::size_t k = j * s.n_x + i;
+                const double rho = std::hypot(s.x(i), s.y(j)) / a;
+                const double e = std::abs(s.tangential_traction_x[k] / contact.peak_bound() -
+                                          theory::cattaneo_mindlin_traction(rho, f));
+                const bool inside = rho < .95 && std::abs(rho - stick) > .05;
+                (inside ? worst : at_edges) = std::max(inside ? worst : at_edges, e);
+                EXPECT_EQ(s.tangential_traction_y[k], 0);
+            }
+        EXPECT_LT(worst, 3e-3) << f;    // the square roots at both edges, felt two cells inwards
+        EXPECT_LT(at_edges, .15) << f;  // sqrt(2 h/a) = .2 at most, where a cell is cut
+        // stuck cells are counted: first order; half a cell of the stick radius
+        EXPECT_NEAR(std::sqrt(record.stick_area / std::acos(-1.)) / a, stick, .5 / n) << f;
+    }
+}
+
 TEST(BemCattaneoMindlin, CycleDissipation) {
-    for (const double f : {0.6, 0.9}) {
-        const contact::Case c = loaded(0, f, 32);
-        const auto model = make_model(c, 1);
-        contact::LoadStep step = press_step(c);
-        model->advance(step);
-        const contact::Scales scales = model->scales();
-        const double force = f * c.friction_coefficient * scales.normal_force;
-        auto dissipation_to = [&](double target) {
-            step.tangential[0].value = target;
-            return model->advance(step).dissipation;
-        };
-        dissipation_to(force);
-        const double work = dissipation_to(-force) + dissipation_to(force);
-        const double exact = theory::cycle_dissipation(
-            {.friction_coefficient = c.friction_coefficient,
-             .normal_force = scales.normal_force,
-             .effective_shear_modulus = c.materials().effective_shear_modulus(),
-             .contact_radius = hertz_scales(c).contact_radius,
-             .tangential_ratio = f});
-        EXPECT_NEAR(work / exact, 1, 1e-2) << f;  // slip annulus of a few cells: O(h)
+    for (const double f : {.56, .9}) {
+        // Ring of slip against W0 ~ f^3: errors of the cells at its edges, 6e-4 at a/22.5
+        EXPECT_NEAR(Loaded(equal_bodies(0, f, 22.5)).cycle_ratio(f), 1, 2e-3) << f;
+        EXPECT_NEAR(Loaded(equal_bodies(0, f, 45)).cycle_ratio(f), 1, 5e-4) << f;
     }
 }
 
-// With lateral contraction the limit is approached ever more slowly: slip directions fan out, and
-// F_T -> mu F_N needs them parallel. f_T = 1 - 1e-6 converges, with a shift far beyond U_max.
-TEST(BemCattaneoMindlin, LastMillionthOfFriction) {
-    contact::Case c = loaded(0.5, 1 - 1e-6, 16);
-    const contact::History h = run_bem(c);
-    EXPECT_TRUE(h.audit.passed());
-    EXPECT_GT(static_ratio(h), 5);
-    EXPECT_LT(static_ratio(run_bem(loaded(0, 1 - 1e-6, 16))), 1.01);
+struct Neglected {
+    double nu, f;
+    double shift;  // relative deviation
+    double cross;  // max |t_y|/(mu p0)
+    double work;   // relative deviation
+};
+
+class CrossTraction : public ::testing::TestWithParam<Neglected> {};
+
+// The numbers of the table above, each to a tenth, or where it is smaller to the error of the grid:
+// 2e-4 in the shift at f = .2, 1e-4 else; 2e-3 of the work; t_y peaks between cells.
+TEST_P(CrossTraction, DiffersByWhatTheyNeglect) {
+    const Neglected row = GetParam();
+    Loaded contact(equal_bodies(row.nu, row.f, 45));
+    const auto record = contact.load(row.f);
+    const double shift =
+        record.shift[0] / contact.hertz().unit_shift / theory::static_shift_ratio(row.f) - 1;
+    EXPECT_NEAR(shift, row.shift, std::max(.1 * std::abs(row.shift), row.f < .5 ? 2e-4 : 1e-4));
+    EXPECT_LT(shift, 0);  // freed of the constraint t_y = 0, the tractions move the body less
+    const auto s = contact.surface();
+    double cross = 0;
+    for (const double t : s.tangential_traction_y) cross = std::max(cross, std::abs(t));
+    EXPECT_NEAR(cross / contact.peak_bound() / row.cross, 1, .1);
+    // Johnson's estimate is the order of the traction where it slips, mu p < mu p0
+    EXPECT_LT(cross / contact.peak_bound(), row.nu / (4 - 2 * row.nu));
+    EXPECT_NEAR(contact.cycle_ratio(row.f) - 1, row.work, row.f < .5 ? 4e-3 : 2e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(BemCattaneoMindlin, CrossTraction,
+                         ::testing::Values(Neglected{.3, .2, -1.3e-4, .0203, -.0059},
+                                           Neglected{.3, .56, -4.1e-4, .0328, -.0037},
+                                           Neglected{.3, .9, -8.4e-4, .0386, -.0035},
+                                           Neglected{.5, .2, -4.7e-4, .0393, -.0154},
+                                           Neglected{.5, .56, -1.54e-3, .0629, -.0136},
+                                           Neglected{.5, .9, -3.03e-3, .0743, -.0123}));
+
+TEST(BemCattaneoMindlin, OneStepOrManyWithoutCrossTraction) {
+    // nu = 0: slip keeps its direction, so that the path between does not matter.
+    Loaded once(equal_bodies(0, .7, 16)), often(equal_bodies(0, .7, 16));
+    const double shift = once.load(.7).shift[0];
+    double last = 0;
+    for (int k = 1; k <= 14; ++k) last = often.load(.05 * k).shift[0];
+    EXPECT_NEAR(last / shift, 1, 1e-6);  // tolerance 1e-7 per step
+}
+
+TEST(BemCattaneoMindlin, TurningTheForceTurnsTheAnswer) {
+    const contact::Case c = equal_bodies(.5, .6, 11);
+    contact::LoadStep step = contact::press_step(c);
+    const double force = .6 * c.friction_coefficient * *c.load.normal_force;
+    auto shift_under = [&](contact::Vector2 f) {
+        const auto model = make_model(c, 1);
+        model->advance(contact::press_step(c));
+        for (int d = 0; d < 2; ++d) step.tangential[d].value = f[d];
+        return model->advance(step).shift;
+    };
+    const auto x = shift_under({force, 0}), y = shift_under({0, -force});
+    EXPECT_NEAR(y[1] / x[0], -1, 1e-6);  // the grid is square: the solver's tolerance only
+    EXPECT_NEAR(y[0] / x[0], 0, 1e-6);
+    // At 45 degrees the grid is another one: its error, 1e-3 at eleven cells per radius.
+    const auto oblique = shift_under({force / std::sqrt(2), force / std::sqrt(2)});
+    EXPECT_NEAR(std::hypot(oblique[0], oblique[1]) / x[0], 1, 2e-3);
+    EXPECT_NEAR(oblique[1] / oblique[0], 1, 1e-5);
 }
 
 }  // namespace
