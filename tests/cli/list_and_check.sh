@@ -34,6 +34,14 @@ done
 [ "$(cd "$work" && "$program" list "$source_dir/cases" | grep -c '\.toml: ')" -eq "$n" ] ||
     complain "list FOLDER differs from list"
 
+mkdir "$work/empty"
+[ "$(cd "$work/empty" && "$program" list | tail -n +2)" = "$(grep '^  [a-z]* \+[a-z]' <<<"$text")" ] ||
+    complain "list without a folder of cases"
+code=0
+message=$("$program" list "$work/missing" 2>&1 >/dev/null) || code=$?
+[ "$code" -eq 2 ] || complain "exit code $code for a folder that is missing"
+holds "$message" "^error: $work/missing: is not a folder; "
+
 # 2. check: values that follow from the case (Hertz; Cattaneo and Mindlin), by hand:
 #    E* = 5.2 MPa/(1 - 1/4) = 6.9333 MPa (steel adds 3e-5), a^3 = 3 F_N R/(4 E*) -> 4.5029 mm,
 #    d = a^2/R, p0 = 3 F_N/(2 pi a^2), U_max = mu 3/2 d, F_T = 0.56 mu F_N, W = 0.24 a,
@@ -68,7 +76,6 @@ for file in cases/*.toml; do
     "$program" check "$work/once.toml" >"$work/twice.toml" || complain "check of $file's check"
     cmp "$work/once.toml" "$work/twice.toml" || complain "$file: does not read back the same"
 done
-mkdir "$work/empty"
 (cd "$work/empty" && "$program" check "$source_dir/cases/rig_sphere_parallel.toml" >/dev/null)
 [ -z "$(ls -A "$work/empty")" ] || complain "check writes files"
 
