@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/largest.h"
 
 namespace tricontact::contact {
 
@@ -113,7 +114,7 @@ class Iteration {
         n_contact_ = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
             gap_[i] = u[i] + height_[i] - solution_.indentation;
-            worst = std::max(worst, in_contact(i) ? std::abs(gap_[i]) : -gap_[i]);
+            worst = larger(worst, in_contact(i) ? std::abs(gap_[i]) : -gap_[i]);
             n_contact_ += in_contact(i);
         }
         solution_.residual = worst / solution_.indentation;

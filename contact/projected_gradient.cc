@@ -81,7 +81,7 @@ class ProjectedGradient {
     struct Balance {
         Vector2 missing{};
         double j_xx = 0, j_xy = 0, j_yy = 0;
-        double potential = 0, scale = 0;
+        double potential = 0, scale = 0, area = 0;
     };
 
     Balance balance_at(const TangentialField& point, const Vector2& shift) const {
@@ -93,6 +93,7 @@ class ProjectedGradient {
             const Vector2 p = project_on_disc(v, bound);
             for (int d = 0; d < 2; ++d) b.missing[d] -= area_[i] * p[d];
             b.scale += area_[i] * bound;
+            b.area += area_[i];
             b.potential += area_[i] * (slips ? bound * (size - bound / 2) : size * size / 2);
             const double a = area_[i] * (slips ? bound / size : 1);
             const Vector2 e = slips ? Vector2{v[0] / size, v[1] / size} : Vector2{};
@@ -112,10 +113,10 @@ class ProjectedGradient {
     }
 
     Vector2 newton_step(Balance b) const {
-        if (!force_controlled(0)) b.j_xx = 1, b.j_xy = 0;
-        if (!force_controlled(1)) b.j_yy = 1, b.j_xy = 0;
+        if (!force_controlled(0)) b.j_xx = b.area, b.j_xy = 0;
+        if (!force_controlled(1)) b.j_yy = b.area, b.j_xy = 0;
         // A trace of the identity keeps the step finite when every point slips.
-        const double floor = 1e-9 * (b.j_xx + b.j_yy);
+        const double floor = 1e-9 * b.area;
         const double det = (b.j_xx + floor) * (b.j_yy + floor) - b.j_xy * b.j_xy;
         return {((b.j_yy + floor) * b.missing[0] - b.j_xy * b.missing[1]) / det,
                 ((b.j_xx + floor) * b.missing[1] - b.j_xy * b.missing[0]) / det};

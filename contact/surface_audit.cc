@@ -1,7 +1,8 @@
 #include "contact/surface_audit.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "contact/largest.h"
 
 namespace tricontact::contact {
 
@@ -15,8 +16,8 @@ void audit_normal(const NormalSolution& solution, const NormalControl& control,
     const auto& p = solution.pressure;
     double peak = 0, least = 0, force = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
-        peak = std::max(peak, p[i]);
-        least = std::min(least, p[i]);
+        peak = larger(peak, p[i]);
+        least = -larger(-least, -p[i]);
         force += area[i] * p[i];
     }
     audit.record("pressure_nonnegative", -least / peak, 0);
@@ -36,21 +37,21 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
         force[0] += facts.area[i] * t[0];
         force[1] += facts.area[i] * t[1];
         total_bound += facts.area[i] * facts.bound[i];
-        excess = std::max(excess, norm(t) - facts.bound[i]);
+        excess = larger(excess, norm(t) - facts.bound[i]);
         if (facts.contact_state[i] == ContactState::open) continue;
         contact_area += facts.area[i];
         if (facts.contact_state[i] == ContactState::stick) {
-            stick = std::max(stick, norm(s));
+            stick = larger(stick, norm(s));
         } else {
-            across = std::max(across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
-            backward = std::max(backward, -dot(s, t) / norm(t));
+            across = larger(across, std::abs(s[0] * t[1] - s[1] * t[0]) / norm(t));
+            backward = larger(backward, -dot(s, t) / norm(t));
         }
     }
     mean_bound = total_bound / contact_area;
     audit.record("friction_bound", excess / mean_bound, rounding_allowed);
     // `stick` counts points at the bound whose slip is below the threshold of the classification.
     audit.record("no_slip_where_stick", stick / facts.length, 10 * tolerance);
-    audit.record("slip_along_traction", std::max(across, backward) / facts.length, 10 * tolerance);
+    audit.record("slip_along_traction", larger(across, backward) / facts.length, 10 * tolerance);
     for (int d = 0; d < 2; ++d)
         if (facts.control[d].kind == TangentialControl::Kind::force)
             audit.record("tangential_force",

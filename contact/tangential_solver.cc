@@ -8,6 +8,7 @@
 
 #include "contact/error.h"
 #include "contact/friction_disc.h"
+#include "contact/largest.h"
 #include "contact/projected_gradient.h"
 #include "contact/tangential_system.h"
 
@@ -142,7 +143,7 @@ class Newton {
             const std::size_t i = active_[k];
             const Vector2 t = traction_at(i);
             const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
-            worst = std::max(worst, norm({t[0] - p[0], t[1] - p[1]}));
+            worst = larger(worst, norm({t[0] - p[0], t[1] - p[1]}));
             force[0] += area_[i] * t[0];
             force[1] += area_[i] * t[1];
         }
@@ -151,7 +152,7 @@ class Newton {
         for (int d = 0; d < 2; ++d) {
             missing_force_[d] = force_controlled_[d] ? problem_.control[d].value - force[d] : 0;
             solution_.force_residual =
-                std::max(solution_.force_residual, std::abs(missing_force_[d]) / total_bound_);
+                larger(solution_.force_residual, std::abs(missing_force_[d]) / total_bound_);
         }
     }
 
@@ -186,6 +187,9 @@ class Newton {
             right_hand_side, missing_force_,
             {.relative = forcing, .absolute = 0.1 * fine * scale, .iterations = cg_iterations});
         solution_.iterations += result.iterations;
+        // Where all slip in the direction of the force, hardly any rotation carries more of it.
+        const double farthest = 1e3 * (scale + norm(solution_.shift_increment));
+        if (!(norm(result.shift_increment) <= farthest)) return false;
         move(result);
         return true;
     }

@@ -123,6 +123,24 @@ TEST(SurfaceAudit, EachViolationIsSeenByItsCheck) {
     EXPECT_TRUE(unbalanced.audit().passed());
 }
 
+TEST(SurfaceAudit, BrokenNumbersDoNotHide) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    // in every field and at every point, also before sound ones
+    for (int i = 0; i < 3; ++i) {
+        SoundStep traction, slip;
+        traction.traction.x[i] = nan;
+        EXPECT_FALSE(traction.audit().passed()) << i;
+        slip.slip.y[i] = nan;
+        EXPECT_EQ(slip.audit().passed(), i == 0) << i;  // open points do not slip
+        contact::NormalSolution solution;
+        solution.pressure = {0, 2, 3};
+        solution.pressure[i] = nan;
+        Audit audit;
+        contact::audit_normal(solution, {NormalControl::Kind::indentation, 1}, {1, 2, 1}, 1, audit);
+        EXPECT_FALSE(audit.passed()) << i;
+    }
+}
+
 TEST(SurfaceAudit, EnergyBalance) {
     // One point of area 2, compliance 3: t from 1 to 2 while the indenter moves by 5; u = 3 t.
     // Work 2 * 1.5 * 5 = 15, elastic energy 2 * 3/2 * (4 - 1) = 9, friction 2 * 1.5 * (5 - 3) = 6.

@@ -153,6 +153,27 @@ TEST(TangentialSolver, FullSlidingUnderALargeShift) {
     expect_solution(setting, control, s, tolerance);
 }
 
+// Everything slides in one direction, then is dragged in another: the zones of the start cannot
+// carry a change of force in the old direction.
+TEST(TangentialSolver, SlidingTurnsRound) {
+    for (const unsigned seed : {6u, 7u, 8u}) {
+        Setting setting(seed, 0);
+        auto step = [&](std::array<TangentialControl, 2> control, TangentialSolution& s) {
+            s = setting.solve(control, s);
+            expect_solution(setting, control, s, tolerance);
+            setting.previous = s.displacement;
+        };
+        TangentialSolution s;
+        step({{{Kind::shift, -100}, {Kind::force, 0}}}, s);
+        step({{{Kind::force, 0}, {Kind::shift, -100}}}, s);
+        EXPECT_LT(std::abs(s.shift_increment[0]), 10);
+        step({{{Kind::shift, 100}, {Kind::shift, 30}}}, s);
+        step(forces(-.999999 * setting.total_bound, 0), s);
+        step(forces(0, .999999 * setting.total_bound), s);
+        step(forces(0, 0), s);
+    }
+}
+
 TEST(TangentialSolver, NothingHappensWithoutLoadOrHistory) {
     const Setting setting(7, 0);
     const auto s = setting.solve(forces(0, 0));
