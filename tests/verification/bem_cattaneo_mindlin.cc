@@ -188,5 +188,17 @@ TEST(BemCattaneoMindlin, TurningTheForceTurnsTheAnswer) {
     EXPECT_NEAR(oblique[1] / oblique[0], 1, 1e-5);
 }
 
+// With lateral contraction the limit is approached ever more slowly: slip directions fan out, and
+// F_T -> mu F_N needs them parallel. f_T = 1 - 1e-6 converges, with a shift far beyond U_max.
+TEST(BemCattaneoMindlin, LastMillionthOfFriction) {
+    auto shift_ratio = [](double nu) {
+        const auto h = run_bem(equal_bodies(nu, 1 - 1e-6, 16));
+        EXPECT_TRUE(h.audit.passed());
+        return static_ratio(h);
+    };
+    EXPECT_GT(shift_ratio(.5), 5);
+    EXPECT_NEAR(shift_ratio(0), 1, .01);  // U_max but for 1e-4 and the grid
+}
+
 }  // namespace
 }  // namespace tricontact::bem

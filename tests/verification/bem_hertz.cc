@@ -63,11 +63,12 @@ TEST(BemHertz, FortyFiveCellsAcross) {
             c.indenter.material.reset();
             c.substrate.poisson = nu;
             const HertzError e = hertz_error(c);
-            EXPECT_NEAR(e.indentation, 0, 1e-3) << n;  // demanded by the project
-            EXPECT_NEAR(e.peak, 0, 3e-3) << n;
-            EXPECT_NEAR(e.radius, 0, 5e-3) << n;
-            EXPECT_NEAR(e.unit_shift, 0, 1e-3) << n;  // U_max = mu (E*/G*) d, Hertz' pressure
-            EXPECT_LT(e.pressure, 3e-3) << n;         // like the peak
+            // 0.1, 0.3 and 0.5 % are demanded, a fifth of it is held: h^2/10 and its scatter
+            EXPECT_NEAR(e.indentation, 0, 2e-4) << n;
+            EXPECT_NEAR(e.peak, 0, 2e-4) << n;
+            EXPECT_NEAR(e.radius, 0, 1e-3) << n;
+            EXPECT_NEAR(e.unit_shift, 0, 2e-4) << n;  // U_max = mu (E*/G*) d, Hertz' pressure
+            EXPECT_LT(e.pressure, 2e-3) << n;         // neighbours of the edge feel it
         }
 }
 
@@ -168,6 +169,20 @@ TEST(BemHertz, ExactBall) {
         const double hertz = contact::hertz_scales(c).contact_radius;
         EXPECT_GT(std::abs(hertz / a - 1), ratio > .2 ? 1e-2 : 1e-4);
     }
+}
+
+TEST(BemHertz, OnlyTheEffectiveModulusCounts) {
+    auto indentation = [](const contact::Case& c) {
+        const auto model = make_model(c, 1);
+        return model->advance(contact::press_step(c)).indentation;
+    };
+    contact::Case one = static_case(16), two = one;
+    one.indenter.material.reset();
+    two.indenter.material = contact::Material{7e6, .2};
+    *two.load.normal_force *=
+        two.materials().effective_modulus() / one.materials().effective_modulus();
+    // the same discrete problem; the normal solver's tolerance is 1e-8
+    EXPECT_NEAR(indentation(two) / indentation(one), 1, 1e-8);
 }
 
 TEST(BemHertz, SurfaceAroundTheContact) {

@@ -33,19 +33,19 @@ inline void draw_scales(contact::Case& c) {
         4. / 3 * c.materials().effective_modulus() * a * a * a / c.indenter.radius;
 }
 
-/// Rolling under constant loads on a coarse grid, six cells and 150 springs over the radius.
+/// Rolling under constant loads on a coarse grid.
 inline contact::Case random_case() {
     contact::Case c;
     c.substrate.poisson = drawn(0, .5);
     draw_scales(c);
     c.load.tangential_ratio = drawn(.05, .95);
     c.rolling.emplace();
-    c.rolling->amplitude_ratio = drawn(.05, 1);
+    c.rolling->amplitude_ratio = drawn(.05, 1.1);
     c.rolling->angle = drawn(0, 2 * std::numbers::pi);
     c.rolling->periods = 2;
     c.rolling->run_all = true;
     c.rolling->steps_per_quarter = *rc::gen::inRange(1, 4);
-    c.bem.cells_per_radius = 6;
+    c.bem.cells_per_radius = drawn(5, 8);
     c.mdr.springs = 300;
     return c;
 }
