@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "tests/verification/bem_rig.h"
 #include "theory/oscillating_rolling.h"
@@ -13,6 +14,11 @@ namespace tricontact::bem {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
+
+/// "w24_f56" for a test's name.
+std::string name_of(double w, double f) {
+    return "w" + std::to_string(std::lround(100 * w)) + "_f" + std::to_string(std::lround(100 * f));
+}
 
 struct TableRow {
     double w, f, static_ratio, parallel, perpendicular;
@@ -39,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, BemTable,
                          ::testing::Values(TableRow{.24, .24, .1671, .20149, .20930},
                                            TableRow{.24, .56, .4208, .55940, .58237},
                                            TableRow{.51, .09, .0609, .09656, .10576},
-                                           TableRow{.51, .24, .1671, .30097, .32984}));
+                                           TableRow{.51, .24, .1671, .30097, .32984}),
+                         [](const auto& row) { return name_of(row.param.w, row.param.f); });
 
 // f_lim(0.51) = 1 - 1.5 w + 0.5 w^3 = 0.30133: half a per cent below settles, one above does not.
 TEST(BemLimit, SettlesBelowAndRatchetsAbove) {
@@ -130,7 +137,11 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, BemRatcheting,
                          ::testing::Values(Ratcheting{.24, .80, 0, .1577, .159},
                                            Ratcheting{.51, .72, 0, .4607, .465},
                                            Ratcheting{.24, .80, right_angle, .2237, 0},
-                                           Ratcheting{.51, .72, right_angle, .6434, 0}));
+                                           Ratcheting{.51, .72, right_angle, .6434, 0}),
+                         [](const auto& row) {
+                             return name_of(row.param.w, row.param.f) +
+                                    (row.param.angle == 0 ? "_parallel" : "_perpendicular");
+                         });
 
 // Halving the step halves the error: the order is asserted, not assumed. Steps of 4, 2, 1 and 1/2
 // cells, so that the grid looks the same from every position.
