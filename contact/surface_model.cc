@@ -54,7 +54,7 @@ StepRecord SurfaceModel::advance(const LoadStep& step) {
 
 const NormalSolution& SurfaceModel::solve_normal(const LoadStep& step, bool& reused) {
     const ContactPoints& points = compliance_->points();
-    const Key key{step.offset, step.normal.value};
+    const Key key{step.offset, step.normal.kind, step.normal.value};
     if (const auto it = normal_cache_.find(key); it != normal_cache_.end()) {
         reused = true;
         return *(normal_ = it->second);

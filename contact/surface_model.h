@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 
 #include "contact/compliance.h"
 #include "contact/indenter.h"
@@ -34,7 +35,7 @@ class SurfaceModel final : public Model {
     const Audit& audit() const override { return audit_; }
 
   private:
-    using Key = std::pair<Vector2, double>;  // offset and normal control's value
+    using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
 
     const NormalSolution& solve_normal(const LoadStep& step, bool& reused);
     void solve_tangential(const LoadStep& step);

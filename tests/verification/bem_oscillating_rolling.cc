@@ -130,7 +130,9 @@ TEST_P(BemRatcheting, IncrementsAndTheirExtrapolation) {
     // The table's steps are 0.2 mm, ours a little shorter: correct to first order.
     const double at_table_step = limit + (once - limit) * n / cells;
     EXPECT_NEAR(at_table_step / row.coarse, 1, 1e-2);
-    if (row.extrapolated > 0) EXPECT_NEAR(limit / row.extrapolated, 1, 1e-2);
+    if (row.extrapolated > 0) {
+        EXPECT_NEAR(limit / row.extrapolated, 1, 1e-2);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, BemRatcheting,
