@@ -17,7 +17,11 @@ constexpr double right_angle = std::numbers::pi / 2;
 
 /// "w24_f56" for a test's name.
 std::string name_of(double w, double f) {
-    return "w" + std::to_string(std::lround(100 * w)) + "_f" + std::to_string(std::lround(100 * f));
+    std::string name = "w";
+    name += std::to_string(std::lround(100 * w));
+    name += "_f";
+    name += std::to_string(std::lround(100 * f));
+    return name;
 }
 
 struct TableRow {
