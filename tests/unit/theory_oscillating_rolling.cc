@@ -91,8 +91,8 @@ TEST(OscillatingRolling, AmplitudeLimitInverts) {
 
 TEST(OscillatingRolling, ThresholdSlope) {
     EXPECT_NEAR(mdr_threshold_slope(5. / 16), 72. / 31, 1e-14);  // w_lim = 1/2
-    EXPECT_EQ(mdr_threshold_slope(1), 4);  // w_lim = 0
-    EXPECT_EQ(mdr_threshold_slope(0), 0);  // w_lim = 1
+    EXPECT_EQ(mdr_threshold_slope(1), 4);                        // w_lim = 0
+    EXPECT_EQ(mdr_threshold_slope(0), 0);                        // w_lim = 1
 }
 
 TEST(OscillatingRolling, ThesisIncrements) {
