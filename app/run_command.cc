@@ -34,6 +34,16 @@ contact::Case read(const RunOptions& options) {
     return io::read_case(options.case_file, overrides);
 }
 
+/// Results of an earlier run must not stand beside a new case as if they were its own.
+void remove_old_results(const std::string& output, const std::vector<std::string>& models) {
+    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
+    for (const char* name : {"summary.json", "report.html"})
+        std::filesystem::remove(output + "/" + name, ignored);
+    for (const std::string& model : models)
+        for (const char* name : {"history.csv", "surface.pvd"})
+            std::filesystem::remove(output + "/" + model + "/" + name, ignored);
+}
+
 bool wants_vtk(contact::Case::VtkOutput choice, const contact::Progress& progress) {
     using enum contact::Case::VtkOutput;
     return choice == all || (choice == quarters && progress.quarter);
@@ -84,6 +94,8 @@ void run_command(const RunOptions& given) {
     if (options.output.empty())
         options.output = "results/" + std::filesystem::path(options.case_file).stem().string();
     io::make_output_folder(options.output);
+
+    remove_old_results(options.output, c.models);
 
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_name, resolved);

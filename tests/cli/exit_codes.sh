@@ -42,6 +42,8 @@ expect 0 run "$case_file" "${coarse[@]}" --quiet --models mdr --output quiet
 [ -d quiet/bem ] && complain "--models mdr ran bem"
 
 # 2. Not converged: rounding forbids a residual of 1.1e-14. One line says so; no numbers are left.
+# Nor those of an earlier run into the same folder.
+expect 0 run "$case_file" "${coarse[@]}" --quiet --models bem --output impossible
 expect 1 run "$case_file" "${coarse[@]}" --quiet --models bem --set bem.tolerance=1.1e-14 \
     --output impossible
 [ "$(wc -l <err)" -eq 1 ] || complain "not one line: $(cat err)"

@@ -30,7 +30,7 @@ struct TableRow {
 
 class BemTable : public ::testing::TestWithParam<TableRow> {};
 
-// 0.2 %: the demand; the programs place their grids differently under the contact.
+// 0.2 %: the programs place their grids differently under the contact.
 TEST_P(BemTable, ParallelAndPerpendicularShakedown) {
     const TableRow row = GetParam();
     contact::Case c = rig_case(row.w, row.f, 60);
