@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "app/commands.h"
-#include "comparisons/gnuplot.h"
 #include "contact/error.h"
 
 namespace {

@@ -8,7 +8,6 @@
 
 #include "app/commands.h"
 #include "app/models.h"
-#include "comparisons/gnuplot.h"
 #include "comparisons/report.h"
 #include "comparisons/summary.h"
 #include "contact/error.h"
