@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "meshes/hex_mesh.h"
+
+namespace tricontact::meshes {
+
+/// A block with a finely meshed contact patch about the origin of its upper surface. Lengths in m.
+struct LayerMeshSpec {
+    double size = 0;                  ///< element edge h in the contact patch
+    double patch_x = 0, patch_y = 0;  ///< half sides of the patch; whole numbers of elements
+    double half_x = 0, half_y = 0;    ///< half sides of the block, >= those of the patch
+    double thickness = 0;             ///< b of the layer
+    double lower_thickness = 0;       ///< of a second layer below; 0: none
+    double growth = 1.8;              ///< of neighbouring elements sideways; in depth growth^0.8
+    bool half_model = false;          ///< y >= 0 only, plane of symmetry y = 0
+};
+
+/// Structured hexahedra by gmsh, graded outwards and downwards from the patch: their first edge is
+/// `size`, neighbours grow by at most `growth`. Throws contact::InputError for a spec that is none.
+HexMesh make_layer_mesh(const LayerMeshSpec& spec);
+
+/// The same as a gmsh geometry for people to read and change (.geo).
+std::string layer_geometry(const LayerMeshSpec& spec);
+
+}  // namespace tricontact::meshes
