@@ -17,11 +17,35 @@ struct Case {
     enum class AmplitudeReference { hertz, model };
     enum class Steps { increment, per_quarter, turning_points };
     enum class VtkOutput { none, quarters, all };
+    enum class VolumeOutput { none, last, quarters };
+    enum class Base { bonded, frictionless };
+    enum class Sides { free, fixed };
+    enum class Press { friction, frictionless };
+    enum class Kinematics { linear, deformed };
 
     struct IndenterData {
         Shape shape = Shape::paraboloid;
         double radius = 0;                 ///< R [m]
         std::optional<Material> material;  ///< empty: rigid
+    };
+
+    /// The substrate's finite size; half-space models do not see it.
+    struct Layer {
+        struct Lower {
+            double thickness = 0;  ///< [m]
+            Material material{0, 0};
+        };
+        std::optional<double> thickness;  ///< b [m]
+        Base base = Base::bonded;         ///< how the lowest layer rests on the rigid ground
+        std::optional<double> width;      ///< along x [m]; empty: wide enough
+        std::optional<double> depth;      ///< along y [m]; empty: wide enough
+        std::optional<Lower> lower;       ///< a second elastic layer below
+    };
+
+    /// How the contact is treated by models that can.
+    struct Contact {
+        bool coupling = true;  ///< of normal and tangential contact
+        Kinematics kinematics = Kinematics::linear;
     };
 
     struct Load {
@@ -35,6 +59,10 @@ struct Case {
         double normal_phase = 0;                ///< [rad]
         double tangential_amplitude_ratio = 0;  ///< [-]
         double tangential_phase = 0;            ///< [rad]
+        /// How coupled models are pressed before F_T acts: with friction, F_N rising in equal
+        /// steps, or in one step without friction.
+        Press press = Press::friction;
+        int press_steps = 20;
     };
 
     struct Rolling {
@@ -59,19 +87,34 @@ struct Case {
         int springs = 10000;  ///< over the whole bed, contact diameter plus rolling path
     };
 
+    struct Fem {
+        std::optional<double> size;      ///< edge of an element in the contact patch [m]
+        std::optional<double> accuracy;  ///< of the normal contact [-]: size is chosen for it
+        double growth = 1.8;             ///< of neighbouring elements, outwards from the patch
+        Sides sides = Sides::free;
+        double tolerance = 1e-6;          ///< of the contact solvers [-]
+        std::optional<std::string> mesh;  ///< a mesh file instead of a mesh of our own
+        double mesh_unit = 1;             ///< length of 1 in that file [m]
+        std::string cache;  ///< folder for condensed layers; empty: the user's; "none": not kept
+    };
+
     struct Output {
         VtkOutput vtk = VtkOutput::quarters;
+        VolumeOutput volume = VolumeOutput::none;
     };
 
     std::string title;
     std::vector<std::string> models;
     IndenterData indenter;
     Material substrate{0, 0};
+    Layer layer;
     double friction_coefficient = 0;
+    Contact contact;
     Load load;
     std::optional<Rolling> rolling;  ///< empty: static loading only
     Bem bem;
     Mdr mdr;
+    Fem fem;
     Output output;
 
     MaterialPair materials() const { return {indenter.material, substrate}; }

@@ -1,5 +1,7 @@
 #include "contact/compliance.h"
 
+#include <algorithm>
+
 namespace tricontact::contact {
 
 ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spacing) {
@@ -18,6 +20,23 @@ ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spaci
         }
     points.area.assign(n, spacing[0] * spacing[1]);
     return points;
+}
+
+void Compliance::tangential_from_normal(std::span<const double>, TangentialField& u) const {
+    u = TangentialField(points().size());
+}
+
+void Compliance::normal_from_tangential(const TangentialField&, std::span<double> u_z) const {
+    std::fill(u_z.begin(), u_z.end(), 0.0);
+}
+
+std::vector<double> Compliance::consistent_traction(std::span<const double>) const {
+    return {};
+}
+
+std::unique_ptr<const Interior> Compliance::interior(std::span<const double>,
+                                                     const TangentialField&) const {
+    return nullptr;
 }
 
 }  // namespace tricontact::contact

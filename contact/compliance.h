@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "contact/interior.h"
 #include "contact/vector2.h"
 
 namespace tricontact::contact {
@@ -22,6 +25,12 @@ struct ContactPoints {
     std::vector<double> area;    ///< tributary areas [m^2]
     int n_x = 0, n_y = 0;        ///< > 0 on a regular grid
     Vector2 first{}, spacing{};  ///< of a regular grid [m]
+    /// Points with y >= 0 that stand for their mirror images at -y as well: areas count both
+    /// sides, x and normal components are even in y, y components odd (zero at y = 0).
+    bool mirrored = false;
+    /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
+    /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.
+    std::vector<std::array<int, 9>> quads;
 
     std::size_t size() const { return x.size(); }
     /// Regular grid of n_x * n_y cells; `first` is the centre of the first one.
@@ -43,11 +52,21 @@ class Compliance {
     virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
     /// Displacement in the surface under the tangential traction t on the substrate.
     virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
+    /// The coupling: displacement in the surface under the pressure p, and displacement into the
+    /// substrate under the tangential traction t; one is the other's adjoint. None by default.
+    virtual void tangential_from_normal(std::span<const double> p, TangentialField& u) const;
+    virtual void normal_from_tangential(const TangentialField& t, std::span<double> u_z) const;
     /// Displacement of a point under unit traction on its own area alone, a typical value [m/Pa].
     virtual double local_tangential() const = 0;
     /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
     /// free.
     virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
+    /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
+    /// where there are no elements.
+    virtual std::vector<double> consistent_traction(std::span<const double> t) const;
+    /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
+    virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
+                                                     const TangentialField& t) const;
 };
 
 }  // namespace tricontact::contact

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "contact/audit.h"
 #include "contact/history.h"
+#include "contact/interior.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
 
@@ -17,6 +20,10 @@ class Model {
     virtual std::string name() const = 0;
     /// Takes the step and returns its record. Throws NotConverged.
     virtual StepRecord advance(const LoadStep& step) = 0;
+    /// Normal and tangential contact influence each other: the way of pressing matters.
+    virtual bool is_coupled() const { return false; }
+    /// Forgets all steps: the indenter is out of contact, the substrate at rest.
+    virtual void release() = 0;
     /// Scales of the present normal state.
     virtual Scales scales() const = 0;
     /// Fields of the present state.
@@ -25,6 +32,12 @@ class Model {
     /// shakedown limit of F_T/(mu F_N) in uncoupled contact.
     virtual double limit_tangential_ratio() const = 0;
     virtual void start_limit() = 0;
+    /// The inside of the substrate in the present state; null where the model does not know it.
+    virtual std::unique_ptr<const Interior> interior() { return nullptr; }
+    /// The present state as bytes, for a run that is to go on after a kill; empty: not supported.
+    /// `read_state` of the same bytes puts the same model into the same state.
+    virtual std::string write_state() const { return {}; }
+    virtual void read_state(std::string_view) {}
     /// Checks of all solutions so far.
     virtual const Audit& audit() const = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,12 +15,16 @@ struct Surface {
     /// `grid`: n_x * n_y cells of the substrate's surface. `line`: the springs of an MDR bed along
     /// x (n_y = 1); tractions are then back-transformed to three dimensions, p(|x|) and tau(|x|)
     /// about the indenter's position, tau from the part of the line load even in x.
-    enum class Layout { grid, line };
+    /// `nodes`: nodes of an element surface, joined by `quads`; if they form a regular grid, n_x to
+    /// spacing describe it, else n_x = n_y = 0 and only `node_x`, `node_y` tell the positions.
+    enum class Layout { grid, line, nodes };
     Layout layout = Layout::grid;
     int n_x = 0, n_y = 0;
-    Vector2 first{};    ///< position of the first point [m]
-    Vector2 spacing{};  ///< [m]
-    Vector2 offset{};   ///< position of the indenter [m]
+    Vector2 first{};                        ///< position of the first point [m]
+    Vector2 spacing{};                      ///< [m]
+    std::vector<double> node_x, node_y;     ///< nodes layout only [m]
+    std::vector<std::array<int, 9>> quads;  ///< nodes layout only, see ContactPoints
+    Vector2 offset{};                       ///< position of the indenter [m]
 
     std::vector<double> normal_traction;  ///< p [Pa], compression positive
     std::vector<double> tangential_traction_x, tangential_traction_y;  ///< on the substrate [Pa]
@@ -30,9 +35,14 @@ struct Surface {
     std::vector<double> slip_x, slip_y;  ///< indenter over substrate, in the last step [m]
     std::vector<double> dissipation;     ///< of the last step [J/m^2]
     std::vector<ContactState> contact_state;
+    /// By the consistent mass of the elements instead of row sums; nodes layout only.
+    std::vector<double> normal_traction_consistent;
+    std::vector<double> tangential_traction_x_consistent, tangential_traction_y_consistent;
     std::vector<double> normal_line_load, tangential_line_load;  ///< line layout only [N/m]
 
-    std::size_t size() const { return static_cast<std::size_t>(n_x) * n_y; }
+    std::size_t size() const {
+        return layout == Layout::nodes ? node_x.size() : static_cast<std::size_t>(n_x) * n_y;
+    }
     double x(int i) const { return first[0] + i * spacing[0]; }
     double y(int j) const { return first[1] + j * spacing[1]; }
 };

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fem/sparse_matrix.h"
+
+namespace tricontact::fem {
+
+/// Sparse Cholesky factor of a stiffness whose last unknowns are those of the contact patch:
+/// METIS nested dissection (node graph) of the interior, contact unknowns last, CHOLMOD supernodal.
+/// The trailing block of the factor is the factor of the Schur complement on the contact patch.
+class Condensation {
+  public:
+    /// Symbolic analysis only. `node_of_unknown`: see Discretisation; the first `n_interior`
+    /// unknowns are eliminated. Keeps a reference to the matrix.
+    Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
+                 int n_interior);
+    ~Condensation();
+
+    /// Peak of what `factorise` and `compliance` will take on top of now [bytes], predicted from
+    /// the symbolic factor.
+    double predicted_bytes() const;
+    /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
+    void factorise();
+    /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, by
+    /// columns; both triangles filled. After factorise().
+    std::vector<double> compliance() const;
+    /// Solves for all unknowns, with one step of iterative refinement. After factorise().
+    std::vector<double> solve(std::span<const double> force) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tricontact::fem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/compliance.h"
+#include "fem/layer_problem.h"
+#include "fem/sparse_matrix.h"
+
+namespace tricontact::fem {
+
+/// All that contact has to know about a discretised layer.
+struct CondensedLayer {
+    contact::ContactPoints points;
+    /// Displacement [m] per force [N] on the modelled body (a mirrored one: on its half), 3n x 3n,
+    /// x of all points, then y, then z out of the substrate; symmetric, by columns; rows and
+    /// columns of held components are zero.
+    std::vector<double> compliance;
+    SparseMatrix contact_mass;  ///< see Discretisation
+    /// Largest |ground's reaction + force| over force, over all unit forces on the patch.
+    double reaction_error = 0;
+};
+
+/// Discretises and condenses. Throws contact::InputError when the memory that is there does not
+/// suffice, naming what is missing; contact::NotConverged.
+CondensedLayer condense(const LayerProblem& problem);
+
+/// What `condense` will take at its peak [bytes], from a symbolic analysis.
+double predicted_bytes(const LayerProblem& problem);
+
+/// Memory that this process may still take [bytes]: the system's, the limits of the process
+/// (ulimit -v) and of its control group, whichever is least.
+double available_bytes();
+
+}  // namespace tricontact::fem
