@@ -74,9 +74,9 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
             make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing),
             n_threads);
         if (covers(*compliance, c, hardest, extent))
-            return std::make_unique<contact::SurfaceModel>("bem", std::move(compliance),
-                                                           c.make_indenter(),
-                                                           c.friction_coefficient, c.bem.tolerance);
+            return std::make_unique<contact::SurfaceModel>(
+                "bem", std::move(compliance), c.make_indenter(), c.friction_coefficient,
+                c.bem.tolerance, c.contact);
     }
 }
 

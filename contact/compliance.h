@@ -61,9 +61,15 @@ class Compliance {
     /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
     /// free.
     virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
+    /// The whole matrix, displacement [m] over force (traction times area) [N]: 3n x 3n by columns,
+    /// symmetric, component c of point i at c n + i (x, y, into the substrate); null where only
+    /// products are known.
+    virtual const double* dense() const { return nullptr; }
     /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
     /// where there are no elements.
     virtual std::vector<double> consistent_traction(std::span<const double> t) const;
+    /// Largest error of the ground's reaction over the force that causes it; 0: there is no ground.
+    virtual double reaction_error() const { return 0; }
     /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
     virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
                                                      const TangentialField& t) const;

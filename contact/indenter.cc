@@ -22,6 +22,13 @@ double AxisymmetricIndenter::height(double x, double y) const {
     return r <= outer_radius() ? profile(r) : infinity;
 }
 
+Vector2 AxisymmetricIndenter::slope(double x, double y) const {
+    const double r = std::hypot(x, y);
+    if (r == 0) return {0, 0};
+    const double slope = profile_slope(r);
+    return {slope * x / r, slope * y / r};
+}
+
 Paraboloid::Paraboloid(double radius) : radius_(checked_radius(radius)) {}
 double Paraboloid::outer_radius() const {
     return infinity;

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "contact/vector2.h"
+
 namespace tricontact::contact {
 
 /// Undeformed shape of the indenter, lowest point at the origin, z out of the substrate.
@@ -12,12 +14,15 @@ class Indenter {
 
     /// Height h(x, y) >= 0 of the surface over its lowest point [m]; infinity outside the body.
     virtual double height(double x, double y) const = 0;
+    /// Gradient of the height [-]; only inside the body.
+    virtual Vector2 slope(double x, double y) const = 0;
 };
 
 /// Body of revolution, profile h(r) with h(0) = 0.
 class AxisymmetricIndenter : public Indenter {
   public:
     double height(double x, double y) const final;
+    Vector2 slope(double x, double y) const final;
 
     /// h(r) [m] at radius r >= 0 [m].
     virtual double profile(double r) const = 0;

@@ -59,6 +59,16 @@ int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
     return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
 }
 
+std::vector<LoadStep> pressing_steps(const Case& c) {
+    if (c.load.press == Case::Press::frictionless) return {press_step(c)};
+    std::vector<LoadStep> steps(c.load.press_steps, press_step(c));
+    for (int k = 1; k <= c.load.press_steps; ++k) {
+        steps[k - 1].normal.value *= static_cast<double>(k) / c.load.press_steps;
+        steps[k - 1].friction = true;
+    }
+    return steps;
+}
+
 void check_friction_limit(const Case& c, const LoadStep& step) {
     if (step.normal.kind != NormalControl::Kind::force) return;
     const double limit = c.friction_coefficient * step.normal.value;
@@ -80,6 +90,7 @@ double triangle_wave(double phase) {
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);
+    step.friction = false;
     return step;
 }
 
@@ -101,6 +112,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     };
 
     LoadPath path;
+    path.pressing = pressing_steps(c);
     path.loading.resize(1);
     loads_at(path.loading.front());
     if (!c.rolling) return path;

@@ -31,10 +31,12 @@ struct LoadStep {
     Vector2 offset{};  ///< position of the indenter's lowest point over the substrate [m]
     NormalControl normal;
     std::array<TangentialControl, 2> tangential;  ///< x, y
+    bool friction = true;  ///< false: the surface slides freely under the indenter in this step
 };
 
 /// Loading once, then the same period again and again.
 struct LoadPath {
+    std::vector<LoadStep> pressing;  ///< from the first touch, with or without friction
     std::vector<LoadStep> loading;
     std::vector<LoadStep> period;  ///< phases in (0, 1]; the last step has the roller upright
     int max_periods = 0;
@@ -45,7 +47,7 @@ struct LoadPath {
 /// The indenter pressed at the mean normal control, upright, without tangential load.
 LoadStep press_step(const Case& c);
 
-/// The path after pressing. `normal_force` [N] and `contact_radius` [m] are the pressed model's
+/// The whole path. `normal_force` [N] and `contact_radius` [m] are the pressed model's
 /// own: what ratios over "the model" refer to. Throws InputError when F_T exceeds mu F_N somewhere
 /// on the path (force control).
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);

@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/largest.h"
+#include "contact/normal_active_set.h"
 
 namespace tricontact::contact {
 
@@ -192,12 +193,18 @@ class Iteration {
 }  // namespace
 
 NormalSolver::NormalSolver(const Compliance& compliance, double tolerance)
-    : compliance_(compliance), tolerance_(tolerance) {}
+    : compliance_(compliance), tolerance_(tolerance) {
+    if (compliance.dense()) active_set_ = std::make_shared<NormalActiveSet>(compliance);
+}
 
 NormalSolution NormalSolver::solve(const std::vector<double>& height, const NormalControl& control,
-                                   const std::vector<double>& start) const {
+                                   const std::vector<double>& start) {
     if (!(control.value > 0))
         throw InputError("normal contact: the prescribed force or indentation must be positive");
+    NormalSolution solution;
+    if (active_set_ && active_set_->solve(height, control, start, solution) &&
+        solution.residual <= tolerance_)
+        return solution;
     return Iteration(compliance_, height, control, start).run(tolerance_);
 }
 

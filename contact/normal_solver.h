@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct NormalSolution {
     double residual = 0;
 };
 
-/// Conjugate gradients with active set, Polonsky & Keer (1999), Wear 231, 206-219; force or
-/// indentation prescribed.
+class NormalActiveSet;
+
+/// Force or indentation prescribed. Conjugate gradients with active set, Polonsky & Keer (1999),
+/// Wear 231, 206-219; where the compliance exposes its matrix, NormalActiveSet first.
 class NormalSolver {
   public:
     /// `tolerance`: on NormalSolution::residual.
@@ -29,11 +32,12 @@ class NormalSolver {
     /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
     /// a similar problem, or empty. Throws NotConverged.
     NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
-                         const std::vector<double>& start = {}) const;
+                         const std::vector<double>& start = {});
 
   private:
     const Compliance& compliance_;
     double tolerance_;
+    std::shared_ptr<NormalActiveSet> active_set_;  // null without a matrix
 };
 
 }  // namespace tricontact::contact

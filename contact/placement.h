@@ -11,7 +11,8 @@ namespace tricontact::contact {
 std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
                                  const Vector2& offset);
 
-/// Some point at the edge of a regular grid carries pressure: the contact may go on outside.
+/// Some point at the edge of the grid or element surface carries pressure: the contact may go on
+/// outside.
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure);
 
 }  // namespace tricontact::contact

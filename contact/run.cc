@@ -63,17 +63,30 @@ class Run {
   private:
     void press_and_load() {
         if (case_.rolling) n_at_most_ = case_.rolling->periods;  // a guess until the path is known
-        take(press_step(case_), false);
+        const LoadStep press = press_step(case_);
+        const StepRecord pressed = model_.advance(press);
+        find_path();
+        if (model_.is_coupled()) {
+            // The scales are those of pressing without friction; the path may be another.
+            model_.release();
+            for (const LoadStep& step : path_.pressing) take(step, false);
+        } else {
+            note(press, pressed, false);
+        }
+        for (const LoadStep& step : path_.loading) take(step, true);
+        history_.tangential_force = history_.steps.back().tangential_force[0];
+        history_.static_shift = history_.steps.back().shift[0];
+    }
+
+    void find_path() {
         history_.scales = model_.scales();
         const Scales& scales = history_.scales;
         path_ = make_load_path(case_, scales.normal_force, scales.contact_radius);
         history_.amplitude = path_.amplitude;
         history_.friction_limit = case_.friction_coefficient * scales.normal_force;
-        n_at_most_ = 1 + static_cast<int>(path_.loading.size()) +
+        const std::size_t pressing = model_.is_coupled() ? path_.pressing.size() : 1;
+        n_at_most_ = static_cast<int>(pressing + path_.loading.size()) +
                      path_.max_periods * static_cast<int>(path_.period.size());
-        for (const LoadStep& step : path_.loading) take(step, true);
-        history_.tangential_force = history_.steps.back().tangential_force[0];
-        history_.static_shift = history_.steps.back().shift[0];
     }
 
     void roll() {
@@ -93,8 +106,10 @@ class Run {
         }
     }
 
-    void take(const LoadStep& step, bool quarter) {
-        history_.steps.push_back(model_.advance(step));
+    void take(const LoadStep& step, bool quarter) { note(step, model_.advance(step), quarter); }
+
+    void note(const LoadStep& step, const StepRecord& record, bool quarter) {
+        history_.steps.push_back(record);
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
         if (quarter && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());

@@ -7,12 +7,12 @@
 namespace tricontact::contact {
 
 namespace {
-constexpr double force_allowed = 1e-9;
 constexpr double rounding_allowed = 1e-12;
 }  // namespace
 
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
-                  const std::vector<double>& area, double tolerance, Audit& audit) {
+                  const std::vector<double>& area, double tolerance, Audit& audit,
+                  double force_allowed) {
     const auto& p = solution.pressure;
     double peak = 0, least = 0, force = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -27,7 +27,8 @@ void audit_normal(const NormalSolution& solution, const NormalControl& control,
                      force_allowed);
 }
 
-void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit) {
+void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit,
+                      double force_allowed) {
     double total_bound = 0, mean_bound = 0, contact_area = 0;
     double excess = 0, stick = 0, across = 0, backward = 0;
     Vector2 force{};
@@ -58,8 +59,8 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
                          std::abs(force[d] - facts.control[d].value) / total_bound, force_allowed);
 }
 
-void audit_energy(const EnergyFacts& facts, Audit& audit) {
-    double work = 0, friction = 0;
+void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed) {
+    double work = facts.normal_work, friction = 0;
     for (std::size_t i = 0; i < facts.area.size(); ++i) {
         const Vector2 mean = {(facts.traction_before.x[i] + facts.traction.x[i]) / 2,
                               (facts.traction_before.y[i] + facts.traction.y[i]) / 2};
@@ -70,7 +71,7 @@ void audit_energy(const EnergyFacts& facts, Audit& audit) {
         friction += facts.area[i] * dot(mean, slip);
     }
     audit.record("energy_balance", std::abs(work - facts.energy_change - friction) / facts.unit,
-                 force_allowed);
+                 allowed);
 }
 
 }  // namespace tricontact::contact

@@ -11,9 +11,13 @@
 
 namespace tricontact::contact {
 
+/// Allowed error of a force balance, over the force.
+constexpr double exact_force = 1e-9;
+
 /// p >= 0, gap >= 0, p gap = 0, force prescribed: from the fields, not from the solver's word.
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
-                  const std::vector<double>& area, double tolerance, Audit& audit);
+                  const std::vector<double>& area, double tolerance, Audit& audit,
+                  double force_allowed = exact_force);
 
 struct TangentialFacts {
     const std::vector<double>& bound;  ///< mu p [Pa]
@@ -25,17 +29,19 @@ struct TangentialFacts {
     double length;  ///< what slips are compared with [m], mu d
 };
 /// Friction bound, no slip where it sticks, slip along the traction where it slips, forces.
-void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit);
+void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit,
+                      double force_allowed = exact_force);
 
 struct EnergyFacts {
     const std::vector<double>& area;
     const TangentialField &traction_before, &displacement_before, &traction, &displacement;
     Vector2 shift_increment;
-    double energy_change;  ///< of the elastic energy stored tangentially [J]
+    double normal_work;    ///< of the pressures on the surface, by the trapezoidal rule [J]
+    double energy_change;  ///< of the elastic energy [J]
     double unit;           ///< what energies are compared with [J]
 };
-/// Work of the tangential force = change of elastic energy + frictional work, all by the
+/// Work of normal and tangential force = change of elastic energy + frictional work, all by the
 /// trapezoidal rule, which is exact for a self-adjoint linear compliance.
-void audit_energy(const EnergyFacts& facts, Audit& audit);
+void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed = exact_force);
 
 }  // namespace tricontact::contact

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact_radius.h"
+#include "contact/error.h"
+#include "contact/largest.h"
 #include "contact/placement.h"
-#include "contact/surface_audit.h"
 
 namespace tricontact::contact {
 
@@ -15,87 +15,187 @@ namespace {
 // Normal solutions are kept while they fit: a period comes back to the same offsets again and
 // again.
 constexpr std::size_t normal_cache_bytes = std::size_t{1} << 28;
+constexpr int max_turns = 100;
 }  // namespace
 
 SurfaceModel::SurfaceModel(std::string name, std::unique_ptr<Compliance> compliance,
                            std::unique_ptr<Indenter> indenter, double friction_coefficient,
-                           double tolerance)
+                           double tolerance, const Case::Contact& options)
     : name_(std::move(name)),
       compliance_(std::move(compliance)),
       indenter_(std::move(indenter)),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
+      coupling_(*compliance_, *indenter_, options),
       normal_solver_(*compliance_, 0.1 * tolerance),
-      tangential_solver_(*compliance_, tolerance),
-      bound_(compliance_->points().size()),
-      slip_(compliance_->points().size()),
-      contact_state_(compliance_->points().size(), ContactState::open) {
-    tangential_.traction = TangentialField(bound_.size());
-    tangential_.displacement = TangentialField(bound_.size());
+      tangential_solver_(*compliance_, tolerance) {
+    release();
+}
+
+void SurfaceModel::release() {
+    const std::size_t n = compliance_->points().size();
+    offset_ = shift_ = {};
+    normal_ = std::make_shared<NormalSolution>(
+        NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
+    bound_.assign(n, 0);
+    tangential_ = {};
+    tangential_.traction = tangential_.displacement = displacement_ = slip_ = TangentialField(n);
+    displacement_z_.assign(n, 0);
+    contact_state_.assign(n, ContactState::open);
+    least_pressure_.clear();
+    energy_ = 0;
 }
 
 StepRecord SurfaceModel::advance(const LoadStep& step) {
-    bool reused = false;
-    solve_normal(step, reused);
+    const Before before = state_before();
+    normal_iterations_ = tangential_iterations_ = 0;
     offset_ = step.offset;
-    for (std::size_t i = 0; i < bound_.size(); ++i)
-        bound_[i] = friction_coefficient_ * normal_->pressure[i];
-
-    const TangentialField traction_before = tangential_.traction;
-    const TangentialField displacement_before = tangential_.displacement;
-    const double energy_before = elastic_energy();
-    solve_tangential(step);
-    update_slip(displacement_before);
-    audit_step(step, traction_before, displacement_before, energy_before);
+    if (coupling_.absent())
+        solve_uncoupled(step, before);
+    else
+        solve_coupled(step, before);
+    if (reaches_edge(compliance_->points(), normal_->pressure))
+        throw ContactAtEdge(fmt::format(
+            "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
+            step.phase));
+    update_totals();
+    update_slip(before);
+    audit_step(step, before);
     for (std::size_t i = 0; i < least_pressure_.size(); ++i)
         least_pressure_[i] = std::min(least_pressure_[i], normal_->pressure[i]);
-    return record(step, reused);
+    return record(step);
 }
 
-const NormalSolution& SurfaceModel::solve_normal(const LoadStep& step, bool& reused) {
-    const ContactPoints& points = compliance_->points();
+SurfaceModel::Before SurfaceModel::state_before() const {
+    const auto& p = normal_->pressure;
+    const auto& t = tangential_.traction;
+    return {displacement_, coupling_.surface_traction(p, t), displacement_z_,
+            coupling_.downward_traction(p, t), shift_};
+}
+
+void SurfaceModel::solve_uncoupled(const LoadStep& step, const Before& before) {
+    reuse_or_solve_normal(step);
+    if (step.friction)
+        solve_tangential(step, before);
+    else
+        slide_freely(step);
+}
+
+/// Turns of normal and tangential contact; the geometry of a displaced surface follows behind.
+void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
+    auto height_now = [&] {
+        coupling_.place({offset_, shift_, displacement_});
+        coupling_.update_height(normal_->pressure, tangential_.traction);
+        return coupling_.height();
+    };
+    std::vector<double> height = height_now();
+    for (int turn = 1; turn <= max_turns; ++turn) {
+        NormalControl control = step.normal;
+        if (control.kind == NormalControl::Kind::force)
+            control.value -= coupling_.normal_force(tangential_.traction);
+        solve_normal(control);
+        coupling_.update_displacement(normal_->pressure, tangential_.traction);
+        if (step.friction)
+            solve_tangential(step, before);
+        else
+            slide_freely(step);
+        update_totals();
+
+        // What the turn changed under the indenter is how far the pressures are from right.
+        const std::vector<double> was = std::move(height);
+        height = height_now();
+        double change = 0;
+        for (std::size_t i = 0; i < height.size(); ++i)
+            if (normal_->pressure[i] > 0) change = larger(change, std::abs(height[i] - was[i]));
+        gap_residual_ = change / normal_->indentation;
+        if (gap_residual_ <= tolerance_) return;
+    }
+    throw NotConverged(fmt::format(
+        "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
+        "{:.2e} of the indentation after {} turns (tolerance {:.1e})",
+        name_, step.phase, gap_residual_, max_turns, tolerance_));
+}
+
+void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     const Key key{step.offset, step.normal.kind, step.normal.value};
     if (const auto it = normal_cache_.find(key); it != normal_cache_.end()) {
-        reused = true;
-        return *(normal_ = it->second);
+        normal_ = it->second;
+        return;
     }
-    const std::vector<double> start = normal_ && step.normal.kind == NormalControl::Kind::force
-                                          ? normal_->pressure
-                                          : std::vector<double>{};
-    auto solution = std::make_shared<const NormalSolution>(
-        normal_solver_.solve(heights_over(points, *indenter_, step.offset), step.normal, start));
-    if (reaches_edge(points, solution->pressure))
-        throw ContactAtEdge(
-            fmt::format("{}: the contact reaches the edge of the {} x {} grid at "
-                        "phase {:.4g}",
-                        name_, points.n_x, points.n_y, step.phase));
+    coupling_.place({offset_, shift_, displacement_});
+    coupling_.update_height(normal_->pressure, tangential_.traction);
+    solve_normal(step.normal);
     const std::size_t bytes = 2 * sizeof(double) * bound_.size();
-    if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = solution;
-    return *(normal_ = solution);
+    if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = normal_;
 }
 
-void SurfaceModel::solve_tangential(const LoadStep& step) {
-    std::array<TangentialControl, 2> control = step.tangential;
-    for (int d = 0; d < 2; ++d)
-        if (control[d].kind == TangentialControl::Kind::shift) control[d].value -= shift_[d];
-    const TangentialField before = tangential_.displacement;
-    double contact_area = 0;
+/// Presses against coupling_.height(), starting from the last pressures.
+void SurfaceModel::solve_normal(NormalControl control) {
+    const bool warm = normal_->force > 0 && control.kind == NormalControl::Kind::force;
+    normal_ = std::make_shared<const NormalSolution>(normal_solver_.solve(
+        coupling_.height(), control, warm ? normal_->pressure : std::vector<double>{}));
+    normal_iterations_ += normal_->iterations;
+}
+
+void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) {
     for (std::size_t i = 0; i < bound_.size(); ++i)
+        bound_[i] = friction_coefficient_ * normal_->pressure[i];
+    std::array<TangentialControl, 2> control = step.tangential;
+    const Vector2 by_pressure = coupling_.tangential_force(normal_->pressure);
+    for (int d = 0; d < 2; ++d)
+        control[d].value -=
+            control[d].kind == TangentialControl::Kind::shift ? before.shift[d] : by_pressure[d];
+    // Both halves of a mirrored contact push against each other: nothing moves it across.
+    if (compliance_->points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
+
+    TangentialField relative = before.displacement;
+    const TangentialField& other = coupling_.displacement();
+    double contact_area = 0;
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
+        relative.x[i] -= other.x[i];
+        relative.y[i] -= other.y[i];
         if (bound_[i] > 0) contact_area += compliance_->points().area[i];
+    }
     const double contact_compliance = normal_->indentation * contact_area / normal_->force;
-    tangential_solver_.solve({bound_, before, control, contact_compliance}, tangential_);
-    for (int d = 0; d < 2; ++d) shift_[d] += tangential_.shift_increment[d];
+    tangential_solver_.solve({bound_, relative, control, contact_compliance}, tangential_);
+    tangential_iterations_ += tangential_.iterations;
+    for (int d = 0; d < 2; ++d) shift_[d] = before.shift[d] + tangential_.shift_increment[d];
 }
 
-void SurfaceModel::update_slip(const TangentialField& displacement_before) {
+/// Without friction no tangential traction is left, and only a prescribed shift moves the indenter.
+void SurfaceModel::slide_freely(const LoadStep& step) {
+    const std::size_t n = bound_.size();
+    const Vector2 before = shift_;
+    tangential_ = {};
+    tangential_.traction = tangential_.displacement = TangentialField(n);
+    bound_.assign(n, 0);
+    for (int d = 0; d < 2; ++d)
+        if (step.tangential[d].kind == TangentialControl::Kind::shift)
+            shift_[d] = step.tangential[d].value;
+    for (int d = 0; d < 2; ++d) tangential_.shift_increment[d] = shift_[d] - before[d];
+}
+
+/// The displacements by all tractions of the present solution.
+void SurfaceModel::update_totals() {
+    displacement_ = tangential_.displacement;
+    displacement_z_ = normal_->displacement;
+    if (coupling_.absent()) return;
+    const TangentialField& other = coupling_.displacement();
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
+        displacement_.x[i] += other.x[i];
+        displacement_.y[i] += other.y[i];
+        displacement_z_[i] += coupling_.lowering()[i];
+    }
+}
+
+void SurfaceModel::update_slip(const Before& before) {
     const double unit = friction_coefficient_ * normal_->indentation;
+    const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
-        slip_.x[i] = tangential_.shift_increment[0] -
-                     (tangential_.displacement.x[i] - displacement_before.x[i]);
-        slip_.y[i] = tangential_.shift_increment[1] -
-                     (tangential_.displacement.y[i] - displacement_before.y[i]);
-        if (bound_[i] == 0) {
+        slip_.x[i] = moved[0] - (displacement_.x[i] - before.displacement.x[i]);
+        slip_.y[i] = moved[1] - (displacement_.y[i] - before.displacement.y[i]);
+        if (!(normal_->pressure[i] > 0)) {
             slip_.x[i] = slip_.y[i] = 0;
             contact_state_[i] = ContactState::open;
             continue;
@@ -105,94 +205,6 @@ void SurfaceModel::update_slip(const TangentialField& displacement_before) {
         const bool at_bound = norm(t) >= bound_[i] * (1 - 1e-9);
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
     }
-}
-
-double SurfaceModel::elastic_energy() const {
-    const auto& area = compliance_->points().area;
-    const auto& t = tangential_.traction;
-    const auto& u = tangential_.displacement;
-    double sum = 0;
-    for (std::size_t i = 0; i < bound_.size(); ++i)
-        sum += area[i] * (t.x[i] * u.x[i] + t.y[i] * u.y[i]);
-    return sum / 2;
-}
-
-StepRecord SurfaceModel::record(const LoadStep& step, bool normal_reused) const {
-    const auto& area = compliance_->points().area;
-    StepRecord r;
-    r.phase = step.phase;
-    r.offset = step.offset;
-    r.indentation = normal_->indentation;
-    r.shift = shift_;
-    for (std::size_t i = 0; i < bound_.size(); ++i) {
-        r.normal_force += area[i] * normal_->pressure[i];
-        r.tangential_force[0] += area[i] * tangential_.traction.x[i];
-        r.tangential_force[1] += area[i] * tangential_.traction.y[i];
-        r.dissipation += area[i] * (tangential_.traction.x[i] * slip_.x[i] +
-                                    tangential_.traction.y[i] * slip_.y[i]);
-        switch (contact_state_[i]) {
-            case ContactState::open:
-                r.open_area += area[i];
-                break;
-            case ContactState::stick:
-                r.stick_area += area[i];
-                break;
-            case ContactState::slip:
-                r.slip_area += area[i];
-                break;
-        }
-    }
-    r.contact_area = r.stick_area + r.slip_area;
-    r.normal_iterations = normal_reused ? 0 : normal_->iterations;
-    r.tangential_iterations = tangential_.iterations;
-    r.normal_residual = normal_->residual;
-    r.tangential_residual = tangential_.residual;
-    r.force_residual = tangential_.force_residual;
-    if (step.normal.kind == NormalControl::Kind::force)
-        r.force_residual = std::max(
-            r.force_residual, std::abs(r.normal_force - step.normal.value) / step.normal.value);
-    return r;
-}
-
-void SurfaceModel::audit_step(const LoadStep& step, const TangentialField& traction_before,
-                              const TangentialField& displacement_before, double energy_before) {
-    audit_normal(*normal_, step.normal, compliance_->points().area, tolerance_, audit_);
-    audit_tangential({.bound = bound_,
-                      .area = compliance_->points().area,
-                      .traction = tangential_.traction,
-                      .slip = slip_,
-                      .contact_state = contact_state_,
-                      .control = step.tangential,
-                      .length = friction_coefficient_ * normal_->indentation},
-                     tolerance_, audit_);
-    audit_energy({.area = compliance_->points().area,
-                  .traction_before = traction_before,
-                  .displacement_before = displacement_before,
-                  .traction = tangential_.traction,
-                  .displacement = tangential_.displacement,
-                  .shift_increment = tangential_.shift_increment,
-                  .energy_change = elastic_energy() - energy_before,
-                  .unit = friction_coefficient_ * friction_coefficient_ * normal_->force *
-                          normal_->indentation},
-                 audit_);
-}
-
-Scales SurfaceModel::scales() const {
-    const ContactPoints& points = compliance_->points();
-    TangentialField sliding(bound_.size()), displacement(bound_.size());
-    sliding.x = bound_;
-    compliance_->tangential(sliding, displacement);
-    std::size_t centre = 0;
-    auto distance = [&](std::size_t i) {
-        return std::hypot(points.x[i] - offset_[0], points.y[i] - offset_[1]);
-    };
-    for (std::size_t i = 1; i < bound_.size(); ++i)
-        if (distance(i) < distance(centre)) centre = i;
-    return {.normal_force = normal_->force,
-            .contact_radius = contact_radius(points, normal_->pressure, offset_),
-            .indentation = normal_->indentation,
-            .peak_pressure = *std::max_element(normal_->pressure.begin(), normal_->pressure.end()),
-            .unit_shift = displacement.x[centre]};
 }
 
 void SurfaceModel::start_limit() {
@@ -207,33 +219,19 @@ double SurfaceModel::limit_tangential_ratio() const {
     return sum / least_pressure_force_;
 }
 
-Surface SurfaceModel::surface() const {
-    const ContactPoints& points = compliance_->points();
-    Surface s;
-    s.layout = Surface::Layout::grid;
-    s.n_x = points.n_x;
-    s.n_y = points.n_y;
-    s.first = points.first;
-    s.spacing = points.spacing;
-    s.offset = offset_;
-    s.normal_traction = normal_->pressure;
-    s.tangential_traction_x = tangential_.traction.x;
-    s.tangential_traction_y = tangential_.traction.y;
-    s.friction_bound = bound_;
-    s.displacement_x = tangential_.displacement.x;
-    s.displacement_y = tangential_.displacement.y;
-    s.displacement_z = normal_->displacement;
-    s.gap = heights_over(points, *indenter_, offset_);
-    s.slip_x = slip_.x;
-    s.slip_y = slip_.y;
-    s.dissipation.resize(bound_.size());
-    for (std::size_t i = 0; i < bound_.size(); ++i) {
-        s.gap[i] += normal_->displacement[i] - normal_->indentation;
-        s.dissipation[i] =
-            tangential_.traction.x[i] * slip_.x[i] + tangential_.traction.y[i] * slip_.y[i];
+std::unique_ptr<const Interior> SurfaceModel::interior() {
+    const auto& p = normal_->pressure;
+    const auto& t = tangential_.traction;
+    auto inside =
+        compliance_->interior(coupling_.downward_traction(p, t), coupling_.surface_traction(p, t));
+    if (!inside) return nullptr;
+    double missing = 0, applied = 0;
+    for (int d = 0; d < 3; ++d) {
+        missing = std::hypot(missing, inside->applied[d] + inside->base_reaction[d]);
+        applied = std::hypot(applied, inside->applied[d]);
     }
-    s.contact_state = contact_state_;
-    return s;
+    audit_.record("interior_equilibrium", missing / applied, 1e-8);
+    return inside;
 }
 
 }  // namespace tricontact::contact

@@ -4,7 +4,9 @@
 #include <memory>
 #include <tuple>
 
+#include "contact/case.h"
 #include "contact/compliance.h"
+#include "contact/coupling.h"
 #include "contact/indenter.h"
 #include "contact/model.h"
 #include "contact/normal_solver.h"
@@ -20,36 +22,59 @@ class ContactAtEdge : public std::runtime_error {
 
 /// Contact of an indenter over any compliance, with Coulomb friction, in world-fixed coordinates:
 /// surface points keep their displacement when the indenter rolls away from them.
+///
+/// Coupled normal and tangential contact are solved in turns (Panagiotopoulos 1975) until what the
+/// friction does to the gap no longer changes.
 class SurfaceModel final : public Model {
   public:
-    /// `tolerance` [-]: of the tangential solver; the normal solver gets a tenth of it.
+    /// `tolerance` [-]: of the tangential solver and of the turns, over mu d and d; the normal
+    /// solver gets a tenth of it.
     SurfaceModel(std::string name, std::unique_ptr<Compliance> compliance,
-                 std::unique_ptr<Indenter> indenter, double friction_coefficient, double tolerance);
+                 std::unique_ptr<Indenter> indenter, double friction_coefficient, double tolerance,
+                 const Case::Contact& options = {});
 
     std::string name() const override { return name_; }
+    bool is_coupled() const override { return !coupling_.absent(); }
     StepRecord advance(const LoadStep& step) override;
+    void release() override;
     Scales scales() const override;
     Surface surface() const override;
     double limit_tangential_ratio() const override;
     void start_limit() override;
+    std::unique_ptr<const Interior> interior() override;
+    std::string write_state() const override;
+    void read_state(std::string_view bytes) override;
     const Audit& audit() const override { return audit_; }
 
   private:
     using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
 
-    const NormalSolution& solve_normal(const LoadStep& step, bool& reused);
-    void solve_tangential(const LoadStep& step);
-    void update_slip(const TangentialField& displacement_before);
-    double elastic_energy() const;
-    StepRecord record(const LoadStep& step, bool normal_reused) const;
-    void audit_step(const LoadStep& step, const TangentialField& traction_before,
-                    const TangentialField& displacement_before, double energy_before);
+    /// The state of the surface that a step starts from.
+    struct Before {
+        TangentialField displacement, surface_traction;
+        std::vector<double> displacement_z, downward_traction;
+        Vector2 shift;
+    };
+
+    Before state_before() const;
+    void solve_uncoupled(const LoadStep& step, const Before& before);
+    void solve_coupled(const LoadStep& step, const Before& before);
+    void solve_normal(NormalControl control);
+    void reuse_or_solve_normal(const LoadStep& step);
+    void solve_tangential(const LoadStep& step, const Before& before);
+    void slide_freely(const LoadStep& step);
+    void update_totals();
+    void update_slip(const Before& before);
+    StepRecord record(const LoadStep& step) const;
+    void audit_step(const LoadStep& step, const Before& before);
+    void audit_stored_energy(const Before& before, double allowed);
 
     std::string name_;
     std::unique_ptr<Compliance> compliance_;
     std::unique_ptr<Indenter> indenter_;
     double friction_coefficient_;
     double tolerance_;
+    Coupling coupling_;
     NormalSolver normal_solver_;
     TangentialSolver tangential_solver_;
 
@@ -59,10 +84,15 @@ class SurfaceModel final : public Model {
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
     std::vector<double> bound_;  // mu p [Pa]
     TangentialSolution tangential_;
-    TangentialField slip_;  // of the last step [m]
+    TangentialField displacement_;        // by all tractions [m]
+    std::vector<double> displacement_z_;  // likewise
+    TangentialField slip_;                // of the last step [m]
     std::vector<ContactState> contact_state_;
+    double gap_residual_ = 0;  // of the coupled solution, over d
+    int normal_iterations_ = 0, tangential_iterations_ = 0;
     std::vector<double> least_pressure_;  // since start_limit()
     double least_pressure_force_ = 0;     // F_N at start_limit()
+    double energy_ = 0;                   // stored, of the present state [J]
     Audit audit_;
 };
 

@@ -24,9 +24,12 @@ constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer 
 
 class Newton {
   public:
-    Newton(const Compliance& compliance, const TangentialProblem& problem, double tolerance,
+    Newton(const Compliance& compliance, const std::vector<std::size_t>& active,
+           const ActiveOperator& products, const TangentialProblem& problem, double tolerance,
            TangentialSolution& solution)
         : compliance_(compliance),
+          active_(active),
+          products_(products),
           area_(compliance.points().area),
           problem_(problem),
           tolerance_(tolerance),
@@ -34,9 +37,9 @@ class Newton {
           solution_(solution) {
         for (int d = 0; d < 2; ++d)
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
-        find_active_points();
+        sum_bounds();
         check_force_is_carried();
-        system_.emplace(compliance_, active_, force_controlled_);
+        system_.emplace(compliance_, active_, products_, force_controlled_);
     }
 
     void run() {
@@ -46,7 +49,11 @@ class Newton {
         for (int step = 0; step < max_newton_steps; ++step) {
             update_slip();
             update_residual();
-            if (converged()) return;
+            if (converged()) {
+                if (!products_.displaces_all())
+                    compliance_.tangential(traction(), solution_.displacement);
+                return;
+            }
             without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
             best = std::min(best, solution_.residual);
             if (without_progress_ >= patience || !solve_linear_system()) {
@@ -74,13 +81,10 @@ class Newton {
         solution_.traction.y[i] = t[1];
     }
 
-    void find_active_points() {
-        for (std::size_t i = 0; i < area_.size(); ++i) {
-            if (problem_.bound[i] > 0) {
-                active_.push_back(i);
-                total_bound_ += area_[i] * problem_.bound[i];
-                active_area_ += area_[i];
-            }
+    void sum_bounds() {
+        for (const std::size_t i : active_) {
+            total_bound_ += area_[i] * problem_.bound[i];
+            active_area_ += area_[i];
         }
         mean_bound_ = total_bound_ / active_area_;
     }
@@ -119,7 +123,7 @@ class Newton {
     }
 
     void update_slip() {
-        compliance_.tangential(traction(), solution_.displacement);
+        products_.apply(traction(), solution_.displacement);
         ++solution_.iterations;
         const auto& before = problem_.previous_displacement;
         const auto& now = solution_.displacement;
@@ -228,13 +232,14 @@ class Newton {
     }
 
     const Compliance& compliance_;
+    const std::vector<std::size_t>& active_;
+    const ActiveOperator& products_;
     const std::vector<double>& area_;
     const TangentialProblem& problem_;
     const double tolerance_;
     const double alpha_;  // contact compliance [m/Pa]
     TangentialSolution& solution_;
     std::array<bool, 2> force_controlled_{};
-    std::vector<std::size_t> active_;
     std::vector<std::uint8_t> slipping_;  // per active point
     std::vector<Vector2> slip_;           // s [m] per active point
     std::optional<TangentialSystem> system_;
@@ -248,8 +253,21 @@ class Newton {
 TangentialSolver::TangentialSolver(const Compliance& compliance, double tolerance)
     : compliance_(compliance), tolerance_(tolerance) {}
 
-void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolution& solution) const {
-    Newton(compliance_, problem, tolerance_, solution).run();
+void TangentialSolver::solve(const TangentialProblem& problem, TangentialSolution& solution) {
+    std::vector<std::size_t> active;
+    for (std::size_t i = 0; i < problem.bound.size(); ++i)
+        if (problem.bound[i] > 0) active.push_back(i);
+    const ActiveOperator& products = products_among(active);
+    Newton(compliance_, active_, products, problem, tolerance_, solution).run();
+}
+
+const ActiveOperator& TangentialSolver::products_among(const std::vector<std::size_t>& active) {
+    if (!products_ || active != active_) {
+        products_.reset();
+        active_ = active;
+        products_ = make_active_operator(compliance_, active_);
+    }
+    return *products_;
 }
 
 }  // namespace tricontact::contact

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
+#include "contact/active_operator.h"
 #include "contact/compliance.h"
 #include "contact/load_path.h"
 
@@ -44,11 +46,16 @@ class TangentialSolver {
 
     /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound).
     /// Throws NotConverged; InputError when the force exceeds what friction carries.
-    void solve(const TangentialProblem& problem, TangentialSolution& solution) const;
+    void solve(const TangentialProblem& problem, TangentialSolution& solution);
 
   private:
+    const ActiveOperator& products_among(const std::vector<std::size_t>& active);
+
     const Compliance& compliance_;
     double tolerance_;
+    // Of the last problem: a contact that has not changed keeps its factor.
+    std::vector<std::size_t> active_;
+    std::unique_ptr<const ActiveOperator> products_;
 };
 
 }  // namespace tricontact::contact

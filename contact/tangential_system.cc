@@ -8,9 +8,11 @@ namespace tricontact::contact {
 
 TangentialSystem::TangentialSystem(const Compliance& compliance,
                                    const std::vector<std::size_t>& active,
+                                   const ActiveOperator& products,
                                    std::array<bool, 2> force_controlled)
     : compliance_(compliance),
       active_(active),
+      products_(products),
       force_controlled_(force_controlled),
       scaling_(active.size()) {
     const std::size_t n = compliance.points().size();
@@ -67,7 +69,7 @@ void TangentialSystem::precondition(const TangentialField& r, TangentialField& z
         scaled_.x[i] = scaling_[k] * r.x[i];
         scaled_.y[i] = scaling_[k] * r.y[i];
     }
-    compliance_.precondition_tangential(scaled_, full_);
+    products_.precondition(scaled_, full_);
     for (std::size_t k = 0; k < active_.size(); ++k) {
         const std::size_t i = active_[k];
         z.x[i] = scaling_[k] * full_.x[i];
@@ -153,7 +155,7 @@ void TangentialSystem::carry(const Vector2& c) {
 
 /// H d = P A d + D d.
 void TangentialSystem::apply() {
-    compliance_.tangential(direction_, a_direction_);
+    products_.apply(direction_, a_direction_);
     ++result_.iterations;
     for (const std::size_t i : active_) {
         h_direction_.x[i] = a_direction_.x[i];

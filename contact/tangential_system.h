@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/active_operator.h"
 #include "contact/compliance.h"
 #include "contact/vector2.h"
 
@@ -31,9 +32,9 @@ class TangentialSystem {
         int iterations = 0;         ///< applications of the compliance
     };
 
-    /// `active`: indices of the points in contact.
+    /// `active`: indices of the points in contact; `products`: the compliance among them.
     TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
-                     std::array<bool, 2> force_controlled);
+                     const ActiveOperator& products, std::array<bool, 2> force_controlled);
 
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
     /// disc and the curvature D [m/Pa]. False if the force balance is singular on these zones.
@@ -61,6 +62,7 @@ class TangentialSystem {
 
     const Compliance& compliance_;
     const std::vector<std::size_t>& active_;
+    const ActiveOperator& products_;
     std::array<bool, 2> force_controlled_;
     double area_ = 0;  // of the active points [m^2]
     std::vector<std::uint8_t> slipping_;

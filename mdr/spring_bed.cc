@@ -136,6 +136,12 @@ void SpringBed::grow() {
     }
 }
 
+void SpringBed::release() {
+    std::fill(deflections_.begin(), deflections_.end(), 0);
+    tangential_force_ = 0;
+    shift_ = shift_increment_ = 0;
+}
+
 // Slip cap mu q_z/(G* dx) of each spring, and the normal force that it belongs to.
 void SpringBed::update_bounds() {
     const auto heights = normal_.heights();
@@ -175,8 +181,8 @@ SlipSums SpringBed::slide(double increment) {
     const auto before = part(std::as_const(deflections_before_), contact);
     SlipSums sums = take_step(before, part(std::as_const(bounds_), contact), increment,
                               negligible_slip(), part(deflections_, contact));
-    release(contact_before_.first, std::min(contact_before_.last, contact.first), increment, sums);
-    release(std::max(contact_before_.first, contact.last), contact_before_.last, increment, sums);
+    unload(contact_before_.first, std::min(contact_before_.last, contact.first), increment, sums);
+    unload(std::max(contact_before_.first, contact.last), contact_before_.last, increment, sums);
 
     shift_increment_ = increment;
     shift_ += increment;
@@ -185,7 +191,7 @@ SlipSums SpringBed::slide(double increment) {
 }
 
 // Springs that have left the contact lose their load: no work at the end of the step, but energy.
-void SpringBed::release(int first, int last, double increment, SlipSums& sums) const {
+void SpringBed::unload(int first, int last, double increment, SlipSums& sums) const {
     for (int i = first; i < last; ++i) {
         const double before = deflections_before_[i];
         sums.trapezoidal += before * (increment + before) / 2;

@@ -44,6 +44,7 @@ class SpringBed final : public contact::Model {
     /// Throws contact::InputError if the step is none of a spring bed's (see above), asks for
     /// F_T >= mu F_N or presses beyond the indenter's rim; contact::NotConverged.
     contact::StepRecord advance(const contact::LoadStep& step) override;
+    void release() override;
     contact::Scales scales() const override;
     /// Line layout, thinned out to about a thousand points: springs' deflections and line loads,
     /// gap and displacement_z of the springs too (plane picture); tractions transformed back.
@@ -62,7 +63,7 @@ class SpringBed final : public contact::Model {
     void update_bounds();
     ShiftSolution find_shift_increment(const contact::TangentialControl& control) const;
     SlipSums slide(double increment);
-    void release(int first, int last, double increment, SlipSums& sums) const;
+    void unload(int first, int last, double increment, SlipSums& sums) const;
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
     /// Slip [m] below which a spring counts as sticking: rounding on the bound.

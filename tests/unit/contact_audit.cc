@@ -151,9 +151,9 @@ TEST(SurfaceAudit, EnergyBalance) {
     u0.x = {3};
     u1.x = {6};
     Audit good, bad;
-    contact::audit_energy({area, t0, u0, t1, u1, {5, 0}, 9, 1}, good);
+    contact::audit_energy({area, t0, u0, t1, u1, {5, 0}, 0, 9, 1}, good);
     EXPECT_LT(check_of(good, "energy_balance").worst, 1e-14);
-    contact::audit_energy({area, t0, u0, t1, u1, {5, 0}, 9.1, 1}, bad);
+    contact::audit_energy({area, t0, u0, t1, u1, {5, 0}, 0, 9.1, 1}, bad);
     EXPECT_NEAR(check_of(bad, "energy_balance").worst, .1, 1e-13);
     EXPECT_FALSE(bad.passed());
 }

@@ -38,6 +38,7 @@ class GeometricModel final : public contact::Model {
         audit_.record("sound", step.phase > fails_after ? 2e-3 : 0, 1e-6);
         return record;
     }
+    void release() override { shift_ = 0; }
     contact::Scales scales() const override { return {20, 1, 1, 1, 1}; }
     contact::Surface surface() const override {
         contact::Surface s;

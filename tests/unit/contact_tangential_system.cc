@@ -107,7 +107,8 @@ Eigen::VectorXd dense_solution(const DenseCompliance& compliance, const Zones& z
 void compare(const Zones& zones, std::array<bool, 2> force_controlled) {
     const DenseCompliance compliance(n_points, 11);
     const RightHandSide rhs;
-    TangentialSystem system(compliance, zones.active, force_controlled);
+    const auto products = make_active_operator(compliance, zones.active);
+    TangentialSystem system(compliance, zones.active, *products, force_controlled);
     ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
     const auto& result = system.solve(rhs.r, rhs.c, {0, 1e-13, 2000});
     const Eigen::VectorXd expected = dense_solution(compliance, zones, rhs, force_controlled);
@@ -139,10 +140,12 @@ TEST(TangentialSystem, EarlierZonesLeaveNoTrace) {
     const DenseCompliance compliance(n_points, 14);
     const Zones first(2), second(5);
     const RightHandSide rhs;
-    TangentialSystem fresh(compliance, second.active, {true, true});
+    const auto products_fresh = make_active_operator(compliance, second.active);
+    TangentialSystem fresh(compliance, second.active, *products_fresh, {true, true});
     fresh.set_zones(second.slipping, second.tangent, second.curvature);
     const auto expected = fresh.solve(rhs.r, rhs.c, {1e-8, 0, 2000});
-    TangentialSystem used(compliance, second.active, {true, true});
+    const auto products_used = make_active_operator(compliance, second.active);
+    TangentialSystem used(compliance, second.active, *products_used, {true, true});
     used.set_zones(first.slipping, first.tangent, first.curvature);
     used.solve(rhs.r, rhs.c, {1e-8, 0, 2000});
     used.set_zones(second.slipping, second.tangent, second.curvature);
@@ -157,7 +160,8 @@ TEST(TangentialSystem, KeepsTheForceWhateverTheAccuracy) {
     const DenseCompliance compliance(n_points, 12);
     const Zones zones(2);
     const RightHandSide rhs;
-    TangentialSystem system(compliance, zones.active, {true, true});
+    const auto products = make_active_operator(compliance, zones.active);
+    TangentialSystem system(compliance, zones.active, *products, {true, true});
     ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
     for (const int iterations : {1, 3, 10}) {
         const auto& result = system.solve(rhs.r, rhs.c, {0, 0, iterations});
@@ -175,7 +179,8 @@ TEST(TangentialSystem, StopsAtEitherLimit) {
     const DenseCompliance compliance(n_points, 12);
     const Zones zones(2);
     const RightHandSide rhs;
-    TangentialSystem system(compliance, zones.active, {true, true});
+    const auto products = make_active_operator(compliance, zones.active);
+    TangentialSystem system(compliance, zones.active, *products, {true, true});
     ASSERT_TRUE(system.set_zones(zones.slipping, zones.tangent, zones.curvature));
     const int coarse = system.solve(rhs.r, rhs.c, {.1, 0, 2000}).iterations;
     const int fine = system.solve(rhs.r, rhs.c, {1e-6, 0, 2000}).iterations;
@@ -188,9 +193,11 @@ TEST(TangentialSystem, SaysWhenTheZonesCannotCarryTheForce) {
     Zones zones(1);
     for (std::size_t k = 0; k < zones.active.size(); ++k) zones.tangent[k] = {0, 1};
     // everything slips in x: no force in x can be added
-    TangentialSystem both(compliance, zones.active, {true, true});
+    const auto products_both = make_active_operator(compliance, zones.active);
+    TangentialSystem both(compliance, zones.active, *products_both, {true, true});
     EXPECT_FALSE(both.set_zones(zones.slipping, zones.tangent, zones.curvature));
-    TangentialSystem across(compliance, zones.active, {false, true});
+    const auto products_across = make_active_operator(compliance, zones.active);
+    TangentialSystem across(compliance, zones.active, *products_across, {false, true});
     EXPECT_TRUE(across.set_zones(zones.slipping, zones.tangent, zones.curvature));
     // and other zones may follow
     const Zones others(3);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "contact/normal_solver.h"
+
+namespace tricontact::contact {
+
+/// Primal-dual active set method (semismooth Newton; Hintermüller, Ito and Kunisch 2003) for a
+/// compliance that exposes its matrix: the pressures that close the gap on the present contact are
+/// solved for exactly, points that pull leave, points that penetrate enter, until none does.
+class NormalActiveSet {
+  public:
+    explicit NormalActiveSet(const Compliance& compliance);
+
+    /// As NormalSolver::solve. False when it does not settle: another method may.
+    bool solve(const std::vector<double>& height, const NormalControl& control,
+               const std::vector<double>& start, NormalSolution& solution);
+
+  private:
+    struct Factor;
+    struct Closed;  // pressures and depth that close the gap
+    Closed close_gap(const std::vector<double>& height, const NormalControl& control);
+    void update_contact(std::vector<std::uint8_t> contact);
+    std::vector<std::uint8_t> first_contact(const std::vector<double>& height,
+                                            const NormalControl& control,
+                                            const std::vector<double>& start) const;
+
+    const Compliance& compliance_;
+    std::vector<std::uint8_t> contact_;  // the factor's
+    std::shared_ptr<const Factor> factor_;
+};
+
+}  // namespace tricontact::contact

@@ -1,0 +1,109 @@
+// What a surface model notes about each step: the record and the audit.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/surface_audit.h"
+#include "contact/surface_model.h"
+
+namespace tricontact::contact {
+
+StepRecord SurfaceModel::record(const LoadStep& step) const {
+    const auto& area = compliance_->points().area;
+    const bool mirrored = compliance_->points().mirrored;
+    const auto& p = normal_->pressure;
+    const auto& t = tangential_.traction;
+    StepRecord r;
+    r.phase = step.phase;
+    r.offset = step.offset;
+    r.indentation = normal_->indentation;
+    r.shift = shift_;
+    r.normal_force = coupling_.normal_force(t);
+    r.tangential_force = coupling_.tangential_force(p);
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
+        r.normal_force += area[i] * p[i];
+        r.tangential_force[0] += area[i] * t.x[i];
+        if (!mirrored) r.tangential_force[1] += area[i] * t.y[i];
+        r.dissipation += area[i] * (t.x[i] * slip_.x[i] + t.y[i] * slip_.y[i]);
+        switch (contact_state_[i]) {
+            case ContactState::open:
+                r.open_area += area[i];
+                break;
+            case ContactState::stick:
+                r.stick_area += area[i];
+                break;
+            case ContactState::slip:
+                r.slip_area += area[i];
+                break;
+        }
+    }
+    r.contact_area = r.stick_area + r.slip_area;
+    r.normal_iterations = normal_iterations_;
+    r.tangential_iterations = tangential_iterations_;
+    r.normal_residual = std::max(normal_->residual, gap_residual_);
+    r.tangential_residual = tangential_.residual;
+    r.force_residual = tangential_.force_residual;
+    if (step.normal.kind == NormalControl::Kind::force)
+        r.force_residual = std::max(
+            r.force_residual, std::abs(r.normal_force - step.normal.value) / step.normal.value);
+    return r;
+}
+
+void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
+    const ContactPoints& points = compliance_->points();
+    const auto& p = normal_->pressure;
+    const auto& t = tangential_.traction;
+    // Parts that inclined tractions carry follow the rest to the tolerance of the turns.
+    const double force_allowed = coupling_.deformed() ? 10 * tolerance_ : exact_force;
+    NormalControl normal = step.normal;
+    if (normal.kind == NormalControl::Kind::force) normal.value -= coupling_.normal_force(t);
+    audit_normal(*normal_, normal, points.area, tolerance_, audit_, force_allowed);
+    if (is_coupled()) audit_.record("normal_and_tangential_agree", gap_residual_, tolerance_);
+    if (compliance_->reaction_error() > 0)
+        audit_.record("base_reaction", compliance_->reaction_error(), 1e-8);
+
+    if (step.friction) {
+        std::array<TangentialControl, 2> tangential = step.tangential;
+        const Vector2 by_pressure = coupling_.tangential_force(p);
+        for (int d = 0; d < 2; ++d) tangential[d].value -= by_pressure[d];
+        if (points.mirrored) tangential[1].kind = TangentialControl::Kind::shift;
+        audit_tangential({.bound = bound_,
+                          .area = points.area,
+                          .traction = t,
+                          .slip = slip_,
+                          .contact_state = contact_state_,
+                          .control = tangential,
+                          .length = friction_coefficient_ * normal_->indentation},
+                         tolerance_, audit_, force_allowed);
+    }
+    audit_stored_energy(before, force_allowed);
+}
+
+void SurfaceModel::audit_stored_energy(const Before& before, double allowed) {
+    const auto& area = compliance_->points().area;
+    const TangentialField t = coupling_.surface_traction(normal_->pressure, tangential_.traction);
+    const std::vector<double> p =
+        coupling_.downward_traction(normal_->pressure, tangential_.traction);
+    double energy = 0, normal_work = 0;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        energy +=
+            area[i] / 2 *
+            (p[i] * displacement_z_[i] + t.x[i] * displacement_.x[i] + t.y[i] * displacement_.y[i]);
+        normal_work += area[i] * (before.downward_traction[i] + p[i]) / 2 *
+                       (displacement_z_[i] - before.displacement_z[i]);
+    }
+    audit_energy({.area = area,
+                  .traction_before = before.surface_traction,
+                  .displacement_before = before.displacement,
+                  .traction = t,
+                  .displacement = displacement_,
+                  .shift_increment = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]},
+                  .normal_work = normal_work,
+                  .energy_change = energy - energy_,
+                  .unit = friction_coefficient_ * friction_coefficient_ * normal_->force *
+                          normal_->indentation},
+                 audit_, allowed);
+    energy_ = energy;
+}
+
+}  // namespace tricontact::contact
