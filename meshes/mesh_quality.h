@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "meshes/hex_mesh.h"
 
 namespace tricontact::meshes {

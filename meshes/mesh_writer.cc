@@ -1,0 +1,118 @@
+#include <gmsh.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <map>
+#include <numeric>
+#include <system_error>
+
+#include "meshes/gmsh_model.h"
+#include "meshes/gmsh_session.h"
+#include "meshes/mesh_file.h"
+#include "meshes/mesh_format.h"
+#include "meshes/messages.h"
+
+namespace tricontact::meshes {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Tag = std::size_t;
+
+constexpr int hexahedron = 5, quadrilateral = 3;  // gmsh's element types
+
+// An entity for the elements of a name, its tag that of the physical group.
+template <class Name>
+void add_entity(Name what) {
+    constexpr int dim = std::is_same_v<Name, Region> ? 3 : 2;
+    gmsh::model::addDiscreteEntity(dim, physical_tag(what));
+    add_group(what, {physical_tag(what)});
+}
+
+// gmsh asks for an owner of the nodes, and any volume will do.
+void add_nodes(const HexMesh& mesh) {
+    std::vector<Tag> tags(mesh.nodes.size());
+    std::iota(tags.begin(), tags.end(), Tag{1});
+    std::vector<double> coordinates;
+    for (const auto& node : mesh.nodes)
+        coordinates.insert(coordinates.end(), node.begin(), node.end());
+    const int owner = physical_tag(mesh.regions.front());
+    gmsh::model::mesh::addNodes(3, owner, tags, coordinates);
+}
+
+// Elements of one name, with their tags and nodes as gmsh counts them: from 1.
+struct Group {
+    std::vector<Tag> tags, nodes;
+    template <std::size_t n>
+    void add(Tag tag, const std::array<int, n>& element) {
+        tags.push_back(tag);
+        for (const int node : element) nodes.push_back(static_cast<Tag>(node) + 1);
+    }
+};
+
+// Faces are counted first, then hexahedra.
+void build_model(const HexMesh& mesh) {
+    std::map<Boundary, Group> boundaries;
+    std::map<Region, Group> regions;
+    Tag tag = 0;
+    for (const HexMesh::Face& face : mesh.faces) boundaries[face.boundary].add(++tag, face.nodes);
+    for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
+        regions[mesh.regions[e]].add(++tag, mesh.hexes[e]);
+
+    for (const auto& [boundary, group] : boundaries) add_entity(boundary);
+    for (const auto& [region, group] : regions) add_entity(region);
+    add_nodes(mesh);
+    for (const auto& [boundary, group] : boundaries)
+        gmsh::model::mesh::addElementsByType(physical_tag(boundary), quadrilateral, group.tags,
+                                             group.nodes);
+    for (const auto& [region, group] : regions)
+        gmsh::model::mesh::addElementsByType(physical_tag(region), hexahedron, group.tags,
+                                             group.nodes);
+}
+
+// Removed again unless moved to its final name.
+class Partial {
+  public:
+    // gmsh knows the format by the ending.
+    explicit Partial(const std::string& target)
+        : path_(target + ".partial-" + std::to_string(::getpid()) + ".msh") {}
+    ~Partial() {
+        std::error_code ignored;
+        fs::remove(path_, ignored);
+    }
+    Partial(const Partial&) = delete;
+    Partial& operator=(const Partial&) = delete;
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+}  // namespace
+
+void write_mesh(const HexMesh& mesh, const std::string& path) {
+    if (fs::path(path).extension() != ".msh")
+        fail(path, "the name of a mesh file must end in .msh", "add the ending");
+    if (mesh.hexes.empty()) fail(path, "there are no hexahedra to write", "make a mesh first");
+    const Partial partial(path);
+    try {
+        const GmshSession session;
+        GmshSession::call([&] {
+            gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+            build_model(mesh);
+            gmsh::write(partial.path());
+        });
+        // gmsh overlooks a full disk.
+        if (is_complete_mesh(partial.path())) {
+            fs::rename(partial.path(), path);
+            return;
+        }
+    } catch (const std::exception& error) {
+        fail(path, std::string("the mesh cannot be written (") + error.what() + ')',
+             "choose a folder in which you may write");
+    }
+    fail(path, "the mesh cannot be written to its end",
+         "free space on the disk, or choose a folder in which you may write");
+}
+
+}  // namespace tricontact::meshes
