@@ -1,13 +1,12 @@
 #include "io/case_checks.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
 #include "contact/load_path.h"
-#include "io/messages.h"
+#include "io/fem_checks.h"
+#include "io/refusal.h"
 
 namespace tricontact::io {
 
@@ -19,30 +18,12 @@ using contact::triangle_wave;
 
 // Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
 constexpr double largest_beta = 1e-3;
-constexpr double largest_sphere_ratio = 0.5;  // a/R: a half-space contact is far from the equator
+constexpr double largest_sphere_ratio = 0.5;  // a/R: the contact is far from the equator
 constexpr double fewest_cells = 2;            // per Hertz radius
 constexpr double fewest_springs = 10;         // in the contact
 constexpr double most_cells = 4096;           // along one side of the grid: 16.8 million cells
 constexpr double most_steps = 1e6;
 constexpr double most_point_steps = 1e11;  // days of computing
-
-std::string rounded(double value) {
-    std::array<char, 32> buffer{};
-    char* const begin = buffer.data();
-    return {begin,
-            std::to_chars(begin, begin + buffer.size(), value, std::chars_format::general, 4).ptr};
-}
-
-[[noreturn]] void refuse(const Document& document, const std::string& path, const std::string& rule,
-                         const std::string& remedy) {
-    const Entry* entry = document.find(path);
-    fail(document.place_of(path), entry ? entry->subject() : path + " (default)", rule, remedy);
-}
-
-// The key of an alternative pair that the case uses.
-std::string used(const Document& document, const std::string& first, const std::string& second) {
-    return document.find(second) ? second : first;
-}
 
 void check_scales(const HertzScales& s, const Document& document) {
     for (const double scale :
@@ -56,28 +37,35 @@ void check_scales(const HertzScales& s, const Document& document) {
 void check_sphere(const Case& c, const HertzScales& s, const Document& document) {
     if (c.indenter.shape != Case::Shape::sphere) return;
     const std::string load = used(document, "load.normal_force", "load.indentation");
-    if (s.indentation >= c.indenter.radius)
+    // A force presses less deep into a layer than into a half-space.
+    const bool layer_only = c.models == std::vector<std::string>{"fem"} && c.layer.thickness;
+    const double a = layer_only ? contact_radius_bounds(c).low : s.contact_radius;
+    if (s.indentation >= c.indenter.radius && !(layer_only && c.load.normal_force))
         refuse(document, load,
                "the indentation " + rounded(s.indentation) + " m must be less than the radius " +
                    rounded(c.indenter.radius) + " m of the sphere",
                "reduce the load or enlarge indenter.radius");
-    if (s.contact_radius > largest_sphere_ratio * c.indenter.radius)
+    if (a > largest_sphere_ratio * c.indenter.radius)
         refuse(document, load,
-               "the contact radius " + rounded(s.contact_radius) + " m exceeds " +
-                   rounded(largest_sphere_ratio) + " of the sphere's radius " +
-                   rounded(c.indenter.radius) + " m: no half-space contact",
+               "the contact radius " + rounded(a) + " m exceeds " + rounded(largest_sphere_ratio) +
+                   " of the sphere's radius " + rounded(c.indenter.radius) +
+                   " m: small deformations are assumed",
                "reduce the load or enlarge indenter.radius");
 }
 
 void check_coupling(const Case& c, const Document& document) {
+    const bool half_space = std::any_of(c.models.begin(), c.models.end(), [](const auto& model) {
+        return model == "mdr" || model == "bem";
+    });
     const double beta = c.materials().dundurs_beta();
-    if (std::abs(beta) <= largest_beta) return;
+    if (!half_space || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
     refuse(document, "substrate.poisson",
            "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
                " in magnitude: normal and tangential contact are coupled, which mdr and bem do not "
                "model",
            "take an incompressible substrate (poisson = 0.5) under a stiff indenter, or two bodies "
-           "of the same young and poisson");
+           "of the same young and poisson; or set contact.coupling = false: the coupling is then "
+           "left out, and the report says so");
 }
 
 // Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
@@ -221,6 +209,7 @@ void check_case(const Case& c, const Document& document) {
     for (const std::string& model : c.models) {
         if (model == "bem") check_bem(c, scales, steps, document);
         if (model == "mdr") check_mdr(c, scales, steps, document);
+        if (model == "fem") check_fem(c, steps, document);
     }
 }
 

@@ -20,7 +20,7 @@ void add_top(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.title; }});
     keys.push_back({.path = "models",
                     .kind = Kind::choice_list,
-                    .choices = {{"mdr"}, {"bem"}},
+                    .choices = {{"mdr"}, {"bem"}, {"fem"}},
                     .required = true,
                     .example = R"(["mdr", "bem"])",
                     .text = "models that compute the case",
@@ -79,6 +79,9 @@ void add_substrate(std::vector<Key>& keys) {
                     .example = "0.5",
                     .text = "Poisson's ratio; 0.5 is incompressible",
                     .field = [](Case& c) -> Field { return &c.substrate.poisson; }});
+}
+
+void add_friction(std::vector<Key>& keys) {
     keys.push_back({.path = "friction.coefficient",
                     .kind = Kind::number,
                     .range = above_zero(100),
@@ -114,8 +117,7 @@ void add_bem(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.bem.tolerance; }});
 }
 
-void add_mdr_and_output(std::vector<Key>& keys) {
-    using Vtk = Case::VtkOutput;
+void add_mdr(std::vector<Key>& keys) {
     keys.push_back({.path = "mdr.springs",
                     .kind = Kind::integer,
                     .range = {10, 1e7},
@@ -123,6 +125,11 @@ void add_mdr_and_output(std::vector<Key>& keys) {
                     .example = "10000",
                     .text = "springs of the whole bed, contact and rolling path",
                     .field = [](Case& c) -> Field { return &c.mdr.springs; }});
+}
+
+void add_output(std::vector<Key>& keys) {
+    using Vtk = Case::VtkOutput;
+    using Volume = Case::VolumeOutput;
     keys.push_back({.path = "output.vtk",
                     .kind = Kind::choice,
                     .choices = {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
@@ -131,6 +138,15 @@ void add_mdr_and_output(std::vector<Key>& keys) {
                     .example = R"("quarters")",
                     .text = "surfaces written for ParaView: none, each quarter period, all steps",
                     .field = [](Case& c) -> Field { return &c.output.vtk; }});
+    keys.push_back({.path = "output.volume",
+                    .kind = Kind::choice,
+                    .choices = {choice("none", Volume::none), choice("last", Volume::last),
+                                choice("quarters", Volume::quarters)},
+                    .default_value = R"("none")",
+                    .example = R"("last")",
+                    .text = "interior written for ParaView where a model knows it: none, the last "
+                            "state, each quarter period",
+                    .field = [](Case& c) -> Field { return &c.output.volume; }});
 }
 
 }  // namespace
@@ -155,9 +171,14 @@ std::span<const Key> case_keys() {
         add_top(all);
         add_indenter(all);
         add_substrate(all);
+        add_layer_keys(all);
+        add_friction(all);
+        add_contact_keys(all);
         add_loading_keys(all);
         add_bem(all);
-        add_mdr_and_output(all);
+        add_mdr(all);
+        add_fem_keys(all);
+        add_output(all);
         return all;
     }();
     return keys;

@@ -14,10 +14,12 @@
 namespace tricontact::io {
 
 /// Place in a case that a key fills; empty where the key does not apply to the case at hand.
-using Field = std::variant<std::monostate, std::string*, std::vector<std::string>*, double*,
-                           std::optional<double>*, int*, bool*, contact::Case::Shape*,
-                           contact::Case::AmplitudeReference*, contact::Case::Steps*,
-                           contact::Case::VtkOutput*>;
+using Field =
+    std::variant<std::monostate, std::string*, std::vector<std::string>*, double*,
+                 std::optional<double>*, std::optional<std::string>*, int*, bool*,
+                 contact::Case::Shape*, contact::Case::AmplitudeReference*, contact::Case::Steps*,
+                 contact::Case::VtkOutput*, contact::Case::VolumeOutput*, contact::Case::Base*,
+                 contact::Case::Sides*, contact::Case::Press*, contact::Case::Kinematics*>;
 
 /// Admissible numbers, in the key's SI unit.
 struct Range {

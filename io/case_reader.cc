@@ -1,6 +1,7 @@
 #include "io/case_reader.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "io/case_checks.h"
@@ -97,6 +98,7 @@ void check_combinations(const Document& document) {
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
+    if (document.find_section("lower_layer")) c.layer.lower = Case::Layer::Lower{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;
@@ -132,9 +134,27 @@ void set_default(Case& c, const Key& key, const Document& document) {
     const bool default_elsewhere = std::any_of(group.begin(), group.end(), [](std::string_view p) {
         return !find_key(p)->default_value.empty();
     });
-    const bool has_place = key.section() != "rolling" || c.rolling;
+    const bool has_place = !std::holds_alternative<std::monostate>(key.field(c));
     if (has_place && !default_elsewhere && (key.required || !group.empty()))
         refuse_missing(key, document);
+}
+
+// A relative file name is meant from the folder of the case file, one of an override from the
+// working directory. Absolute, it survives in a resolved case that stands elsewhere.
+std::string absolute_path(const std::string& path, const Entry& entry, const Document& document) {
+    namespace fs = std::filesystem;
+    if (path.empty())
+        fail(entry.place, entry.subject(), "names no file", "name one, or omit this key");
+    const fs::path folder = entry.overridden ? fs::path() : fs::path(document.name).parent_path();
+    std::error_code error;
+    const fs::path absolute = fs::absolute(folder / path, error);
+    return error ? path : absolute.lexically_normal().string();
+}
+
+void make_paths_absolute(Case& c, const Document& document) {
+    if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
+    if (!c.fem.cache.empty() && c.fem.cache != "none")
+        c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
 }
 
 Case resolve(const Document& document) {
@@ -149,6 +169,7 @@ Case resolve(const Document& document) {
         else
             set_default(c, key, document);
     }
+    make_paths_absolute(c, document);
     check_case(c, document);
     return c;
 }

@@ -30,6 +30,9 @@ struct Show {
     std::string operator()(const std::optional<double>* v) const {
         return *v ? number_text(key, **v) : std::string();
     }
+    std::string operator()(const std::optional<std::string>* v) const {
+        return *v ? toml_string(**v) : std::string();
+    }
     std::string operator()(const int* v) const { return std::to_string(*v); }
     std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
     template <class T>

@@ -143,6 +143,9 @@ struct Store {
             *field = std::get<T>(value);
     }
     void operator()(std::optional<double>* field) const { *field = std::get<double>(value); }
+    void operator()(std::optional<std::string>* field) const {
+        *field = std::get<std::string>(value);
+    }
 };
 
 }  // namespace

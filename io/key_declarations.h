@@ -7,7 +7,15 @@
 namespace tricontact::io {
 
 /// Groups of alternative keys: exactly one of each group, or its default.
-enum KeyGroup { no_group = 0, normal_load, tangential_load, amplitude, steps, cell_size };
+enum KeyGroup {
+    no_group = 0,
+    normal_load,
+    tangential_load,
+    amplitude,
+    steps,
+    cell_size,
+    element_size
+};
 
 constexpr Range above_zero(double high) {
     return {0, high, false, true};
@@ -29,5 +37,11 @@ Field in(std::optional<Part>& part, Member Part::*member) {
 
 /// Declarations of the sections [load] and [rolling].
 void add_loading_keys(std::vector<Key>& keys);
+/// Declarations of the substrate's finite size, in [substrate] and [lower_layer].
+void add_layer_keys(std::vector<Key>& keys);
+/// Declarations of the section [contact].
+void add_contact_keys(std::vector<Key>& keys);
+/// Declarations of the section [fem].
+void add_fem_keys(std::vector<Key>& keys);
 
 }  // namespace tricontact::io

@@ -85,6 +85,26 @@ void add_oscillation(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.load.tangential_phase; }});
 }
 
+void add_press(std::vector<Key>& keys) {
+    using Press = Case::Press;
+    keys.push_back({.path = "load.press",
+                    .kind = Kind::choice,
+                    .choices = {choice("friction", Press::friction),
+                                choice("frictionless", Press::frictionless)},
+                    .default_value = R"("friction")",
+                    .example = R"("friction")",
+                    .text = "how coupled models are pressed before F_T acts: with friction in "
+                            "press_steps steps, or in one step without friction",
+                    .field = [](Case& c) -> Field { return &c.load.press; }});
+    keys.push_back({.path = "load.press_steps",
+                    .kind = Kind::integer,
+                    .range = {1, 1000},
+                    .default_value = "20",
+                    .example = "20",
+                    .text = "equal steps in which coupled models are pressed with friction",
+                    .field = [](Case& c) -> Field { return &c.load.press_steps; }});
+}
+
 void add_rolling_path(std::vector<Key>& keys) {
     using Rolling = Case::Rolling;
     using Reference = Case::AmplitudeReference;
@@ -175,6 +195,7 @@ void add_rolling_steps(std::vector<Key>& keys) {
 void add_loading_keys(std::vector<Key>& keys) {
     add_load(keys);
     add_oscillation(keys);
+    add_press(keys);
     add_rolling_path(keys);
     add_rolling_steps(keys);
 }

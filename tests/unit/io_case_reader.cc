@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <locale>
@@ -86,6 +87,81 @@ TEST(CaseReader, PerpendicularRigIsTable512) {
     EXPECT_NEAR(contact::hertz_scales(c).indentation, 0.573e-3, 0.5e-6);
 }
 
+TEST(CaseReader, ReadsALayerInSiUnits) {
+    const Case c = parse_case(R"(models = ["fem"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.49
+thickness = "8 mm"
+base = "frictionless"
+width = "6 cm"
+depth = "70 mm"
+[lower_layer]
+thickness = "2 mm"
+young = "70 GPa"
+poisson = 0.33
+[friction]
+coefficient = 0.57
+[contact]
+coupling = false
+kinematics = "deformed"
+[load]
+normal_force = "21.1 N"
+tangential_ratio = 0.56
+press_steps = 7
+[fem]
+size = "0.5 mm"
+growth = 1.5
+tolerance = 1e-5
+cache = "none"
+)",
+                              "layer.toml");
+    EXPECT_EQ(c.models, std::vector<std::string>{"fem"});
+    EXPECT_EQ(c.layer.thickness, 0.008);
+    EXPECT_EQ(c.layer.base, Case::Base::frictionless);
+    EXPECT_EQ(c.layer.width, 0.06);
+    EXPECT_EQ(c.layer.depth, 0.07);
+    ASSERT_TRUE(c.layer.lower);
+    EXPECT_EQ(c.layer.lower->thickness, 0.002);
+    EXPECT_EQ(c.layer.lower->material.young, 70e9);
+    EXPECT_EQ(c.layer.lower->material.poisson, 0.33);
+    EXPECT_FALSE(c.contact.coupling);
+    EXPECT_EQ(c.contact.kinematics, Case::Kinematics::deformed);
+    EXPECT_EQ(c.load.press_steps, 7);
+    EXPECT_EQ(c.fem.size, 0.0005);
+    EXPECT_FALSE(c.fem.accuracy);
+    EXPECT_EQ(c.fem.growth, 1.5);
+    EXPECT_EQ(c.fem.tolerance, 1e-5);
+    EXPECT_EQ(c.fem.cache, "none");
+    EXPECT_FALSE(c.fem.mesh);
+}
+
+TEST(CaseReader, FileNamesAreMeantFromTheCaseFileAndThoseOfOverridesFromTheWorkingDirectory) {
+    const std::string text = minimal + R"([fem]
+mesh = "../meshes/layer.msh"
+mesh_unit = "1 mm"
+cache = "condensed"
+)";
+    const auto here = std::filesystem::current_path();
+    const Case c = parse_case(text, "/home/me/cases/layer.toml");
+    EXPECT_EQ(c.fem.mesh, "/home/me/meshes/layer.msh");
+    EXPECT_EQ(c.fem.mesh_unit, 1e-3);
+    EXPECT_EQ(c.fem.cache, "/home/me/cases/condensed");
+    EXPECT_FALSE(c.fem.accuracy) << "a mesh has the size of its own";
+    EXPECT_EQ(parse_case(text, "layer.toml").fem.cache, here / "condensed");
+
+    const Case overridden =
+        parse_case(text, "/home/me/cases/layer.toml", {"fem.mesh=a.msh", "fem.cache=/tmp/there"});
+    EXPECT_EQ(overridden.fem.mesh, here / "a.msh");
+    EXPECT_EQ(overridden.fem.cache, "/tmp/there");
+
+    // Written out they stay where they are, wherever the resolved case stands.
+    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").fem.mesh, c.fem.mesh);
+    EXPECT_EQ(parse_case(write_case(c), "elsewhere/case.toml").fem.cache, c.fem.cache);
+}
+
 TEST(CaseReader, OmittedSectionsMeanRigidStaticAndDefaults) {
     const Case c = parsed();
     EXPECT_FALSE(c.indenter.material);
@@ -114,6 +190,18 @@ TEST(CaseReader, DeclaredDefaultsAreThoseOfTheStructure) {
     EXPECT_EQ(c.bem.tolerance, Case::Bem().tolerance);
     EXPECT_EQ(c.mdr.springs, Case::Mdr().springs);
     EXPECT_EQ(c.output.vtk, Case::Output().vtk);
+    EXPECT_EQ(c.output.volume, Case::Output().volume);
+    EXPECT_EQ(c.load.press, Case::Load().press);
+    EXPECT_EQ(c.load.press_steps, Case::Load().press_steps);
+    EXPECT_EQ(c.contact.coupling, Case::Contact().coupling);
+    EXPECT_EQ(c.contact.kinematics, Case::Contact().kinematics);
+    EXPECT_EQ(c.fem.growth, Case::Fem().growth);
+    EXPECT_EQ(c.fem.sides, Case::Fem().sides);
+    EXPECT_EQ(c.fem.tolerance, Case::Fem().tolerance);
+    EXPECT_EQ(c.fem.cache, Case::Fem().cache);
+    const Case layered = parsed({"substrate.thickness=8 mm", "fem.mesh=layer.msh"});
+    EXPECT_EQ(layered.layer.base, Case::Layer().base);
+    EXPECT_EQ(layered.fem.mesh_unit, Case::Fem().mesh_unit);
 }
 
 TEST(CaseReader, EveryWordOfAChoiceIsRead) {
@@ -123,6 +211,14 @@ TEST(CaseReader, EveryWordOfAChoiceIsRead) {
               Case::Steps::turning_points);
     EXPECT_EQ(parsed({"output.vtk=none"}).output.vtk, Case::VtkOutput::none);
     EXPECT_EQ(parsed({"output.vtk=all"}).output.vtk, Case::VtkOutput::all);
+    EXPECT_EQ(parsed({"output.volume=last"}).output.volume, Case::VolumeOutput::last);
+    EXPECT_EQ(parsed({"output.volume=quarters"}).output.volume, Case::VolumeOutput::quarters);
+    EXPECT_EQ(parsed({"load.press=frictionless"}).load.press, Case::Press::frictionless);
+    EXPECT_EQ(parsed({"contact.kinematics=deformed"}).contact.kinematics,
+              Case::Kinematics::deformed);
+    EXPECT_EQ(parsed({"fem.sides=fixed"}).fem.sides, Case::Sides::fixed);
+    EXPECT_EQ(parsed({"substrate.base=frictionless", "substrate.thickness=8 mm"}).layer.base,
+              Case::Base::frictionless);
 }
 
 TEST(CaseReader, OverridesTakeTomlOrBareText) {
@@ -152,6 +248,12 @@ TEST(CaseReader, OverridingOneAlternativeRemovesTheOthersOfTheFile) {
     const Case steps = parsed({"rolling.increment=0.1 mm"}, rolling + "steps_per_quarter = 9\n");
     EXPECT_EQ(steps.rolling->steps, Case::Steps::increment);
     EXPECT_EQ(steps.rolling->steps_per_quarter, Case::Rolling().steps_per_quarter);
+
+    const Case meshed =
+        parsed({"fem.size=1 mm"}, "[fem]\nmesh = \"a.msh\"\nmesh_unit = \"1 mm\"\n");
+    EXPECT_EQ(meshed.fem.size, 1e-3);
+    EXPECT_FALSE(meshed.fem.mesh);
+    EXPECT_EQ(meshed.fem.mesh_unit, 1);
 
     const Case cells = parsed({"bem.cells_per_radius=11"}, "[bem]\nspacing = \"0.2 mm\"\n");
     EXPECT_EQ(cells.bem.cells_per_radius, 11);
@@ -214,16 +316,28 @@ TEST(CaseReader, ThreadsMayReadAtOnce) {
     EXPECT_EQ(equal, std::vector<int>(4, 50));
 }
 
+// The key, what it needs, and what its section needs unless the case has that section anyway.
+std::vector<const Key*> with_companions(const Key& key) {
+    std::vector<const Key*> keys{&key};
+    const auto add = [&](const Key* one) {
+        if (std::find(keys.begin(), keys.end(), one) == keys.end()) keys.push_back(one);
+    };
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (!keys[i]->needs.empty()) add(find_key(keys[i]->needs));
+        for (const Key& other : case_keys())
+            if (other.required && other.section() == "lower_layer" &&
+                keys[i]->section() == "lower_layer")
+                add(&other);
+    }
+    return keys;
+}
+
 TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
     for (const Key& key : case_keys()) {
         EXPECT_FALSE(key.text.empty()) << key.path;
-        std::vector<std::string> overrides{std::string(key.path) + "=" + std::string(key.example)};
-        if (key.path == "indenter.young") overrides.emplace_back("indenter.poisson=0.3");
-        if (key.path == "indenter.poisson") overrides.emplace_back("indenter.young=206 GPa");
-        if (key.path == "load.normal_phase")
-            overrides.emplace_back("load.normal_amplitude_ratio=0");
-        if (key.path == "load.tangential_phase")
-            overrides.emplace_back("load.tangential_amplitude_ratio=0");
+        std::vector<std::string> overrides;
+        for (const Key* one : with_companions(key))
+            overrides.push_back(std::string(one->path) + "=" + std::string(one->example));
         EXPECT_NO_THROW(parsed(overrides, "[rolling]\namplitude_ratio = 0.24\n")) << key.path;
     }
 }

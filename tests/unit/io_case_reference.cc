@@ -64,7 +64,11 @@ std::string default_of(const Key& key) {
 
 std::string row(const Key& key) {
     std::string meaning(key.text);
-    if (!key.needs.empty()) meaning += "; only with " + code(find_key(key.needs)->name());
+    if (!key.needs.empty()) {
+        const Key& other = *find_key(key.needs);
+        meaning +=
+            "; only with " + code(other.section() == key.section() ? other.name() : other.path);
+    }
     return "| " + code(key.name()) + " | " + code(key.example) + " | " + admissible(key) + " | " +
            default_of(key) + " | " + meaning + " |";
 }

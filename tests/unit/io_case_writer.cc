@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -72,6 +73,8 @@ Case::Load any_load(double mu, double force, double indentation, bool oscillatin
         load.tangential_ratio = ratio;
     else
         load.tangential_force = ratio * mu * force;
+    load.press = one_of({Case::Press::friction, Case::Press::frictionless});
+    load.press_steps = *rc::gen::inRange(1, 1001);
     load.normal_phase = between(-6, 6);
     load.tangential_phase = between(-6, 6);
     if (oscillating) {  // f (1 + 0.3) / (1 - 0.3) < 1
@@ -81,15 +84,46 @@ Case::Load any_load(double mu, double force, double indentation, bool oscillatin
     return load;
 }
 
+Case::Layer any_layer(double contact_radius, double amplitude) {
+    Case::Layer layer;
+    layer.thickness = between(2, 20) * contact_radius;  // thicker than any indentation
+    layer.base = one_of({Case::Base::bonded, Case::Base::frictionless});
+    const double patch = 2 * (1.2 * contact_radius + amplitude);  // 1.2: oscillating loads
+    if (*rc::gen::arbitrary<bool>()) layer.width = between(1.1, 9) * patch;
+    if (*rc::gen::arbitrary<bool>()) layer.depth = between(1.1, 9) * patch;
+    if (*rc::gen::arbitrary<bool>())
+        layer.lower = {between(0.1, 5) * contact_radius, {of_magnitude(3, 10), between(-0.9, 0.5)}};
+    return layer;
+}
+
+Case::Fem any_fem(double contact_radius, bool used) {
+    Case::Fem fem;
+    const int kind = *rc::gen::inRange(0, used ? 2 : 3);  // a mesh that is used must be there
+    if (kind == 0) fem.accuracy = between(1e-4, 0.2);
+    if (kind == 1) fem.size = between(0.2, 0.4) * contact_radius;
+    if (kind == 2) {
+        fem.mesh = "/any" + any_title();
+        fem.mesh_unit = of_magnitude(-6, 3);
+    }
+    fem.growth = between(1.2, 3);
+    fem.sides = one_of({Case::Sides::free, Case::Sides::fixed});
+    fem.tolerance = of_magnitude(-13, -3);
+    fem.cache = one_of<std::string>({"", "none", "/a folder/\"quoted\""});
+    return fem;
+}
+
 // A case that the reader accepts; scales spread over many decades.
 Case any_case() {
     Case c;
     c.title = any_title();
-    c.models = one_of<std::vector<std::string>>({{"mdr"}, {"bem"}, {"mdr", "bem"}, {"bem", "mdr"}});
+    c.models = one_of<std::vector<std::string>>(
+        {{"mdr"}, {"bem"}, {"mdr", "bem"}, {"bem", "mdr"}, {"fem"}, {"mdr", "fem", "bem"}});
     c.indenter.shape = one_of({Case::Shape::paraboloid, Case::Shape::sphere});
     c.indenter.radius = of_magnitude(-4, 2);
     c.substrate = {of_magnitude(3, 10), 0.5};
-    if (*rc::gen::arbitrary<bool>())  // the same material twice, or a rigid indenter: beta = 0
+    const bool fem = std::find(c.models.begin(), c.models.end(), "fem") != c.models.end();
+    if (!fem &&
+        *rc::gen::arbitrary<bool>())  // the same material twice, or a rigid indenter: beta = 0
         c.indenter.material = c.substrate = {c.substrate.young, between(-0.9, 0.5)};
     c.friction_coefficient = of_magnitude(-2, 1);
     const double d = between(1e-4, 0.1) * c.indenter.radius;
@@ -105,6 +139,14 @@ Case any_case() {
     c.bem.tolerance = of_magnitude(-13, -3);
     c.mdr.springs = *rc::gen::inRange(100, 5000);
     c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters, Case::VtkOutput::all});
+    c.output.volume =
+        one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
+    const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
+    if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w);
+    if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
+    c.contact = {.coupling = *rc::gen::arbitrary<bool>(),
+                 .kinematics = one_of({Case::Kinematics::linear, Case::Kinematics::deformed})};
+    c.fem = any_fem(a, fem);
     return c;
 }
 
@@ -130,6 +172,30 @@ void same(const Case::Load& a, const Case::Load& b) {
     same(a.normal_phase, b.normal_phase);
     same(a.tangential_amplitude_ratio, b.tangential_amplitude_ratio);
     same(a.tangential_phase, b.tangential_phase);
+    RC_ASSERT(a.press == b.press);
+    RC_ASSERT(a.press_steps == b.press_steps);
+}
+
+void same(const Case::Layer& a, const Case::Layer& b) {
+    same(a.thickness, b.thickness);
+    RC_ASSERT(a.base == b.base);
+    same(a.width, b.width);
+    same(a.depth, b.depth);
+    RC_ASSERT(a.lower.has_value() == b.lower.has_value());
+    if (!a.lower) return;
+    same(a.lower->thickness, b.lower->thickness);
+    same(a.lower->material, b.lower->material);
+}
+
+void same(const Case::Fem& a, const Case::Fem& b) {
+    same(a.size, b.size);
+    same(a.accuracy, b.accuracy);
+    same(a.growth, b.growth);
+    RC_ASSERT(a.sides == b.sides);
+    same(a.tolerance, b.tolerance);
+    RC_ASSERT(a.mesh == b.mesh);
+    same(a.mesh_unit, b.mesh_unit);
+    RC_ASSERT(a.cache == b.cache);
 }
 
 void same(const Case::Rolling& a, const Case::Rolling& b) {
@@ -160,7 +226,12 @@ void same(const Case& a, const Case& b) {
     same(a.bem.cells_per_radius, b.bem.cells_per_radius);
     same(a.bem.tolerance, b.bem.tolerance);
     RC_ASSERT(a.mdr.springs == b.mdr.springs);
+    same(a.layer, b.layer);
+    RC_ASSERT(a.contact.coupling == b.contact.coupling);
+    RC_ASSERT(a.contact.kinematics == b.contact.kinematics);
+    same(a.fem, b.fem);
     RC_ASSERT(a.output.vtk == b.output.vtk);
+    RC_ASSERT(a.output.volume == b.output.volume);
 }
 
 TEST(CaseWriter, ReadingBackGivesTheSameBits) {
@@ -181,6 +252,11 @@ radius = "40 mm"
 [substrate]
 young = "5.2 MPa"
 poisson = 0.5
+thickness = "8 mm"
+[lower_layer]
+thickness = "2 mm"
+young = "70 GPa"
+poisson = 0.33
 [friction]
 coefficient = 0.57
 [load]
@@ -200,9 +276,20 @@ radius = "0.04 m"
 [substrate]
 young = "5200000 Pa"
 poisson = 0.5
+thickness = "0.008 m"
+base = "bonded"
+
+[lower_layer]
+thickness = "0.002 m"
+young = "7e+10 Pa"
+poisson = 0.33
 
 [friction]
 coefficient = 0.57
+
+[contact]
+coupling = true
+kinematics = "linear"
 
 [load]
 indentation = "5e-04 m"
@@ -211,6 +298,8 @@ normal_amplitude_ratio = 0.0
 normal_phase = "0 rad"
 tangential_amplitude_ratio = 0.0
 tangential_phase = "0 rad"
+press = "friction"
+press_steps = 20
 
 [rolling]
 amplitude_ratio = 0.25
@@ -227,8 +316,16 @@ tolerance = 1e-07
 [mdr]
 springs = 10000
 
+[fem]
+accuracy = 0.01
+growth = 1.8
+sides = "free"
+tolerance = 1e-06
+cache = ""
+
 [output]
 vtk = "quarters"
+volume = "none"
 )";
     EXPECT_EQ(write_case(parse_case(input, "case.toml")), resolved);
 }

@@ -1,0 +1,180 @@
+#include "io/fem_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "io/refusal.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::Material;
+
+constexpr double largest_compliance_ratio = 1e-3;  // of the indenter over the substrate
+constexpr double fewest_elements = 2;              // per contact radius
+constexpr double most_unknowns = 60000;            // of the patch: 29 GB for the dense compliance
+constexpr double most_elements = 1e7;              // of the block
+constexpr double most_work = 3e13;                 // unknowns squared times steps: days
+constexpr double thinnest = 0.02;                  // b/a: thin elements in hundreds
+
+double plane_compliance(const Material& body) {
+    return (1 - body.poisson * body.poisson) / body.young;
+}
+
+void check_layer(const Case& c, const Document& document) {
+    if (c.layer.thickness) return;
+    refuse(document, "models", "fem models a layer, but the case has no substrate.thickness",
+           "add thickness = \"8 mm\" or the like to [substrate], or leave out fem");
+}
+
+void check_indenter(const Case& c, const Document& document) {
+    if (!c.indenter.material) return;
+    const double ratio = plane_compliance(*c.indenter.material) / plane_compliance(c.substrate);
+    if (ratio <= largest_compliance_ratio) return;
+    refuse(document, "indenter.young",
+           "fem takes the indenter as rigid, but its compliance (1 - poisson^2)/young is " +
+               rounded(ratio) + " of the substrate's, more than " +
+               rounded(largest_compliance_ratio),
+           "omit young and poisson of the indenter to make it rigid, or leave out fem");
+}
+
+// Contact and rolling path: half sides of their rectangle [m].
+struct Patch {
+    double x, y;
+};
+
+Patch patch_of(const Case& c, double contact_radius) {
+    if (!c.rolling) return {contact_radius, contact_radius};
+    const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+    const double reference = own ? contact_radius : contact::hertz_scales(c).contact_radius;
+    const double w = contact::rolling_amplitude(*c.rolling, reference);
+    return {contact_radius + w * std::abs(std::cos(c.rolling->angle)),
+            contact_radius + w * std::abs(std::sin(c.rolling->angle))};
+}
+
+void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
+                  const Document& document) {
+    if (*c.layer.thickness < thinnest * a.low)
+        refuse(document, "substrate.thickness",
+               "the layer is thinner than " + rounded(thinnest) +
+                   " of the contact radius, at least " + rounded(a.low) + " m: it cannot be meshed",
+               "use a thicker layer or less load");
+    for (const auto& [key, side, half] : {std::tuple("substrate.width", c.layer.width, patch.x),
+                                          std::tuple("substrate.depth", c.layer.depth, patch.y)})
+        if (side && *side <= 2 * half)
+            refuse(document, key,
+                   "contact and rolling path do not fit on the block: they are at least " +
+                       rounded(2 * half) + " m long",
+                   "enlarge it, or omit it for a block that is wide enough");
+}
+
+void check_indentation(const Case& c, const Document& document) {
+    const double thickness = *c.layer.thickness + (c.layer.lower ? c.layer.lower->thickness : 0.);
+    if (!c.load.indentation || *c.load.indentation < thickness) return;
+    refuse(document, "load.indentation",
+           "must be less than the thickness of " + rounded(thickness) + " m",
+           "reduce it or enlarge substrate.thickness");
+}
+
+// Elements from the patch outwards over a length, the first of size h, each grown by a factor.
+double n_graded(double length, double h, double growth) {
+    return length > 0 ? std::ceil(std::log1p(length * (growth - 1) / h) / std::log(growth)) : 0;
+}
+
+// Of the block that the patch, its elements and their growth ask for; not narrower than 6 b.
+double n_elements(const Case& c, const Patch& patch, double h) {
+    const double b = *c.layer.thickness + (c.layer.lower ? c.layer.lower->thickness : 0.);
+    const auto across = [&](double half, const std::optional<double>& side) {
+        const double outside = (side ? *side / 2 : std::max(6 * b, half)) - half;
+        return 2 * (std::ceil(half / h) + n_graded(outside, h, c.fem.growth));
+    };
+    // In depth neighbours grow by less.
+    return across(patch.x, c.layer.width) * across(patch.y, c.layer.depth) *
+           n_graded(b, h, std::pow(c.fem.growth, 0.8));
+}
+
+// Three per node, two nodes per element and direction. Load and rolling along one line: one half
+// stands for both.
+double n_unknowns(const Case& c, const Patch& patch, double h) {
+    const bool half = !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-9;
+    const double n_x = 4 * std::ceil(patch.x / h) + 1;
+    const double n_y = (half ? 2 : 4) * std::ceil(patch.y / h) + 1;
+    return 3 * n_x * n_y;
+}
+
+void check_size(const Case& c, const Patch& patch, double largest_radius, double steps,
+                const Document& document) {
+    const double h = *c.fem.size;
+    if (largest_radius < fewest_elements * h)
+        refuse(document, "fem.size",
+               "fewer than " + rounded(fewest_elements) +
+                   " elements in the contact radius of at most " + rounded(largest_radius) +
+                   " m: too coarse",
+               "use a size of at most " + rounded(largest_radius / 8) + " m, or fem.accuracy");
+    const double n = n_unknowns(c, patch, h);
+    if (!(n <= most_unknowns))
+        refuse(document, "fem.size",
+               "contact and rolling path need " + rounded(n) + " unknowns, more than " +
+                   rounded(most_unknowns),
+               "use larger elements or a smaller rolling amplitude");
+    if (!(n * n * steps <= most_work))
+        refuse(document, "fem.size",
+               rounded(n) + " unknowns in contact and rolling path times " + rounded(steps) +
+                   " steps would take days",
+               "use larger elements, fewer periods or larger steps");
+    const double elements = n_elements(c, patch, h);
+    if (!(elements <= most_elements))
+        refuse(document, "fem.size",
+               "the block needs about " + rounded(elements) + " elements, more than " +
+                   rounded(most_elements),
+               "use larger elements, a larger fem.growth or a smaller block");
+}
+
+void check_mesh_file(const Case& c, const Document& document) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(*c.fem.mesh, error)) return;
+    refuse(document, "fem.mesh", "there is no such file: " + *c.fem.mesh,
+           "name a gmsh file; a relative name is meant from the folder of the case file");
+}
+
+double growth_at_crest(const Case& c) {
+    const double growth = 1 + c.load.normal_amplitude_ratio;
+    return c.load.normal_force ? std::cbrt(growth) : std::sqrt(growth);
+}
+
+}  // namespace
+
+RadiusBounds contact_radius_bounds(const Case& c) {
+    const double hertz = contact::hertz_scales(c).contact_radius * growth_at_crest(c);
+    const double b = *c.layer.thickness;
+    const bool lower = c.layer.lower.has_value();
+    const double softer =
+        lower ? plane_compliance(c.layer.lower->material) / plane_compliance(c.substrate) : 0.;
+    if (c.load.normal_force) {
+        // Lubrication theory of a thin incompressible layer: a^6 = 32 R b^3 F/(pi G); with Hertz'
+        // a_H^3 = 3 F R/(16 G): a^2 = 1.946^2 b a_H.
+        const double thin = 1.946 * std::sqrt(b / hertz);
+        return {hertz / (1 + 1 / thin), hertz * std::cbrt(std::max(1., softer))};
+    }
+    // Under a stiff skin on a soft layer the contact is smaller than Hertz'. The volume displaced
+    // below a thin incompressible layer's contact vanishes: a^2 = 4 R d.
+    return {softer > 1 ? 0 : hertz, 2 * hertz};
+}
+
+void check_fem(const Case& c, double steps, const Document& document) {
+    check_layer(c, document);
+    check_indenter(c, document);
+    const RadiusBounds a = contact_radius_bounds(c);
+    const Patch patch = patch_of(c, a.low);
+    check_extent(c, patch, a, document);
+    check_indentation(c, document);
+    if (c.fem.mesh) check_mesh_file(c, document);
+    const double pressing = c.load.press == Case::Press::friction ? c.load.press_steps : 1;
+    if (c.fem.size) check_size(c, patch, a.high, steps + pressing, document);
+}
+
+}  // namespace tricontact::io

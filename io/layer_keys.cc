@@ -1,0 +1,105 @@
+#include "io/key_declarations.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::Material;
+using Kind = Key::Kind;
+using Layer = Case::Layer;
+
+void add_extent(std::vector<Key>& keys) {
+    keys.push_back({.path = "substrate.thickness",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .example = R"("8 mm")",
+                    .text = "thickness b of the layer; half-space models do not see it",
+                    .field = [](Case& c) -> Field { return &c.layer.thickness; }});
+    keys.push_back(
+        {.path = "substrate.base",
+         .kind = Kind::choice,
+         .choices = {choice("bonded", Case::Base::bonded),
+                     choice("frictionless", Case::Base::frictionless)},
+         .default_value = R"("bonded")",
+         .needs = "substrate.thickness",
+         .example = R"("bonded")",
+         .text = "how the lowest layer rests on the rigid ground",
+         .field = [](Case& c) { return c.layer.thickness ? Field(&c.layer.base) : Field(); }});
+    keys.push_back({.path = "substrate.width",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .needs = "substrate.thickness",
+                    .example = R"("60 mm")",
+                    .text = "extent along x; without it wide enough not to matter",
+                    .field = [](Case& c) -> Field { return &c.layer.width; }});
+    keys.push_back({.path = "substrate.depth",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .needs = "substrate.thickness",
+                    .example = R"("60 mm")",
+                    .text = "extent along y; without it wide enough not to matter",
+                    .field = [](Case& c) -> Field { return &c.layer.depth; }});
+}
+
+Field in_lower(Case& c, double Material::*member) {
+    return c.layer.lower ? Field(&(c.layer.lower->material.*member)) : Field();
+}
+
+void add_lower_layer(std::vector<Key>& keys) {
+    keys.push_back({.path = "lower_layer.thickness",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .required = true,
+                    .needs = "substrate.thickness",
+                    .example = R"("2 mm")",
+                    .text = "thickness of a second elastic layer below the substrate's",
+                    .field = [](Case& c) { return in(c.layer.lower, &Layer::Lower::thickness); }});
+    keys.push_back({.path = "lower_layer.young",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::pressure,
+                    .range = above_zero(1e15),
+                    .required = true,
+                    .example = R"("70 GPa")",
+                    .text = "Young's modulus",
+                    .field = [](Case& c) { return in_lower(c, &Material::young); }});
+    keys.push_back({.path = "lower_layer.poisson",
+                    .kind = Kind::number,
+                    .range = {-1, 0.5, false, true},
+                    .required = true,
+                    .example = "0.33",
+                    .text = "Poisson's ratio; 0.5 is incompressible",
+                    .field = [](Case& c) { return in_lower(c, &Material::poisson); }});
+}
+
+}  // namespace
+
+void add_layer_keys(std::vector<Key>& keys) {
+    add_extent(keys);
+    add_lower_layer(keys);
+}
+
+void add_contact_keys(std::vector<Key>& keys) {
+    using Kinematics = Case::Kinematics;
+    keys.push_back({.path = "contact.coupling",
+                    .kind = Kind::boolean,
+                    .default_value = "true",
+                    .example = "false",
+                    .text = "normal and tangential contact influence each other",
+                    .field = [](Case& c) -> Field { return &c.contact.coupling; }});
+    keys.push_back({.path = "contact.kinematics",
+                    .kind = Kind::choice,
+                    .choices = {choice("linear", Kinematics::linear),
+                                choice("deformed", Kinematics::deformed)},
+                    .default_value = R"("linear")",
+                    .example = R"("linear")",
+                    .text = "where models that can take gap and normal: at the undeformed surface "
+                            "point, or at the displaced one",
+                    .field = [](Case& c) -> Field { return &c.contact.kinematics; }});
+}
+
+}  // namespace tricontact::io
