@@ -14,21 +14,22 @@ namespace tricontact::fem {
 class Condensation {
   public:
     /// Symbolic analysis only. `node_of_unknown`: see Discretisation; the first `n_interior`
-    /// unknowns are eliminated. Keeps a reference to the matrix.
-    Condensation(const SparseMatrix& stiffness, std::span<const int> node_of_unknown,
-                 int n_interior);
+    /// unknowns are eliminated. Throws std::bad_alloc.
+    Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown, int n_interior);
     ~Condensation();
 
-    /// Peak of what `factorise` and `compliance` will take on top of now [bytes], predicted from
-    /// the symbolic factor.
-    double predicted_bytes() const;
+    /// Peak of what `factorise` and `compliance` (`ld` rows) will take on top of now [bytes],
+    /// predicted from the symbolic factor.
+    double predicted_bytes(int ld = 0) const;
     /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
     void factorise();
     /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, by
-    /// columns; both triangles filled. After factorise().
-    std::vector<double> compliance() const;
-    /// Solves for all unknowns, with one step of iterative refinement. After factorise().
-    std::vector<double> solve(std::span<const double> force) const;
+    /// columns of `ld` entries (0: as many as there are contact unknowns); both triangles filled,
+    /// the rest zero. After factorise().
+    std::vector<double> compliance(int ld = 0) const;
+    /// Solves for all unknowns, with one step of iterative refinement; `forces` [N] may hold
+    /// several right-hand sides one after another. After factorise().
+    std::vector<double> solve(std::span<const double> forces) const;
 
   private:
     struct Parts;

@@ -4,6 +4,7 @@
 
 #include "contact/compliance.h"
 #include "fem/layer_problem.h"
+#include "fem/memory.h"
 #include "fem/sparse_matrix.h"
 
 namespace tricontact::fem {
@@ -26,9 +27,5 @@ CondensedLayer condense(const LayerProblem& problem);
 
 /// What `condense` will take at its peak [bytes], from a symbolic analysis.
 double predicted_bytes(const LayerProblem& problem);
-
-/// Memory that this process may still take [bytes]: the system's, the limits of the process
-/// (ulimit -v) and of its control group, whichever is least.
-double available_bytes();
 
 }  // namespace tricontact::fem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,6 +12,13 @@
 
 namespace tricontact::fem {
 
+struct AssembledStiffness {
+    SparseMatrix matrix;  ///< between the free unknowns, lower triangle [N/m]
+    /// Per direction: the sum of K u over all held components of that direction is the dot product
+    /// of u with this [N/m].
+    std::array<std::vector<double>, 3> held_rows;
+};
+
 /// Q2 displacements with a discontinuous linear pressure eliminated per element: the volumetric
 /// strain is projected onto {1, x, y, z} of each element, so that K may be huge (Brezzi and Fortin
 /// 1991, Q2/P1; no locking, no checkerboard). The stiffness is symmetric positive definite.
@@ -19,14 +27,17 @@ namespace tricontact::fem {
 /// x of all contact nodes, then y, then z; held components (base, sides, symmetry plane) have none.
 class Discretisation {
   public:
-    /// Throws contact::InputError when the mesh leaves rigid motions free.
+    /// Throws contact::InputError when the mesh leaves rigid motions free, has no contact, or
+    /// boundary faces without a name.
     explicit Discretisation(const LayerProblem& problem);
     ~Discretisation();
 
-    /// Lower triangle of the stiffness [N/m].
-    const SparseMatrix& stiffness() const;
-    /// Node (numbered from 0 without gaps) to which each unknown belongs, for orderings.
+    /// Made anew by each call: the largest part of a discretisation, often needed but once.
+    AssembledStiffness assemble() const;
+    /// Node (numbered from 0) to which each unknown belongs, for orderings.
     const std::vector<int>& node_of_unknown() const;
+    const std::vector<int>& direction_of_unknown() const;  ///< 0 x, 1 y, 2 z
+    int n_unknowns() const;
     int n_interior() const;  ///< unknowns before the first of the contact patch
 
     /// Nodes of the contact patch. On a regular patch x runs fastest and the grid is described;
@@ -40,9 +51,6 @@ class Discretisation {
     /// Fields inside for the displacements [m] of all free unknowns under the forces [N] on them.
     contact::Interior interior(std::span<const double> displacement,
                                std::span<const double> force) const;
-    /// Sum over held unknowns of K u in each direction, i.e. the ground's force [N], for this model
-    /// (a mirrored one: half of the body).
-    std::array<double, 3> base_reaction(std::span<const double> displacement) const;
 
   private:
     struct Parts;

@@ -1,0 +1,234 @@
+#include "fem/condensation.h"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include "contact/error.h"
+#include "fem/dissection.h"
+
+// LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
+extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+
+namespace tricontact::fem {
+
+namespace {
+
+using Index = SuiteSparse_long;
+static_assert(sizeof(Index) == sizeof(std::int64_t));
+
+// CHOLMOD's state; its status becomes exceptions.
+class Cholmod {
+  public:
+    Cholmod() {
+        cholmod_l_start(&common_);
+        common_.print = 0;
+        common_.supernodal = CHOLMOD_SUPERNODAL;
+        common_.nmethods = 1;
+        common_.method[0].ordering = CHOLMOD_NATURAL;
+        common_.postorder = 0;
+    }
+    ~Cholmod() { cholmod_l_finish(&common_); }
+    Cholmod(const Cholmod&) = delete;
+    Cholmod& operator=(const Cholmod&) = delete;
+
+    cholmod_common* get() { return &common_; }
+
+    void check() const {
+        if (common_.status == CHOLMOD_OK) return;
+        if (common_.status == CHOLMOD_OUT_OF_MEMORY || common_.status == CHOLMOD_TOO_LARGE)
+            throw std::bad_alloc();
+        if (common_.status == CHOLMOD_NOT_POSDEF)
+            throw contact::NotConverged(
+                "the layer's stiffness is not positive definite: the mesh has parts that nothing "
+                "holds, or inverted elements");
+        throw std::logic_error("CHOLMOD: status " + std::to_string(common_.status));
+    }
+
+  private:
+    cholmod_common common_{};
+};
+
+// Owns an object of CHOLMOD that is freed by `free_object`.
+template <typename T, int (*free_object)(T**, cholmod_common*)>
+class Owned {
+  public:
+    Owned() = default;
+    Owned(T* object, Cholmod& cholmod) : object_(object), cholmod_(&cholmod) {
+        cholmod.check();
+        if (!object) throw std::bad_alloc();
+    }
+    Owned(Owned&& other) noexcept { *this = std::move(other); }
+    Owned& operator=(Owned&& other) noexcept {
+        std::swap(object_, other.object_);
+        std::swap(cholmod_, other.cholmod_);
+        return *this;
+    }
+    ~Owned() {
+        if (object_) free_object(&object_, cholmod_->get());
+    }
+    T* get() const { return object_; }
+    T* operator->() const { return object_; }
+
+  private:
+    T* object_ = nullptr;
+    Cholmod* cholmod_ = nullptr;
+};
+using Sparse = Owned<cholmod_sparse, cholmod_l_free_sparse>;
+using Dense = Owned<cholmod_dense, cholmod_l_free_dense>;
+using Factor = Owned<cholmod_factor, cholmod_l_free_factor>;
+
+cholmod_sparse view(SparseMatrix& lower) {
+    cholmod_sparse a{};
+    a.nrow = a.ncol = static_cast<std::size_t>(lower.n);
+    a.nzmax = lower.row.size();
+    a.p = lower.column_start.data();
+    a.i = lower.row.data();
+    a.x = lower.value.data();
+    a.stype = -1;
+    a.itype = CHOLMOD_LONG;
+    a.xtype = CHOLMOD_REAL;
+    a.dtype = CHOLMOD_DOUBLE;
+    a.sorted = a.packed = 1;
+    return a;
+}
+
+// The order behind `order` in which children come right before their parents in the elimination
+// tree, which makes supernodes wide. Contact unknowns are a chain at the tree's top: they stay.
+std::vector<Index> postordered(cholmod_sparse& a, std::vector<Index> order, Cholmod& cholmod) {
+    const std::size_t n = a.nrow;
+    std::vector<Index> parent(n), post(n), count(n), first(n), level(n);
+    cholmod_l_analyze_ordering(&a, CHOLMOD_GIVEN, order.data(), nullptr, 0, parent.data(),
+                               post.data(), count.data(), first.data(), level.data(),
+                               cholmod.get());
+    cholmod.check();
+    cholmod_l_postorder(parent.data(), n, count.data(), post.data(), cholmod.get());
+    cholmod.check();
+    for (Index& p : post) p = order[p];
+    return post;
+}
+
+Sparse permuted(cholmod_sparse& a, std::vector<Index>& order, Cholmod& cholmod) {
+    const Sparse upper(cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()),
+                       cholmod);
+    return {cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod};
+}
+
+}  // namespace
+
+struct Condensation::Parts {
+    Cholmod cholmod;
+    std::vector<Index> order;  // unknown that comes k-th
+    Sparse stiffness;          // lower triangle in that order
+    Factor factor;
+    int n_interior = 0, n_contact = 0;
+
+    Parts(SparseMatrix matrix, std::span<const int> node_of_unknown, int n_eliminated)
+        : n_interior(n_eliminated), n_contact(matrix.n - n_eliminated) {
+        analyse(matrix, node_of_unknown);
+        matrix = {};
+        factor = Factor(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
+    }
+
+    void analyse(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
+        auto a = view(matrix);
+        const auto dissected = dissection_order(matrix, node_of_unknown, n_interior);
+        order.assign(dissected.begin(), dissected.end());
+        auto better = postordered(a, order, cholmod);
+        if (std::equal(better.begin() + n_interior, better.end(), order.begin() + n_interior))
+            order = std::move(better);
+        stiffness = permuted(a, order, cholmod);
+    }
+
+    void refuse_unfactorised() const {
+        if (factor->xtype == CHOLMOD_PATTERN)
+            throw std::logic_error("Condensation: not factorised yet");
+    }
+
+    // b - A x, all in elimination order, by columns.
+    void subtract_product(const cholmod_dense* x, cholmod_dense* b) {
+        double minus_one[2] = {-1, 0}, one[2] = {1, 0};
+        cholmod_l_sdmult(stiffness.get(), 0, minus_one, one, const_cast<cholmod_dense*>(x), b,
+                         cholmod.get());
+        cholmod.check();
+    }
+    Dense solve(cholmod_dense* b) {
+        return {cholmod_l_solve(CHOLMOD_A, factor.get(), b, cholmod.get()), cholmod};
+    }
+};
+
+Condensation::Condensation(SparseMatrix stiffness, std::span<const int> node_of_unknown,
+                           int n_interior)
+    : parts_(std::make_unique<Parts>(std::move(stiffness), node_of_unknown, n_interior)) {}
+Condensation::~Condensation() = default;
+
+double Condensation::predicted_bytes(int ld) const {
+    const auto& factor = *parts_->factor.get();
+    const double n_contact = std::max(ld, parts_->n_contact), n = static_cast<double>(factor.n);
+    const double values = 8. * static_cast<double>(factor.xsize);
+    const double update = 8. * static_cast<double>(factor.maxcsize), maps = 3 * 8. * n;
+    return values + std::max(update + maps, 8 * n_contact * n_contact);
+}
+
+void Condensation::factorise() {
+    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
+    cholmod_l_factorize(stiffness.get(), factor.get(), cholmod.get());
+    cholmod.check();
+}
+
+std::vector<double> Condensation::compliance(int ld) const {
+    parts_->refuse_unfactorised();
+    const auto& factor = *parts_->factor.get();
+    const int n = parts_->n_contact;
+    ld = std::max(ld, n);
+    const auto* super = static_cast<const Index*>(factor.super);
+    const auto* row_start = static_cast<const Index*>(factor.pi);
+    const auto* value_start = static_cast<const Index*>(factor.px);
+    const auto* row = static_cast<const Index*>(factor.s);
+    const auto* value = static_cast<const double*>(factor.x);
+
+    std::vector<double> inverse(static_cast<std::size_t>(ld) * ld, 0.0);
+    for (std::size_t s = 0; s < factor.nsuper; ++s) {
+        const Index n_rows = row_start[s + 1] - row_start[s];
+        for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {
+            const Index local = c - super[s];
+            const double* column = value + value_start[s] + local * n_rows;
+            double* to = inverse.data() + (c - parts_->n_interior) * ld - parts_->n_interior;
+            for (Index r = local; r < n_rows; ++r) to[row[row_start[s] + r]] = column[r];
+        }
+    }
+    int info = 0;
+    if (n > 0) dpotri_("L", &n, inverse.data(), &ld, &info);
+    if (info != 0)
+        throw contact::NotConverged("the condensed stiffness of the contact is singular");
+    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c)
+        for (std::size_t r = c + 1; r < static_cast<std::size_t>(n); ++r)
+            inverse[r * ld + c] = inverse[c * ld + r];
+    return inverse;
+}
+
+std::vector<double> Condensation::solve(std::span<const double> forces) const {
+    parts_->refuse_unfactorised();
+    auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
+    const std::size_t n = order.size(), n_columns = forces.size() / n;
+    Dense b(cholmod_l_allocate_dense(n, n_columns, n, CHOLMOD_REAL, cholmod.get()), cholmod);
+    auto* const rhs = static_cast<double*>(b->x);
+    for (std::size_t c = 0; c < n_columns; ++c)
+        for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n + order[k]];
+    const Dense x = parts_->solve(b.get());
+    parts_->subtract_product(x.get(), b.get());
+    const Dense correction = parts_->solve(b.get());
+
+    std::vector<double> solution(forces.size());
+    const auto* first = static_cast<const double*>(x->x);
+    const auto* second = static_cast<const double*>(correction->x);
+    for (std::size_t c = 0; c < n_columns; ++c)
+        for (std::size_t k = 0; k < n; ++k)
+            solution[c * n + order[k]] = first[c * n + k] + second[c * n + k];
+    return solution;
+}
+
+}  // namespace tricontact::fem

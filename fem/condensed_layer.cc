@@ -1,0 +1,79 @@
+#include "fem/condensed_layer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "contact/error.h"
+#include "fem/condensation.h"
+#include "fem/discretisation.h"
+
+namespace tricontact::fem {
+
+namespace {
+
+// The ground's reaction to a unit force on an unknown is minus the displacement there when all held
+// components are moved by one (reciprocity): 1 in the direction moved, 0 in the others.
+double reaction_error(const Discretisation& discretisation, const Condensation& condensation,
+                      const std::array<std::vector<double>, 3>& held_rows) {
+    const int n = discretisation.n_unknowns();
+    std::vector<double> forces;
+    for (const auto& row : held_rows)
+        for (const double k : row) forces.push_back(-k);
+    const auto moved = condensation.solve(forces);
+    double worst = 0;
+    for (int direction = 0; direction < 3; ++direction)
+        for (int u = discretisation.n_interior(); u < n; ++u) {
+            const double expected = discretisation.direction_of_unknown()[u] == direction ? 1 : 0;
+            worst = std::max(worst, std::abs(moved[direction * n + u] - expected));
+        }
+    return worst;
+}
+
+// Moves the leading square of the free unknowns to the places of all components; others are zero.
+void spread(const std::vector<int>& unknown, std::vector<double>& compliance) {
+    const std::size_t n = unknown.size();
+    for (std::size_t c = n; c-- > 0;)
+        for (std::size_t r = n; r-- > 0;) {
+            const bool held = unknown[c] < 0 || unknown[r] < 0;
+            compliance[c * n + r] = held ? 0 : compliance[unknown[c] * n + unknown[r]];
+        }
+}
+
+void refuse_too_large(double needed) {
+    const double available = available_bytes();
+    if (needed > available)
+        throw contact::InputError(
+            fmt::format("condensing the layer needs {:.1f} GB of memory, {:.1f} GB are there; "
+                        "choose a larger fem.size",
+                        needed / 1e9, available / 1e9));
+}
+
+}  // namespace
+
+CondensedLayer condense(const LayerProblem& problem) {
+    const Discretisation discretisation(problem);
+    auto stiffness = discretisation.assemble();
+    Condensation condensation(std::move(stiffness.matrix), discretisation.node_of_unknown(),
+                              discretisation.n_interior());
+    const auto& unknowns = discretisation.contact_unknowns();
+    const int n_components = static_cast<int>(unknowns.size());
+    refuse_too_large(condensation.predicted_bytes(n_components));
+    condensation.factorise();
+    CondensedLayer layer;
+    layer.points = discretisation.contact_points();
+    layer.contact_mass = discretisation.contact_mass();
+    layer.reaction_error = reaction_error(discretisation, condensation, stiffness.held_rows);
+    layer.compliance = condensation.compliance(n_components);
+    spread(unknowns, layer.compliance);
+    return layer;
+}
+
+double predicted_bytes(const LayerProblem& problem) {
+    const Discretisation discretisation(problem);
+    const Condensation condensation(discretisation.assemble().matrix,
+                                    discretisation.node_of_unknown(), discretisation.n_interior());
+    return condensation.predicted_bytes(static_cast<int>(discretisation.contact_unknowns().size()));
+}
+
+}  // namespace tricontact::fem

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/compliance.h"
+#include "fem/q2_space.h"
+#include "fem/sparse_matrix.h"
+
+namespace tricontact::fem {
+
+/// The contact patch of a mesh as contact sees it.
+struct ContactSurface {
+    std::vector<int> nodes;  ///< of the mesh, per contact point
+    contact::ContactPoints points;
+    SparseMatrix mass;  ///< see Discretisation
+};
+
+/// On a regular patch x runs fastest; else the points are sorted by y, then x. Throws
+/// contact::InputError when there is no contact face, or one so distorted that a row sum of the
+/// mass is not positive.
+ContactSurface contact_surface(const Q2Space& space);
+
+}  // namespace tricontact::fem

@@ -1,0 +1,228 @@
+#include "fem/q2_space.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "contact/error.h"
+
+namespace tricontact::fem {
+
+const std::array<std::array<int, 3>, 27> node_positions{{
+    {0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},  // corners
+    {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},  // edges
+    {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1},             //
+    {0, 1, 1}, {2, 1, 1}, {1, 0, 1}, {1, 2, 1}, {1, 1, 0}, {1, 1, 2},             // faces
+    {1, 1, 1},
+}};
+
+namespace {
+
+using Triangulation = dealii::Triangulation<3>;
+// deal.II's vertices of hexahedra and quadrilaterals run with x fastest.
+constexpr std::array<int, 8> hex_vertices{0, 1, 3, 2, 4, 5, 7, 6};
+constexpr std::array<int, 4> quad_vertices{0, 1, 3, 2};
+constexpr std::size_t face_gauss_points = 3, nodes_of_face = 9;
+
+std::vector<dealii::Point<3>> points_of(const meshes::HexMesh& mesh) {
+    std::vector<dealii::Point<3>> points;
+    points.reserve(mesh.nodes.size());
+    for (const auto& x : mesh.nodes) points.emplace_back(x[0], x[1], x[2]);
+    return points;
+}
+
+// Boundary ids are those of `meshes::Boundary` plus 1: deal.II gives 0 to faces without a name.
+Triangulation triangulate(const meshes::HexMesh& mesh) {
+    std::vector<dealii::CellData<3>> cells(mesh.hexes.size(), dealii::CellData<3>(8));
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        for (int v = 0; v < 8; ++v) cells[c].vertices[v] = mesh.hexes[c][hex_vertices[v]];
+        cells[c].material_id = static_cast<dealii::types::material_id>(mesh.regions[c]);
+    }
+    dealii::SubCellData boundary;
+    for (const auto& face : mesh.faces) {
+        auto& quad = boundary.boundary_quads.emplace_back(4);
+        for (int v = 0; v < 4; ++v) quad.vertices[v] = face.nodes[quad_vertices[v]];
+        quad.boundary_id = static_cast<dealii::types::boundary_id>(face.boundary) + 1;
+    }
+    dealii::GridTools::consistently_order_cells(cells);
+    Triangulation triangulation;
+    triangulation.create_triangulation(points_of(mesh), cells, boundary);
+    return triangulation;
+}
+
+// For each of VTK's nodes, its number within a cell of `fe`.
+std::array<unsigned, 27> numbers_within_cell(const dealii::FiniteElement<3>& fe) {
+    std::array<unsigned, 27> numbers{};
+    const auto& support = fe.get_unit_support_points();
+    for (unsigned i = 0; i < 27; ++i) {
+        const auto matches = [&](const std::array<int, 3>& p) {
+            return std::lround(2 * support[i][0]) == p[0] &&
+                   std::lround(2 * support[i][1]) == p[1] && std::lround(2 * support[i][2]) == p[2];
+        };
+        const auto at = std::find_if(node_positions.begin(), node_positions.end(), matches);
+        numbers[at - node_positions.begin()] = i;
+    }
+    return numbers;
+}
+
+// VTK's numbers within a hexahedron of the nine nodes of deal.II's face `face`, outward.
+std::array<int, 9> nodes_on_face(int face) {
+    const int axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+    constexpr std::array<std::array<int, 2>, 9> quad{
+        {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
+    std::array<int, 9> nodes{};
+    for (int i = 0; i < 9; ++i) {
+        std::array<int, 3> at{};
+        const bool upper = face % 2 == 1;  // on the lower side u and v change places: outward
+        at[axis] = upper ? 2 : 0;
+        at[upper ? u : v] = quad[i][0];
+        at[upper ? v : u] = quad[i][1];
+        nodes[i] = static_cast<int>(std::find(node_positions.begin(), node_positions.end(), at) -
+                                    node_positions.begin());
+    }
+    return nodes;
+}
+
+}  // namespace
+
+struct Q2Space::Parts {
+    Triangulation triangulation;
+    dealii::FE_Q<3> fe{2};
+    dealii::MappingQ1<3> mapping;
+    dealii::DoFHandler<3> dofs{triangulation};
+    std::array<unsigned, 27> within_cell = numbers_within_cell(fe);
+    std::vector<dealii::DoFHandler<3>::active_cell_iterator> iterators;
+    std::vector<std::pair<std::size_t, int>> cell_of_face;  // and the face's number there
+
+    std::vector<std::array<double, 3>> nodes;
+    std::vector<std::array<int, 27>> cells;
+    std::vector<meshes::Region> regions;
+    std::vector<Face> faces;
+
+    explicit Parts(const meshes::HexMesh& mesh) : triangulation(triangulate(mesh)) {
+        dofs.distribute_dofs(fe);
+        number_cells();
+        place_nodes();
+        for (std::size_t c = 0; c < cells.size(); ++c)
+            for (int f = 0; f < 6; ++f)
+                if (iterators[c]->face(f)->at_boundary()) add_face(c, f);
+    }
+
+    void number_cells() {
+        std::vector<dealii::types::global_dof_index> indices(27);
+        for (const auto& cell : dofs.active_cell_iterators()) {
+            iterators.push_back(cell);
+            regions.push_back(static_cast<meshes::Region>(cell->material_id()));
+            cell->get_dof_indices(indices);
+            auto& numbers = cells.emplace_back();
+            for (int i = 0; i < 27; ++i) numbers[i] = static_cast<int>(indices[within_cell[i]]);
+        }
+    }
+
+    void place_nodes() {
+        std::vector<dealii::Point<3>> points(dofs.n_dofs());
+        dealii::DoFTools::map_dofs_to_support_points(mapping, dofs, points);
+        nodes.reserve(points.size());
+        for (const auto& x : points) nodes.push_back({x[0], x[1], x[2]});
+    }
+
+    void add_face(std::size_t c, int f) {
+        const auto id = iterators[c]->face(f)->boundary_id();
+        if (id < 1 || id > meshes::n_boundaries) {
+            const auto x = iterators[c]->face(f)->center();
+            throw contact::InputError(
+                "mesh: the boundary face about (" + std::to_string(x[0]) + ", " +
+                std::to_string(x[1]) + ", " + std::to_string(x[2]) +
+                ") m has no name; put every boundary face into exactly one physical group");
+        }
+        Face face{{}, static_cast<meshes::Boundary>(id - 1)};
+        const auto local = nodes_on_face(f);
+        for (int i = 0; i < 9; ++i) face.nodes[i] = cells[c][local[i]];
+        faces.push_back(face);
+        cell_of_face.emplace_back(c, f);
+    }
+};
+
+Q2Space::Q2Space(const meshes::HexMesh& mesh) : parts_(std::make_unique<Parts>(mesh)) {}
+Q2Space::~Q2Space() = default;
+
+const std::vector<std::array<double, 3>>& Q2Space::nodes() const {
+    return parts_->nodes;
+}
+const std::vector<std::array<int, 27>>& Q2Space::cells() const {
+    return parts_->cells;
+}
+const std::vector<meshes::Region>& Q2Space::regions() const {
+    return parts_->regions;
+}
+const std::vector<Q2Space::Face>& Q2Space::faces() const {
+    return parts_->faces;
+}
+
+std::array<std::array<double, 9>, 9> Q2Space::face_mass(std::size_t face) const {
+    const auto [c, f] = parts_->cell_of_face[face];
+    dealii::FEFaceValues<3> values(parts_->mapping, parts_->fe,
+                                   dealii::QGauss<2>(face_gauss_points),
+                                   dealii::update_values | dealii::update_JxW_values);
+    values.reinit(parts_->iterators[c], f);
+    const auto local = nodes_on_face(f);
+    std::array<std::array<double, 9>, 9> mass{};
+    for (const unsigned q : values.quadrature_point_indices())
+        for (std::size_t i = 0; i < nodes_of_face; ++i)
+            for (std::size_t j = 0; j < nodes_of_face; ++j)
+                mass[i][j] += values.shape_value(parts_->within_cell[local[i]], q) *
+                              values.shape_value(parts_->within_cell[local[j]], q) * values.JxW(q);
+    return mass;
+}
+
+struct ElementValues::Parts {
+    const Q2Space::Parts& space;
+    dealii::FEValues<3> values;
+    std::vector<std::array<double, 3>> points;
+    std::vector<Gradients> gradients;
+
+    Parts(const Q2Space::Parts& of, int n)
+        : space(of),
+          values(of.mapping, of.fe, dealii::QGauss<3>(n),
+                 dealii::update_gradients | dealii::update_JxW_values |
+                     dealii::update_quadrature_points),
+          points(values.n_quadrature_points),
+          gradients(values.n_quadrature_points) {}
+};
+
+ElementValues::ElementValues(const Q2Space& space, int n)
+    : parts_(std::make_unique<Parts>(*space.parts_, n)) {}
+ElementValues::~ElementValues() = default;
+
+void ElementValues::reinit(std::size_t cell) {
+    auto& [space, values, points, gradients] = *parts_;
+    values.reinit(space.iterators[cell]);
+    for (const unsigned q : values.quadrature_point_indices()) {
+        const auto& x = values.quadrature_point(q);
+        points[q] = {x[0], x[1], x[2]};
+        for (int i = 0; i < 27; ++i) {
+            const auto& gradient = values.shape_grad(space.within_cell[i], q);
+            gradients[q][i] = {gradient[0], gradient[1], gradient[2]};
+        }
+    }
+}
+std::span<const double> ElementValues::weights() const {
+    return parts_->values.get_JxW_values();
+}
+std::span<const std::array<double, 3>> ElementValues::points() const {
+    return parts_->points;
+}
+std::span<const ElementValues::Gradients> ElementValues::gradients() const {
+    return parts_->gradients;
+}
+
+}  // namespace tricontact::fem

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "meshes/hex_mesh.h"
+
+namespace tricontact::fem {
+
+/// Triquadratic nodes of a hexahedron in VTK's order, by position 0, 1, 2 along each axis.
+extern const std::array<std::array<int, 3>, 27> node_positions;
+
+/// The nodes of a mesh of triquadratic hexahedra, numbered without gaps, and integration over its
+/// elements and boundary faces. All that the layer takes from deal.II.
+class Q2Space {
+  public:
+    struct Face {
+        std::array<int, 9> nodes;  ///< corners (cyclic), edges, centre; outward by the right hand
+        meshes::Boundary boundary;
+    };
+
+    /// Throws contact::InputError for a mesh whose boundary faces are not all named.
+    explicit Q2Space(const meshes::HexMesh& mesh);
+    ~Q2Space();
+
+    const std::vector<std::array<double, 3>>& nodes() const;  ///< [m]
+    const std::vector<std::array<int, 27>>& cells() const;    ///< VTK's order
+    const std::vector<meshes::Region>& regions() const;       ///< per cell
+    const std::vector<Face>& faces() const;                   ///< on the boundary
+
+    /// Integrals over a face of the products of its shape functions [m^2], in its nodes' order.
+    std::array<std::array<double, 9>, 9> face_mass(std::size_t face) const;
+
+  private:
+    friend class ElementValues;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// Shape functions of one element after another at the points of a Gauss rule, numbered with x
+/// fastest.
+class ElementValues {
+  public:
+    using Gradients = std::array<std::array<double, 3>, 27>;
+
+    /// `n` Gauss points along each axis.
+    ElementValues(const Q2Space& space, int n);
+    ~ElementValues();
+
+    void reinit(std::size_t cell);
+    std::span<const double> weights() const;                ///< times the Jacobian [m^3]
+    std::span<const std::array<double, 3>> points() const;  ///< [m]
+    std::span<const Gradients> gradients() const;           ///< of the shape functions [1/m]
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tricontact::fem

@@ -1,0 +1,78 @@
+#include "fem/unknowns.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "contact/error.h"
+
+namespace tricontact::fem {
+
+namespace {
+
+using contact::Case;
+using meshes::Boundary;
+using Directions = std::uint8_t;  // bit c: displacement c is held
+constexpr Directions none = 0, y_only = 2, z_only = 4, all = 7;
+
+Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
+    switch (boundary) {
+        case Boundary::base:
+            return base == Case::Base::bonded ? all : z_only;
+        case Boundary::sides:
+            return sides == Case::Sides::fixed ? all : none;
+        case Boundary::symmetry:
+            return y_only;
+        case Boundary::contact:
+        case Boundary::free_top:
+            return none;
+    }
+    return none;
+}
+
+void refuse_rigid_motions(const Q2Space& space, Case::Base base, Case::Sides sides) {
+    const auto has = [&](Boundary boundary) {
+        return std::ranges::any_of(space.faces(),
+                                   [&](const auto& face) { return face.boundary == boundary; });
+    };
+    if (sides == Case::Sides::fixed && has(Boundary::sides)) return;
+    if (!has(Boundary::base))
+        throw contact::InputError(
+            "mesh: nothing holds the layer; name the faces on the ground \"base\"");
+    if (base == Case::Base::frictionless)
+        throw contact::InputError(
+            "substrate.base: nothing holds a layer with free sides on a frictionless base against "
+            "sliding; choose fem.sides = \"fixed\"");
+}
+
+}  // namespace
+
+Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
+                         Case::Base base, Case::Sides sides) {
+    refuse_rigid_motions(space, base, sides);
+    std::vector<Directions> held(space.nodes().size(), none);
+    for (const auto& face : space.faces())
+        for (const int node : face.nodes) held[node] |= held_on(face.boundary, base, sides);
+    std::vector<bool> in_contact(held.size(), false);
+    for (const int node : contact_nodes) in_contact[node] = true;
+
+    Unknowns unknowns;
+    unknowns.of_node.assign(held.size(), {-1, -1, -1});
+    const auto add = [&](int node, int c) {
+        if (held[node] >> c & 1) return -1;
+        unknowns.node_of_unknown.push_back(node);
+        unknowns.direction_of_unknown.push_back(c);
+        return unknowns.of_node[node][c] = unknowns.n++;
+    };
+    for (int node = 0; node < static_cast<int>(held.size()); ++node)
+        if (!in_contact[node])
+            for (int c = 0; c < 3; ++c) add(node, c);
+    unknowns.n_interior = unknowns.n;
+    for (int c = 0; c < 3; ++c)
+        for (const int node : contact_nodes) {
+            const int unknown = add(node, c);
+            unknowns.of_contact.push_back(unknown < 0 ? -1 : unknown - unknowns.n_interior);
+        }
+    return unknowns;
+}
+
+}  // namespace tricontact::fem
