@@ -12,7 +12,7 @@ namespace tricontact::theory {
 // Frictionless contact of a rigid body of revolution with an elastic layer on a rigid plane, exact
 // but for rounding: a Fredholm equation in one dimension, solved by Nyström's method with points
 // added until d, F and dF/dd stand still to 1e-10 (see layer_equation.h). Small strains and slopes;
-// the layer sticks to or glides on its base everywhere and does not lift off.
+// the body is rigid; the layer sticks to or glides on its base everywhere and does not lift off.
 //   E* g_d = E* [d - g(x)] is the right-hand side, g the plane profile of the method of
 //   dimensionality reduction, g(x) = |x| ∫_0^|x| h'(r)/sqrt(x^2 - r^2) dr (Popov and Hess 2015,
 //   eq. 3.27); the contact radius follows from q(a) = 0 and the force is F = 2 ∫_0^a q dx.
@@ -35,7 +35,7 @@ struct LayerContact {
     LineLoad line_load;  ///< q [N/m]
 
     /// Pressure [Pa] at r >= 0 [m], zero outside; to 1e-10 of the mean pressure, less within a few
-    /// percent of a kink of the indenter, where it is singular.
+    /// percent of a kink or of a conical tip, where it is singular.
     double pressure(double r) const { return line_load.pressure(r); }
 };
 
