@@ -3,20 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "contact/interior.h"
 #include "contact/surface.h"
+#include "io/provenance.h"
 
 namespace tricontact::io {
 
-/// Written into every file as field data.
-struct Provenance {
-    std::string program_version;
-    std::string command_line;
-};
-
-/// Contact surfaces over time for ParaView: `folder/name_000000.vti` (grid: cell data, cells
-/// centred on the points) or `.vtp` (line: point data on vertices and a polyline), and the
+/// States over time for ParaView: files `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
 /// collection `folder/name.pvd`. Time is the phase in rolling periods: the model is quasi-static.
-/// Vectors have three components, z out of the substrate. The same surfaces give the same bytes.
+/// Vectors have three components, z out of the substrate. The same states give the same bytes.
 class VtkSeries {
   public:
     /// The folder must exist (see make_output_folder).
@@ -24,6 +19,7 @@ class VtkSeries {
 
     /// Writes the next file of the series. Throws contact::InputError if that fails.
     void add(double phase, const contact::Surface& surface);
+    void add(double phase, const contact::Interior& interior);
     /// Writes the collection of all files so far. Throws contact::InputError if that fails.
     void finish() const;
 
@@ -32,6 +28,9 @@ class VtkSeries {
         double phase;
         std::string file;
     };
+
+    template <class State>
+    void add_state(double phase, const State& state);
 
     std::string folder_, name_;
     Provenance provenance_;

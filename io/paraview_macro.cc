@@ -1,0 +1,89 @@
+#include "io/paraview_macro.h"
+
+namespace tricontact::io {
+
+std::string_view paraview_macro() {
+    return R"python(# Opens the results beside this script in ParaView: one layout per model, contact surface and inside
+# side by side, at the last state.
+#   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
+import glob
+import os
+import sys
+
+from paraview.simple import *
+
+FIELDS = {"surface": ["normal_traction_Pa"], "volume": ["von_mises_Pa"]}
+
+
+def results_folder():
+    """Where this script lies; the working directory if ParaView does not tell."""
+    for name in (globals().get("__file__"), sys._getframe().f_code.co_filename):
+        if name and os.path.isfile(name):
+            return os.path.dirname(os.path.abspath(name))
+    return os.getcwd()
+
+
+def warp_scale(source, size):
+    """1 if the deformation can be seen as it is, else such that it is a tenth of the size."""
+    largest = source.PointData["displacement_m"].GetRange(-1)[1]
+    return 1.0 if largest > 0.02 * size or largest == 0 else 0.1 * size / largest
+
+
+def look_at(view, bounds, inside):
+    """From above for a surface, obliquely for a body."""
+    centre = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    direction = [-0.6, -1.0, 0.6] if inside else [0.0, 0.0, 1.0]
+    view.CameraFocalPoint = centre
+    view.CameraPosition = [c + d for c, d in zip(centre, direction)]
+    view.CameraViewUp = [0.0, 0.0, 1.0] if inside else [0.0, 1.0, 0.0]
+    view.CameraParallelProjection = 1
+    ResetCamera(view)
+
+
+def show(path, kind, view):
+    """A series warped by its displacement and coloured by its main field."""
+    source = OpenDataFile(path)
+    RenameSource(os.path.basename(os.path.dirname(path)) + " " + kind, source)
+    scene = GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.GoToLast()
+    source.UpdatePipeline(scene.AnimationTime)
+    bounds = source.GetDataInformation().GetBounds()
+    size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
+    if kind == "volume" and bounds[2] < 0:
+        source = Clip(Input=source, ClipType="Plane")
+        source.ClipType.Origin = [0.0, 0.0, 0.0]
+        source.ClipType.Normal = [0.0, -1.0, 0.0]  # keeps y >= 0
+    if len(source.CellData) and not len(source.PointData):
+        source = CellDatatoPointData(Input=source)
+    source.UpdatePipeline(scene.AnimationTime)
+    warped = WarpByVector(Input=source, Vectors=["POINTS", "displacement_m"])
+    warped.ScaleFactor = warp_scale(source, size)
+    display = Show(warped, view)
+    ColorBy(display, ["POINTS"] + FIELDS[kind])
+    display.RescaleTransferFunctionToDataRange(False, True)
+    display.SetScalarBarVisibility(view, True)
+    look_at(view, bounds, kind == "volume")
+
+
+def main():
+    folder = results_folder()
+    pictures = sys.argv[1] if len(sys.argv) > 1 else None
+    for model in sorted(os.path.dirname(p) for p in glob.glob(os.path.join(folder, "*/surface.pvd"))):
+        name = os.path.basename(model)
+        kinds = [k for k in FIELDS if os.path.isfile(os.path.join(model, k + ".pvd"))]
+        layout = CreateLayout(name)
+        for i, kind in enumerate(kinds):
+            view = CreateView("RenderView")
+            AssignViewToLayout(view=view, layout=layout, hint=0)
+            show(os.path.join(model, kind + ".pvd"), kind, view)
+            Render(view)
+            if pictures:
+                SaveScreenshot(os.path.join(pictures, name + "_" + kind + ".png"), view)
+
+
+main()
+)python";
+}
+
+}  // namespace tricontact::io
