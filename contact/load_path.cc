@@ -60,11 +60,12 @@ int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
 }
 
 std::vector<LoadStep> pressing_steps(const Case& c) {
-    if (c.load.press == Case::Press::frictionless) return {press_step(c)};
-    std::vector<LoadStep> steps(c.load.press_steps, press_step(c));
-    for (int k = 1; k <= c.load.press_steps; ++k) {
-        steps[k - 1].normal.value *= static_cast<double>(k) / c.load.press_steps;
-        steps[k - 1].friction = true;
+    const bool friction = c.load.press == Case::Press::friction;
+    const int n = friction ? c.load.press_steps : 1;
+    std::vector<LoadStep> steps(n, press_step(c));
+    for (int k = 1; k <= n; ++k) {
+        steps[k - 1].normal.value *= static_cast<double>(k) / n;
+        steps[k - 1].friction = friction;
     }
     return steps;
 }
@@ -90,7 +91,6 @@ double triangle_wave(double phase) {
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);
-    step.friction = false;
     return step;
 }
 

@@ -198,7 +198,7 @@ NormalSolver::NormalSolver(const Compliance& compliance, double tolerance)
 }
 
 NormalSolution NormalSolver::solve(const std::vector<double>& height, const NormalControl& control,
-                                   const std::vector<double>& start) {
+                                   const std::vector<double>& start) const {
     if (!(control.value > 0))
         throw InputError("normal contact: the prescribed force or indentation must be positive");
     NormalSolution solution;

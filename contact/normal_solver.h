@@ -32,7 +32,7 @@ class NormalSolver {
     /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
     /// a similar problem, or empty. Throws NotConverged.
     NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
-                         const std::vector<double>& start = {});
+                         const std::vector<double>& start = {}) const;
 
   private:
     const Compliance& compliance_;

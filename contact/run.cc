@@ -63,7 +63,8 @@ class Run {
   private:
     void press_and_load() {
         if (case_.rolling) n_at_most_ = case_.rolling->periods;  // a guess until the path is known
-        const LoadStep press = press_step(case_);
+        LoadStep press = press_step(case_);
+        press.friction = false;
         const StepRecord pressed = model_.advance(press);
         find_path();
         if (model_.is_coupled()) {
