@@ -8,6 +8,7 @@
 #include <string>
 
 #include "contact/error.h"
+#include "fem/dense_matrix.h"
 #include "fem/dissection.h"
 
 // LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
@@ -204,9 +205,7 @@ std::vector<double> Condensation::compliance(int ld) const {
     if (n > 0) dpotri_("L", &n, inverse.data(), &ld, &info);
     if (info != 0)
         throw contact::NotConverged("the condensed stiffness of the contact is singular");
-    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c)
-        for (std::size_t r = c + 1; r < static_cast<std::size_t>(n); ++r)
-            inverse[r * ld + c] = inverse[c * ld + r];
+    mirror_lower(inverse, n, ld);
     return inverse;
 }
 

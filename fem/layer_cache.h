@@ -17,13 +17,21 @@ class LayerCache {
 
     /// Digest of mesh, materials, boundary conditions, element and file format.
     static std::string key(const LayerProblem& problem);
-    std::optional<CondensedLayer> load(const std::string& key) const;
-    /// False, with nothing left behind, when it cannot be kept (disk full, read-only folder).
-    bool store(const std::string& key, const CondensedLayer& layer) const;
+    /// The layer as it was stored, bit by bit. Empty, then `why` (if asked for) tells what is wrong
+    /// with the file, or stays empty when there simply is none.
+    std::optional<CondensedLayer> load(const std::string& key, std::string* why = nullptr) const;
+    /// False, with nothing left behind, when it cannot be kept; `why` tells (disk full, read-only
+    /// folder), or stays empty when nothing is to be kept.
+    bool store(const std::string& key, const CondensedLayer& layer,
+               std::string* why = nullptr) const;
     const std::string& folder() const { return folder_; }
+    /// Where `key` is kept.
+    std::string path_of(const std::string& key) const;
 
   private:
-    std::string folder_;
+    bool keeps_nothing() const { return folder_.empty(); }
+
+    std::string folder_;  // empty: none
 };
 
 }  // namespace tricontact::fem
