@@ -3,8 +3,8 @@
 namespace tricontact::io {
 
 std::string_view paraview_macro() {
-    return R"python(# Opens the results beside this script in ParaView: one layout per model, contact surface and inside
-# side by side, at the last state.
+    return R"python(# Opens the results beside this script in ParaView, at the last state: one layout per model, the
+# contact surface and, where there is one, the inside.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
 import glob
 import os
@@ -30,12 +30,13 @@ def warp_scale(source, size):
 
 
 def look_at(view, bounds, inside):
-    """From above for a surface, obliquely for a body."""
+    """From above for a surface, from the front for a line, obliquely for a body."""
     centre = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
-    direction = [-0.6, -1.0, 0.6] if inside else [0.0, 0.0, 1.0]
+    above = not inside and bounds[3] > bounds[2]
+    direction = [-0.6, -1.0, 0.6] if inside else [0.0, 0.0, 1.0] if above else [0.0, -1.0, 0.0]
     view.CameraFocalPoint = centre
     view.CameraPosition = [c + d for c, d in zip(centre, direction)]
-    view.CameraViewUp = [0.0, 0.0, 1.0] if inside else [0.0, 1.0, 0.0]
+    view.CameraViewUp = [0.0, 1.0, 0.0] if above else [0.0, 0.0, 1.0]
     view.CameraParallelProjection = 1
     ResetCamera(view)
 
@@ -69,9 +70,10 @@ def show(path, kind, view):
 def main():
     folder = results_folder()
     pictures = sys.argv[1] if len(sys.argv) > 1 else None
-    for model in sorted(os.path.dirname(p) for p in glob.glob(os.path.join(folder, "*/surface.pvd"))):
+    series = glob.glob(os.path.join(folder, "*", "*.pvd"))
+    for model in sorted(set(os.path.dirname(path) for path in series)):
         name = os.path.basename(model)
-        kinds = [k for k in FIELDS if os.path.isfile(os.path.join(model, k + ".pvd"))]
+        kinds = [k for k in FIELDS if os.path.join(model, k + ".pvd") in series]
         layout = CreateLayout(name)
         for i, kind in enumerate(kinds):
             view = CreateView("RenderView")

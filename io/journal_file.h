@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tricontact::io {
+
+/// A file of entries that are only ever appended, each with a checksum over everything before it:
+/// of a file whose writer was killed, or whose end is damaged, the whole entries at the beginning
+/// are left. One process at a time. All members but the destructor throw std::system_error where
+/// the system refuses.
+class JournalFile {
+  public:
+    /// Opens the file, or makes it. A file with another key, or that is no journal, is begun anew;
+    /// what follows the last whole entry is cut off. Throws std::system_error also when another
+    /// process has the file open.
+    JournalFile(const std::string& path, std::string_view key);
+    ~JournalFile();
+    JournalFile(const JournalFile&) = delete;
+    JournalFile& operator=(const JournalFile&) = delete;
+
+    std::size_t size() const { return entries_.size(); }  ///< entries
+    std::uint64_t bytes() const { return end_; }          ///< of the file
+    /// Throws std::system_error also when the entry has been damaged since the file was opened.
+    std::string read(std::size_t i) const;
+    /// Its first n bytes, as found when the file was opened.
+    std::string read_front(std::size_t i, std::uint64_t n) const;
+    /// Keeps the first n entries.
+    void cut(std::size_t n);
+    /// After a failure the file is as before, as far as the system lets it be.
+    void append(std::string_view entry);
+    /// Removes the file; no other member may be called afterwards.
+    void remove();
+
+  private:
+    struct Entry {
+        std::uint64_t start, size;  // of the content [bytes]
+        std::uint64_t checksum;     // of everything up to the content's end
+    };
+
+    bool read_header(std::string_view key);
+    void write_header(std::string_view key);
+    void find_entries();
+    void truncate(std::uint64_t size);
+
+    std::string path_;
+    int fd_ = -1;
+    std::uint64_t end_ = 0;              // of the last whole entry
+    std::uint64_t header_checksum_ = 0;  // what the first entry's goes on from
+    std::uint64_t header_end_ = 0;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace tricontact::io
