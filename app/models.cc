@@ -3,6 +3,9 @@
 #include "bem/model.h"
 #include "contact/error.h"
 #include "mdr/model.h"
+#ifdef TRICONTACT_WITH_FEM
+#include "fem/model.h"
+#endif
 
 namespace tricontact::app {
 
@@ -10,15 +13,22 @@ const std::vector<ModelDescription>& known_models() {
     static const std::vector<ModelDescription> models = {
         {"mdr",
          "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
-        {"bem", "boundary elements on the elastic half-space, FFT convolution"}};
+        {"bem", "boundary elements on the elastic half-space, FFT convolution"},
+#ifdef TRICONTACT_WITH_FEM
+        {"fem", "finite elements of the elastic layer, condensed to the contact patch"},
+#endif
+    };
     return models;
 }
 
 std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
-                                           int n_threads) {
+                                           int n_threads, [[maybe_unused]] const Say& say) {
     if (name == "mdr") return mdr::make_model(c);
     if (name == "bem") return bem::make_model(c, n_threads);
-    throw contact::InputError("models: there is no model " + name);
+#ifdef TRICONTACT_WITH_FEM
+    if (name == "fem") return fem::make_model(c, say);
+#endif
+    throw contact::InputError("models: this program was built without the model " + name);
 }
 
 }  // namespace tricontact::app

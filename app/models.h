@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,8 +17,11 @@ struct ModelDescription {
 /// The models a case file may name.
 const std::vector<ModelDescription>& known_models();
 
+/// Receives a line about what a model decided or reused.
+using Say = std::function<void(const std::string&)>;
+
 /// Case -> model, the only place that knows all of them. `name` is one of known_models().
 std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
-                                           int n_threads);
+                                           int n_threads, const Say& say);
 
 }  // namespace tricontact::app

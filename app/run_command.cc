@@ -57,7 +57,9 @@ contact::History run_model(const std::string& name, const contact::Case& c,
     io::VtkSeries series(folder, "surface", {version, "tricontact run " + resolved_name});
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), name);
 
-    auto model = make_model(name, c, options.threads);
+    auto model = make_model(name, c, options.threads, [&](const std::string& line) {
+        if (!options.quiet) std::cerr << line << '\n';
+    });
     const contact::Observer observer = [&](const contact::StepRecord& record,
                                            const contact::Model& state,
                                            const contact::Progress& progress) {

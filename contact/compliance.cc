@@ -30,7 +30,7 @@ void Compliance::normal_from_tangential(const TangentialField&, std::span<double
     std::fill(u_z.begin(), u_z.end(), 0.0);
 }
 
-std::vector<double> Compliance::consistent_traction(std::span<const double>) const {
+std::vector<double> Compliance::consistent_traction(std::span<const double>, bool) const {
     return {};
 }
 

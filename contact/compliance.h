@@ -66,8 +66,8 @@ class Compliance {
     /// products are known.
     virtual const double* dense() const { return nullptr; }
     /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
-    /// where there are no elements.
-    virtual std::vector<double> consistent_traction(std::span<const double> t) const;
+    /// where there are no elements. `odd_in_y`: of a y component.
+    virtual std::vector<double> consistent_traction(std::span<const double> t, bool odd_in_y) const;
     /// Largest error of the ground's reaction over the force that causes it; 0: there is no ground.
     virtual double reaction_error() const { return 0; }
     /// What the body looks like inside under these tractions [Pa]; null where nobody knows.

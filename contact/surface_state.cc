@@ -60,9 +60,11 @@ Surface SurfaceModel::surface() const {
     s.node_x = points.x;
     s.node_y = points.y;
     s.quads = points.quads;
-    s.normal_traction_consistent = compliance_->consistent_traction(s.normal_traction);
-    s.tangential_traction_x_consistent = compliance_->consistent_traction(s.tangential_traction_x);
-    s.tangential_traction_y_consistent = compliance_->consistent_traction(s.tangential_traction_y);
+    s.normal_traction_consistent = compliance_->consistent_traction(s.normal_traction, false);
+    s.tangential_traction_x_consistent =
+        compliance_->consistent_traction(s.tangential_traction_x, false);
+    s.tangential_traction_y_consistent =
+        compliance_->consistent_traction(s.tangential_traction_y, true);
     return points.mirrored ? mirrored(s) : s;
 }
 

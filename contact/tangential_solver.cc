@@ -143,11 +143,15 @@ class Newton {
     void update_residual() {
         double worst = 0;
         Vector2 force{};
+        on_bound_ = true;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
             const Vector2 t = traction_at(i);
             const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
             worst = larger(worst, norm({t[0] - p[0], t[1] - p[1]}));
+            // A start from other bounds may be close and yet slip below the bound: not accepted.
+            on_bound_ = on_bound_ && (norm(trial(k)) <= problem_.bound[i] ||
+                                      norm(t) >= problem_.bound[i] * (1 - 1e-11));
             force[0] += area_[i] * t[0];
             force[1] += area_[i] * t[1];
         }
@@ -161,7 +165,8 @@ class Newton {
     }
 
     bool converged() const {
-        return solution_.residual <= tolerance_ && solution_.force_residual <= force_tolerance;
+        return on_bound_ && solution_.residual <= tolerance_ &&
+               solution_.force_residual <= force_tolerance;
     }
 
     /// One Newton step on the present zones; false when they cannot carry the force.
@@ -245,6 +250,7 @@ class Newton {
     std::optional<TangentialSystem> system_;
     Vector2 missing_force_{};
     int without_progress_ = 0;  // Newton steps
+    bool on_bound_ = false;     // all that slip are
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
 };
 

@@ -1,0 +1,96 @@
+#include "fem/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "contact/surface_model.h"
+#include "fem/patch.h"
+#include "fem/size_choice.h"
+#include "fem/workshop.h"
+#include "meshes/mesh_file.h"
+
+namespace tricontact::fem {
+
+using contact::Case;
+
+namespace {
+
+/// The surface moves under the indenter by friction; a displaced surface also moves it.
+constexpr double patch_margin = 1.03;
+
+void require_layer(const Case& c) {
+    if (!c.layer.thickness && !c.fem.mesh)
+        throw contact::InputError(
+            "fem: the finite element layer needs substrate.thickness (or a fem.mesh)");
+}
+
+void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
+                         const Workshop& workshop) {
+    const double total = spec.thickness + spec.lower_thickness;
+    if (!c.layer.width || !c.layer.depth)
+        workshop.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
+                                 2e3 * spec.half_x, 2e3 * spec.half_y));
+    const double least = std::min(spec.half_x, spec.half_y);
+    if (least < 6 * total * (1 - 1e-9))
+        workshop.say(fmt::format(
+            "the sides are {:.3g} layer thicknesses away, less than 6: they will be felt",
+            least / total));
+    if (c.layer.base == Case::Base::frictionless && c.fem.sides == Case::Sides::free)
+        workshop.say("on a frictionless base the sides are held, or the layer would slide away");
+}
+
+meshes::LayerMeshSpec plan(const Case& c, Workshop& workshop) {
+    require_layer(c);
+    const double radius = patch_margin * probe_radius(c, hardest_press(c), workshop);
+    const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, workshop);
+    meshes::LayerMeshSpec spec = spec_for(c, size, radius);
+    for (const auto& [side, half, patch] : {std::tuple("width", spec.half_x, spec.patch_x),
+                                            std::tuple("depth", spec.half_y, spec.patch_y)})
+        if (half < patch + size)
+            throw contact::InputError(fmt::format(
+                "substrate.{}: the contact patch with its path is {:.4g} m wide and must leave an "
+                "element on either side of the block's {:.4g} m; enlarge it or reduce the load",
+                side, 2 * patch, 2 * half));
+    say_what_was_chosen(c, spec, workshop);
+    return spec;
+}
+
+meshes::HexMesh read_users_mesh(const Case& c) {
+    meshes::HexMesh mesh = meshes::read_mesh(*c.fem.mesh, c.fem.mesh_unit);
+    if (mesh.has_symmetry() && !is_symmetric(c))
+        throw contact::InputError(*c.fem.mesh +
+                                  ": the mesh has a plane of symmetry, but the rolling direction "
+                                  "is not in it; mesh the whole body or set rolling.angle to 0");
+    const bool has_lower =
+        std::count(mesh.regions.begin(), mesh.regions.end(), meshes::Region::lower_layer) > 0;
+    if (has_lower && !c.layer.lower)
+        throw contact::InputError(*c.fem.mesh +
+                                  ": the mesh has a lower layer, the case no [lower_layer] that "
+                                  "tells its material; add one");
+    return mesh;
+}
+
+}  // namespace
+
+meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
+    Workshop workshop(c, say);
+    return plan(c, workshop);
+}
+
+meshes::HexMesh make_mesh(const Case& c, const Say& say) {
+    return c.fem.mesh ? read_users_mesh(c) : make_layer_mesh(mesh_spec(c, say));
+}
+
+std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
+    Workshop workshop(c, say);
+    auto compliance =
+        c.fem.mesh ? workshop.make(read_users_mesh(c)) : make_fitting(plan(c, workshop), workshop);
+    return std::make_unique<contact::SurfaceModel>("fem", std::move(compliance), c.make_indenter(),
+                                                   c.friction_coefficient, c.fem.tolerance,
+                                                   c.contact);
+}
+
+}  // namespace tricontact::fem

@@ -1,0 +1,96 @@
+#include "fem/patch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/normal_solver.h"
+#include "contact/placement.h"
+
+namespace tricontact::fem {
+
+using contact::Case;
+using contact::Vector2;
+
+namespace {
+
+constexpr double probe_elements = 3;   // in the guessed contact radius
+constexpr double probe_margin = 1.35;  // of the patch over the guess
+constexpr double enlargement = 1.4;
+constexpr double probe_tolerance = 1e-4;
+
+/// Half sides of the region that the contact centre sweeps [m].
+Vector2 path_extent(const Case& c, double contact_radius) {
+    if (!c.rolling) return {0, 0};
+    const bool of_model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+    const double reach =
+        rolling_amplitude(*c.rolling, of_model ? contact_radius : hertz_scales(c).contact_radius);
+    return {std::abs(reach * std::cos(c.rolling->angle)),
+            is_symmetric(c) ? 0 : std::abs(reach * std::sin(c.rolling->angle))};
+}
+
+/// Largest distance of a point in contact from the centre [m]; 0 when the edge is reached.
+double pressed_radius(const Case& c, const contact::NormalControl& control,
+                      const contact::Compliance& compliance) {
+    const contact::ContactPoints& points = compliance.points();
+    const auto height = heights_over(points, *c.make_indenter(), {0, 0});
+    const auto pressed = contact::NormalSolver(compliance, probe_tolerance).solve(height, control);
+    if (reaches_edge(points, pressed.pressure)) return 0;
+    double radius = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (pressed.pressure[i] > 0)
+            radius = std::max(radius, std::hypot(points.x[i], points.y[i]));
+    return radius;
+}
+
+double whole_elements(double length, double size) {
+    return size * std::max(1., std::ceil(length / size - 1e-9));
+}
+
+}  // namespace
+
+contact::NormalControl hardest_press(const Case& c) {
+    contact::NormalControl control = contact::press_step(c).normal;
+    control.value *= 1 + std::abs(c.load.normal_amplitude_ratio);
+    return control;
+}
+
+bool is_symmetric(const Case& c) {
+    return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
+}
+
+meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius) {
+    const Vector2 extent = path_extent(c, contact_radius);
+    meshes::LayerMeshSpec spec;
+    spec.size = size;
+    spec.growth = c.fem.growth;
+    spec.thickness = *c.layer.thickness;
+    spec.lower_thickness = c.layer.lower ? c.layer.lower->thickness : 0;
+    spec.half_model = is_symmetric(c);
+    spec.patch_x = whole_elements(contact_radius + extent[0], size);
+    spec.patch_y = whole_elements(contact_radius + extent[1], size);
+    // Between held and free sides 6 thicknesses away a 0.01 % is left of the difference; a thin
+    // layer's patch may itself be wider.
+    const double total = spec.thickness + spec.lower_thickness;
+    auto half_side = [&](const std::optional<double>& given, double patch) {
+        return given ? *given / 2 : std::max(6 * total, patch + 3 * total);
+    };
+    spec.half_x = half_side(c.layer.width, spec.patch_x);
+    spec.half_y = half_side(c.layer.depth, spec.patch_y);
+    return spec;
+}
+
+double probe_radius(const Case& c, const contact::NormalControl& control, Workshop& workshop) {
+    Case still = c;  // pressed only
+    still.rolling.reset();
+    double guess = hertz_scales(c).contact_radius *
+                   std::sqrt(control.value / contact::press_step(c).normal.value);
+    for (;; guess *= enlargement) {
+        const double size = guess / probe_elements;
+        const auto compliance =
+            workshop.make(make_layer_mesh(spec_for(still, size, probe_margin * guess)));
+        const double radius = pressed_radius(c, control, *compliance);
+        if (radius > 0) return radius + size / 2;
+    }
+}
+
+}  // namespace tricontact::fem

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "contact/case.h"
+#include "contact/load_path.h"
+#include "fem/model.h"
+#include "fem/workshop.h"
+
+namespace tricontact::fem {
+
+/// The case's normal control at the crest of its oscillation.
+contact::NormalControl hardest_press(const contact::Case& c);
+
+/// Whether the case's path and load are symmetric about the plane y = 0.
+bool is_symmetric(const contact::Case& c);
+
+/// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path.
+meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double contact_radius);
+
+/// Radius of the case's contact under `control` on a layer of coarse elements [m], rounded up by
+/// an element. Presses again on a larger patch when the contact reaches the edge.
+double probe_radius(const contact::Case& c, const contact::NormalControl& control,
+                    Workshop& workshop);
+
+}  // namespace tricontact::fem

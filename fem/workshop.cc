@@ -1,0 +1,49 @@
+#include "fem/workshop.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace tricontact::fem {
+
+using contact::Case;
+
+LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
+    LayerProblem problem;
+    problem.mesh = std::move(mesh);
+    problem.materials = {c.substrate, c.layer.lower ? c.layer.lower->material : c.substrate};
+    problem.base = c.layer.base;
+    // On a frictionless base only the sides can hold a layer that is pulled sideways.
+    problem.sides = c.layer.base == Case::Base::frictionless ? Case::Sides::fixed : c.fem.sides;
+    return problem;
+}
+
+Workshop::Workshop(const Case& c, Say say) : case_(c), cache_(c.fem.cache), say_(std::move(say)) {}
+
+std::unique_ptr<CondensedCompliance> Workshop::make(meshes::HexMesh mesh) {
+    auto problem = std::make_shared<const LayerProblem>(problem_of(case_, std::move(mesh)));
+    const std::string key = LayerCache::key(*problem);
+    std::string why;
+    if (auto layer = cache_.load(key, &why)) {
+        say(fmt::format("condensed layer reused from {} ({} contact nodes)", cache_.path_of(key),
+                        layer->points.size()));
+        return std::make_unique<CondensedCompliance>(problem, std::move(*layer));
+    }
+    if (!why.empty()) say(fmt::format("condensed layer made anew: {}", why));
+    const auto start = std::chrono::steady_clock::now();
+    CondensedLayer layer = condense(*problem);
+    why.clear();
+    const bool kept = cache_.store(key, layer, &why);
+    if (!kept && !why.empty()) say(fmt::format("condensed layer not kept: {}", why));
+    say(fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s{}",
+                    problem->mesh.hexes.size(), layer.points.size(),
+                    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+                    kept ? fmt::format(", kept in {}", cache_.path_of(key)) : ""));
+    return std::make_unique<CondensedCompliance>(problem, std::move(layer));
+}
+
+void Workshop::say(const std::string& line) const {
+    if (say_) say_("fem: " + line);
+}
+
+}  // namespace tricontact::fem
