@@ -1,5 +1,6 @@
 #include "meshes/grading.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -32,8 +33,7 @@ double ratio_for(int n, double total, double growth) {
 double graded_count(double length, double first, double growth) {
     const double total = length / first * (1 - equal);
     if (!(length > 0)) return 0;
-    if (total <= 1) return 1;
-    if (total <= 1 + 1 / growth) return total <= growth ? 1 : 2;
+    if (total <= 1 || total <= std::min(growth, 1 + 1 / growth)) return 1;
     const double excess = growth - 1;
     if (excess == 0) return std::ceil(total);
     // least n with (growth^n - 1)/(growth - 1) >= total
@@ -44,9 +44,8 @@ Grading grade(double length, double first, double growth) {
     Grading strip;
     strip.n = static_cast<int>(graded_count(length, first, growth));
     strip.length = length;
-    const double total = length / first;
-    const bool equal_edges = strip.n < 2 || total * (1 - equal) <= 1 + 1 / growth;
-    if (!equal_edges) strip.ratio = ratio_for(strip.n, total, growth);
+    if (strip.n > 1) strip.ratio = ratio_for(strip.n, length / first, growth);
+    if (strip.ratio < 1 / growth) strip.ratio = 1;
     return strip;
 }
 

@@ -15,9 +15,9 @@ struct Grading {
 };
 
 /// Fewest elements over `length` [m] whose first edge is `first` [m] and whose ratio is at most
-/// `growth` (>= 1). A strip not longer than `first` gets one element, no length none. If the second
-/// edge would be shorter than first/growth: one element if it is at most growth * first long, else
-/// two equal ones.
+/// `growth` (>= 1). A strip not longer than `first` gets one element, no length none. Where edges
+/// would shrink to less than 1/growth of the one before (short strips): one element if it is at
+/// most growth * first long, else that number of equal ones, a little shorter than `first`.
 Grading grade(double length, double first, double growth);
 
 /// Number of elements that grade() makes, as a double: it may be beyond any int.

@@ -88,7 +88,8 @@ double least_jacobian(const std::array<Point, 8>& corners) {
         for (int j = 0; j < 3; ++j)
             for (int k = 0; k < 3; ++k) {
                 const Point area = cross(tangents[0][j][k], tangents[1][k][i]);
-                least = std::min(least, dot(area, tangents[2][i][j]));
+                const double value = dot(area, tangents[2][i][j]);
+                if (value < least || std::isnan(value)) least = value;  // a NaN stays
             }
     return least;
 }

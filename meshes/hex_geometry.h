@@ -40,7 +40,7 @@ std::array<Point, 8> corners_of(const HexMesh& mesh, const std::array<int, 8>& h
 
 /// Least Jacobian determinant [m^3] of the map from the unit cube, over corners, mid-edges,
 /// mid-faces and centre. The determinant is quadratic in each coordinate, so these 27 values
-/// determine it.
+/// determine it. NaN if a corner is.
 double least_jacobian(const std::array<Point, 8>& corners);
 
 /// Mean of the nodes [m].

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <gmsh.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "contact/error.h"
+#include "meshes/gmsh_session.h"
+#include "meshes/hex_mesh.h"
+#include "meshes/layer_mesh.h"
+#include "meshes/mesh_file.h"
+
+namespace tricontact::meshes {
+
+/// Two layers, graded to all sides, no two lengths the same [m].
+inline LayerMeshSpec small_spec(bool half_model = false) {
+    LayerMeshSpec spec;
+    spec.size = 0.7e-3;
+    spec.patch_x = 2.1e-3;
+    spec.patch_y = 1.4e-3;
+    spec.half_x = 9.3e-3;
+    spec.half_y = 6.1e-3;
+    spec.thickness = 4.3e-3;
+    spec.lower_thickness = 3.7e-3;
+    spec.half_model = half_model;
+    return spec;
+}
+
+/// A folder of its own for each test, removed afterwards.
+class MeshFolder : public testing::Test {
+  protected:
+    void SetUp() override {
+        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+        std::string name = std::string("meshes_") + test->test_suite_name() + '_' + test->name();
+        for (char& c : name)
+            if (c == '/') c = '_';
+        folder_ = std::filesystem::path(testing::TempDir()) / (name + std::to_string(::getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    std::string at(const std::string& name) const { return (folder_ / name).string(); }
+    std::string content(const std::string& name) const {
+        std::ostringstream out;
+        out << std::ifstream(at(name), std::ios::binary).rdbuf();
+        return out.str();
+    }
+    std::string write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(at(name), std::ios::binary) << bytes;
+        return at(name);
+    }
+
+    std::filesystem::path folder_;
+};
+
+/// Message of the InputError that the function throws.
+inline std::string message_of(const std::function<void()>& function) {
+    try {
+        function();
+    } catch (const contact::InputError& error) {
+        return error.what();
+    }
+    return "(accepted)";
+}
+
+/// One line `name: what; remedy` with this text in it.
+inline void expect_refusal(const std::string& message, const std::string& name,
+                           const std::string& text) {
+    EXPECT_NE(message.find(text), std::string::npos)
+        << "expected: " << text << "\n     got: " << message;
+    EXPECT_EQ(message.rfind(name + ": ", 0), 0U) << "does not begin with the name: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_NE(message.find("; "), std::string::npos) << "no remedy: " << message;
+}
+
+/// All but the positions of the nodes.
+inline void expect_same_topology(const HexMesh& a, const HexMesh& b) {
+    ASSERT_EQ(a.nodes.size(), b.nodes.size());
+    EXPECT_EQ(a.hexes, b.hexes);
+    EXPECT_EQ(a.regions, b.regions);
+    ASSERT_EQ(a.faces.size(), b.faces.size());
+    for (std::size_t f = 0; f < a.faces.size(); ++f) {
+        EXPECT_EQ(a.faces[f].nodes, b.faces[f].nodes) << f;
+        EXPECT_EQ(a.faces[f].boundary, b.faces[f].boundary) << f;
+    }
+}
+
+inline double largest_distance(const HexMesh& a, const HexMesh& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.nodes.size(); ++i)
+        for (int d = 0; d < 3; ++d)
+            largest = std::max(largest, std::abs(a.nodes.at(i)[d] - b.nodes.at(i)[d]));
+    return largest;
+}
+
+/// gmsh's own way from one file to another, of the given version.
+inline void convert(const std::string& from, const std::string& to, double version, bool binary) {
+    const GmshSession session;
+    GmshSession::call([&] {
+        gmsh::open(from);
+        if (std::filesystem::path(from).extension() == ".geo") gmsh::model::mesh::generate(3);
+        gmsh::option::setNumber("Mesh.MshFileVersion", version);
+        gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
+        gmsh::write(to);
+    });
+}
+
+}  // namespace tricontact::meshes
