@@ -3,6 +3,7 @@
 #include "fem/assembly.h"
 #include "fem/contact_surface.h"
 #include "fem/interior_fields.h"
+#include "fem/memory.h"
 #include "fem/unknowns.h"
 
 namespace tricontact::fem {
@@ -23,7 +24,9 @@ struct Discretisation::Parts {
 };
 
 Discretisation::Discretisation(const LayerProblem& problem)
-    : parts_(std::make_unique<Parts>(problem)) {}
+    : parts_(std::make_unique<Parts>(problem)) {
+    return_freed_memory();
+}
 Discretisation::~Discretisation() = default;
 
 AssembledStiffness Discretisation::assemble() const {

@@ -1,5 +1,6 @@
 #include "fem/memory.h"
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -90,6 +91,15 @@ double left_in_control_groups() {
 
 double available_bytes() {
     return std::max(0., std::min({left_in_system(), left_in_process(), left_in_control_groups()}));
+}
+
+void return_freed_memory() {
+    // glibc's own values, the thresholds at the upper ends of where it lets them float.
+    constexpr int most_mapped_blocks = 65536, large_block = 32 << 20;
+    mallopt(M_MMAP_MAX, most_mapped_blocks);
+    mallopt(M_MMAP_THRESHOLD, large_block);
+    mallopt(M_TRIM_THRESHOLD, 2 * large_block);
+    malloc_trim(0);
 }
 
 }  // namespace tricontact::fem
