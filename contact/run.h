@@ -15,7 +15,7 @@ struct Progress {
     bool quarter =
         false;  ///< the indenter is upright or at a turning point, or rolling has not begun
 };
-using Observer = std::function<void(const StepRecord&, const Model&, const Progress&)>;
+using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>;
 
 /// Presses, loads and rolls until the contact has settled (see verdict.h) or the last period.
 /// Throws NotConverged (also when a solution fails its audit) and InputError.

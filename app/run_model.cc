@@ -1,0 +1,122 @@
+#include "app/run_model.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+#include "app/models.h"
+#include "contact/error.h"
+#include "contact/run.h"
+#include "io/atomic_file.h"
+#include "io/history_csv.h"
+#include "io/journal.h"
+#include "io/progress.h"
+#include "io/vtk_series.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+
+const std::string version = TRICONTACT_VERSION;
+
+bool wants_surface(const Case& c, const contact::Progress& progress) {
+    using enum Case::VtkOutput;
+    return c.output.vtk == all || (c.output.vtk == quarters && progress.quarter);
+}
+
+/// The ParaView files of one model.
+class States {
+  public:
+    States(const Case& c, const std::string& folder)
+        : case_(c),
+          // The command that makes the files again from what stands beside the results.
+          provenance_{version, std::string("tricontact run ") + resolved_case_name},
+          surfaces_(folder, "surface", provenance_),
+          volumes_(folder, "volume", provenance_) {}
+
+    void add(double phase, contact::Model& model, const contact::Progress& progress) {
+        if (wants_surface(case_, progress)) surfaces_.add(phase, model.surface());
+        if (case_.output.volume == Case::VolumeOutput::quarters && progress.quarter)
+            add_volume(phase, model);
+    }
+    void add_last(double phase, contact::Model& model) {
+        if (case_.output.volume == Case::VolumeOutput::last) add_volume(phase, model);
+    }
+    void finish() const {
+        if (case_.output.vtk != Case::VtkOutput::none) surfaces_.finish();
+        if (has_volumes_) volumes_.finish();
+    }
+
+  private:
+    void add_volume(double phase, contact::Model& model) {
+        const auto inside = model.interior();
+        if (!inside) return;
+        volumes_.add(phase, *inside);
+        has_volumes_ = true;
+    }
+
+    const Case& case_;
+    io::Provenance provenance_;
+    io::VtkSeries surfaces_, volumes_;
+    bool has_volumes_ = false;
+};
+
+void require_sound(const contact::Audit& audit, const std::string& name) {
+    for (const auto& check : audit.checks())
+        if (!check.passed())
+            throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
+                                                    check.name, check.worst, check.allowed));
+}
+
+}  // namespace
+
+contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
+                           const RunOptions& options) {
+    const std::string folder = options.output + "/" + name;
+    io::make_output_folder(folder);
+    auto say = [&](const std::string& line) {
+        if (!options.quiet) std::cerr << line << '\n';
+    };
+    auto made = make_model(name, c, options.threads, say);
+    io::JournalledModel* journal = nullptr;
+    if (name == "fem") {
+        auto journalled =
+            std::make_unique<io::JournalledModel>(std::move(made), folder + "/steps.journal",
+                                                  version + '\n' + name + '\n' + resolved, say);
+        journal = journalled.get();
+        made = std::move(journalled);
+        if (journal->n_found() > 0)
+            say(fmt::format("{}: {} steps of an earlier run are taken from {}/steps.journal", name,
+                            journal->n_found(), folder));
+    }
+    contact::Model& model = *made;
+
+    States states(c, folder);
+    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), name);
+    const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
+                                           const contact::Progress& progress) {
+        bar.update(progress.step, progress.steps_at_most);
+        states.add(record.phase, state, progress);
+    };
+    contact::History history;
+    try {
+        history = contact::run(c, model, observer);
+    } catch (const contact::NotConverged&) {
+        states.finish();  // what did converge
+        throw;
+    }
+    states.add_last(history.steps.back().phase, model);
+    history.audit = model.audit();
+    require_sound(history.audit, name);
+    bar.finish(c.rolling ? contact::name_of(history.state) : "");
+
+    io::write_file(folder + "/history.csv", io::history_csv(history));
+    states.finish();
+    if (journal) journal->finish();
+    return history;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/commands.h"
+#include "contact/case.h"
+#include "contact/history.h"
+
+namespace tricontact::app {
+
+/// Name of the resolved case beside its results.
+inline constexpr const char* resolved_case_name = "case.toml";
+
+/// One model of a case: its steps with progress, its history and its ParaView files in a folder of
+/// its own. A finite element run that was killed goes on from its last finished step. `resolved` is
+/// the text of the case. Throws InputError, NotConverged.
+contact::History run_model(const std::string& name, const contact::Case& c,
+                           const std::string& resolved, const RunOptions& options);
+
+}  // namespace tricontact::app
