@@ -22,6 +22,15 @@ void run_command(const RunOptions& options);
 /// Prints the resolved case and what follows from it to standard output. Throws InputError.
 void check_command(const std::string& case_file, const std::vector<std::string>& overrides);
 
+struct MeshOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;  ///< empty: results/<name of the case file>
+};
+/// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
+/// prints its quality to standard output. Throws InputError, NotConverged.
+void mesh_command(const MeshOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

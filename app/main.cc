@@ -56,6 +56,14 @@ int run_program(int argc, char** argv) {
     auto* check = app.add_subcommand("check", "Validate a case; print it resolved, with scales");
     add_case_arguments(*check, check_file, check_overrides);
 
+#ifdef TRICONTACT_WITH_FEM
+    tricontact::app::MeshOptions mesh_options;
+    auto* mesh = app.add_subcommand("mesh", "Write the finite element mesh of a case; its quality");
+    add_case_arguments(*mesh, mesh_options.case_file, mesh_options.overrides);
+    mesh->add_option("--output", mesh_options.output, "Folder for the mesh (results/<case>)")
+        ->type_name("DIR");
+#endif
+
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
@@ -70,6 +78,9 @@ int run_program(int argc, char** argv) {
     if (*run) tricontact::app::run_command(options);
     if (*check) tricontact::app::check_command(check_file, check_overrides);
     if (*list) tricontact::app::list_command(list_folder);
+#ifdef TRICONTACT_WITH_FEM
+    if (*mesh) tricontact::app::mesh_command(mesh_options);
+#endif
     return 0;
 }
 
