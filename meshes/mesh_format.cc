@@ -62,8 +62,8 @@ void check_bytes(const std::string& path, std::string_view bytes) {
         fail(path, "is cut off: its nodes or elements have no end",
              "save or copy the mesh again, with the volume meshed");
     if (!has_sound_numbers(bytes, format))
-        fail(path, "is damaged: a dimension or the number of a node is out of range",
-             "save or copy the mesh again");
+        fail(path, "holds a dimension, element type or number that no mesh of hexahedra has",
+             "save or copy the mesh again, not partitioned, Mesh.ElementOrder = 1");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace tricontact::meshes {
 /// gmsh takes any text for a script and runs it, overlooks a missing end of a mesh, and crashes on
 /// numbers that it does not expect. So before it sees the file: throws contact::InputError unless
 /// the path is a readable regular file that begins as a mesh of version 2.2 or 4.1, has all
-/// of its nodes and elements, and numbers them with ints.
+/// of its nodes and elements, and sound numbers in them.
 void check_mesh_file(const std::string& path);
 
 /// Whether the sections of nodes and elements are there to their ends; false for no such file.

@@ -65,7 +65,7 @@ bool has_sound_dimensions(std::string_view bytes) {
     return numbers.ok();
 }
 
-// Nodes of gmsh's element types 1 to 19; 0 for others, which no mesh of ours has.
+// Nodes of gmsh's element types 1 to 19; 0 for others, of third order or none at all.
 int nodes_of_type(int type) {
     constexpr std::array<int, 20> nodes{0, 2,  3,  4,  4,  8, 6, 5,  3,  6,
                                         9, 10, 27, 18, 14, 1, 8, 20, 15, 13};
@@ -83,10 +83,42 @@ bool has_sound_elements(std::string_view bytes, bool binary) {
         numbers.next<int>();  // its tag
         const int n_nodes = nodes_of_type(numbers.next<int>());
         const std::size_t n = next_tag();
-        if (n_nodes == 0) return numbers.ok();  // reading on needs its length; gmsh refuses it
+        if (n_nodes == 0) return false;
         for (std::size_t i = 0; i < n && numbers.ok(); ++i)
             for (int k = 0; k <= n_nodes; ++k)  // its own number first
                 if (next_tag() > std::numeric_limits<int>::max()) return false;
+    }
+    return numbers.ok();
+}
+
+// One element of version 2.2 behind its number: tags, then nodes.
+bool has_sound_tags(Numbers& numbers, int n_tags, int n_nodes) {
+    if (n_nodes == 0 || n_tags < 0) return false;
+    for (int i = 0; i < n_tags && numbers.ok(); ++i) {
+        const int tag = numbers.next<int>();  // group, entity, number of partitions, those
+        if (i >= 2 && tag != 0) return false;
+    }
+    for (int i = 0; i < n_nodes; ++i) numbers.next<int>();
+    return numbers.ok();
+}
+
+// Version 2.2: text gives type and number of tags for each element, binary for each block of them.
+bool has_sound_old_elements(std::string_view bytes, bool binary) {
+    std::string_view elements = section(bytes, "$Elements");
+    auto n = Numbers(elements, false).next<std::size_t>();  // text in either case
+    elements.remove_prefix(std::min(elements.find('\n') + 1, elements.size()));
+    Numbers numbers(elements, binary);
+    while (n > 0 && numbers.ok()) {
+        if (!binary) numbers.next<int>();  // its number
+        const int n_nodes = nodes_of_type(numbers.next<int>());
+        const int n_block = binary ? numbers.next<int>() : 1;
+        const int n_tags = numbers.next<int>();
+        if (n_block < 1 || static_cast<std::size_t>(n_block) > n) return false;
+        for (int i = 0; i < n_block; ++i) {
+            if (binary) numbers.next<int>();  // its number
+            if (!has_sound_tags(numbers, n_tags, n_nodes)) return false;
+        }
+        n -= static_cast<std::size_t>(n_block);
     }
     return numbers.ok();
 }
@@ -115,7 +147,8 @@ MeshFormat mesh_format(std::string_view bytes) {
 bool has_sound_numbers(std::string_view bytes, const MeshFormat& format) {
     if (!has_sound_dimensions(bytes)) return false;
     if (format.binary && !is_of_this_byte_order(bytes)) return false;
-    return format.version != "4.1" || has_sound_elements(bytes, format.binary);
+    return format.version == "2.2" ? has_sound_old_elements(bytes, format.binary)
+                                   : has_sound_elements(bytes, format.binary);
 }
 
 }  // namespace tricontact::meshes

@@ -186,6 +186,9 @@ TEST(MeshesLayerMesh, PatchMayReachTheSides) {
 
 // CPU time, so that a busy machine does not matter. Measured: 0.4 s and 0.2 s for 110 000.
 TEST(MeshesLayerMesh, HundredThousandHexahedraTakeSeconds) {
+#ifndef NDEBUG
+    GTEST_SKIP() << "of the optimised program";
+#endif
     LayerMeshSpec s;
     s.size = 0.25e-3;
     s.patch_x = s.patch_y = 9e-3;
