@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -85,6 +86,26 @@ inline meshes::HexMesh box_mesh(const BoxSpec& spec) {
                 if (j + 2 == ny) add({n[3], n[2], n[6], n[7]}, Boundary::sides);
             }
     return mesh;
+}
+
+/// Moves all nodes smoothly, by up to `amount` [m] times their distance [in extents] from the
+/// box's boundary planes: those stay flat, elements become general hexahedra.
+inline void distort(meshes::HexMesh& mesh, double amount) {
+    std::array<double, 3> low = mesh.nodes[0], high = mesh.nodes[0];
+    for (const auto& x : mesh.nodes)
+        for (int d = 0; d < 3; ++d) {
+            low[d] = std::min(low[d], x[d]);
+            high[d] = std::max(high[d], x[d]);
+        }
+    for (auto& x : mesh.nodes) {
+        std::array<double, 3> t{};
+        for (int d = 0; d < 3; ++d) t[d] = (x[d] - low[d]) / (high[d] - low[d]);
+        for (int d = 0; d < 3; ++d) {
+            const double wave = std::sin(5 * t[0] + d) * std::cos(4 * t[1] - 2 * d) +
+                                std::sin(7 * t[2] + 3 * d + t[0]);
+            x[d] += amount * 4 * t[d] * (1 - t[d]) * wave / 2;
+        }
+    }
 }
 
 }  // namespace tricontact::test
