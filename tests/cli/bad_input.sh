@@ -52,12 +52,12 @@ refused_option() {
     esac
 }
 
-# 1. Every bad case states its message in its first line; run refuses it before it makes a folder.
+# 1. Every bad case states its message in its first line, from line and column on; run refuses it
+#    before it makes a folder.
 for file in "$source_dir"/tests/cli/bad/*.toml; do
     expected=$(head -n 1 "$file" | sed 's/^# expect: //')
-    refused "$file:" check "$file"
-    refused "$expected" check "$file"
-    refused "$expected" run "$file" --output out
+    refused "$file$expected" check "$file"
+    refused "$file$expected" run "$file" --output out
 done
 
 # 2. Files that are no case.
