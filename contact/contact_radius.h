@@ -6,10 +6,11 @@
 
 namespace tricontact::contact {
 
-/// Contact radius [m] of an about axisymmetric, smooth contact centred at `centre`: the zero of
-/// p^2(r^2), a cubic in r^2 fitted by area-weighted least squares to the pressures between 0.5 and
-/// 0.9 of the radius that the contact area counts. A pressure that ends like a square root has a
-/// smooth p^2, so the estimate resolves fractions of a cell (counting cells is first order only).
+/// Contact radius [m] of an about axisymmetric, smooth contact centred at `centre`, from the second
+/// and fourth moments of the pressure: those of p = sqrt(1 - r^2/a^2) (c0 + c1 r^2/a^2), whatever
+/// c1/c0. Moments gain from the cancelling errors of the points, where counting points is first
+/// order only; the form is exact for Hertz, within 1e-5 for a layer with b > a and 0.25 % for
+/// b = 0.7 a. What is no such pressure (a few points) is counted.
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre);
 

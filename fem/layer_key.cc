@@ -54,6 +54,7 @@ class Digest {
 
 std::string LayerCache::key(const LayerProblem& problem) {
     Digest digest;
+    for (const char character : std::string(CONDENSING_SOURCES)) digest << character;
     digest << layer_file_version << problem.mesh.nodes << problem.mesh.hexes
            << problem.mesh.regions;
     digest << static_cast<std::uint64_t>(problem.mesh.faces.size());
