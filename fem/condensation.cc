@@ -10,6 +10,7 @@
 #include "contact/error.h"
 #include "fem/dense_matrix.h"
 #include "fem/dissection.h"
+#include "fem/memory.h"
 
 // LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
 extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
@@ -112,9 +113,12 @@ std::vector<Index> postordered(cholmod_sparse& a, std::vector<Index> order, Chol
     return post;
 }
 
-Sparse permuted(cholmod_sparse& a, std::vector<Index>& order, Cholmod& cholmod) {
+// Rows and columns in the given order. The matrix goes on the way: at most two exist at once.
+Sparse permuted(SparseMatrix matrix, std::vector<Index>& order, Cholmod& cholmod) {
+    auto a = view(matrix);
     const Sparse upper(cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()),
                        cholmod);
+    matrix = {};
     return {cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod};
 }
 
@@ -129,19 +133,19 @@ struct Condensation::Parts {
 
     Parts(SparseMatrix matrix, std::span<const int> node_of_unknown, int n_eliminated)
         : n_interior(n_eliminated), n_contact(matrix.n - n_eliminated) {
-        analyse(matrix, node_of_unknown);
-        matrix = {};
+        choose_order(matrix, node_of_unknown);
+        stiffness = permuted(std::move(matrix), order, cholmod);
         factor = Factor(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
+        return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
-    void analyse(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
+    void choose_order(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
         auto a = view(matrix);
         const auto dissected = dissection_order(matrix, node_of_unknown, n_interior);
         order.assign(dissected.begin(), dissected.end());
         auto better = postordered(a, order, cholmod);
         if (std::equal(better.begin() + n_interior, better.end(), order.begin() + n_interior))
             order = std::move(better);
-        stiffness = permuted(a, order, cholmod);
     }
 
     void refuse_unfactorised() const {
@@ -165,6 +169,11 @@ Condensation::Condensation(SparseMatrix stiffness, std::span<const int> node_of_
                            int n_interior)
     : parts_(std::make_unique<Parts>(std::move(stiffness), node_of_unknown, n_interior)) {}
 Condensation::~Condensation() = default;
+
+double Condensation::matrix_bytes() const {
+    const auto& matrix = *parts_->stiffness.get();
+    return static_cast<double>(matrix.nzmax) * (sizeof(Index) + sizeof(double));
+}
 
 double Condensation::predicted_bytes(int ld) const {
     const auto& factor = *parts_->factor.get();

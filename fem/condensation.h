@@ -21,6 +21,7 @@ class Condensation {
     /// Peak of what `factorise` and `compliance` (`ld` rows) will take on top of now [bytes],
     /// predicted from the symbolic factor.
     double predicted_bytes(int ld = 0) const;
+    double matrix_bytes() const;  ///< the stiffness, which is there already
     /// Throws std::bad_alloc; contact::NotConverged if the matrix is not positive definite.
     void factorise();
     /// Displacements of the contact unknowns under unit forces on them [m/N], symmetric, by

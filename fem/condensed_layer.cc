@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <new>
+#include <string>
 
 #include "contact/error.h"
 #include "fem/condensation.h"
@@ -40,22 +42,27 @@ void spread(const std::vector<int>& unknown, std::vector<double>& compliance) {
         }
 }
 
+[[noreturn]] void refuse_too_large(const std::string& needed, double available) {
+    throw contact::InputError(
+        fmt::format("condensing the layer needs {}, {:.1f} GB are there; choose a larger "
+                    "fem.size or a machine with more memory",
+                    needed, available / 1e9));
+}
+
 void refuse_too_large(double needed) {
     const double available = available_bytes();
     if (needed > available)
-        throw contact::InputError(
-            fmt::format("condensing the layer needs {:.1f} GB of memory, {:.1f} GB are there; "
-                        "choose a larger fem.size",
-                        needed / 1e9, available / 1e9));
+        refuse_too_large(fmt::format("{:.1f} GB of memory", needed / 1e9), available);
 }
 
-}  // namespace
+Condensation analyse(const Discretisation& discretisation, AssembledStiffness& stiffness) {
+    return {std::move(stiffness.matrix), discretisation.node_of_unknown(),
+            discretisation.n_interior()};
+}
 
-CondensedLayer condense(const LayerProblem& problem) {
-    const Discretisation discretisation(problem);
+CondensedLayer condense_discretised(const Discretisation& discretisation) {
     auto stiffness = discretisation.assemble();
-    Condensation condensation(std::move(stiffness.matrix), discretisation.node_of_unknown(),
-                              discretisation.n_interior());
+    Condensation condensation = analyse(discretisation, stiffness);
     const auto& unknowns = discretisation.contact_unknowns();
     const int n_components = static_cast<int>(unknowns.size());
     refuse_too_large(condensation.predicted_bytes(n_components));
@@ -69,11 +76,23 @@ CondensedLayer condense(const LayerProblem& problem) {
     return layer;
 }
 
+}  // namespace
+
+CondensedLayer condense(const LayerProblem& problem) {
+    const double available = available_bytes();
+    try {
+        return condense_discretised(Discretisation(problem));
+    } catch (const std::bad_alloc&) {  // not even the matrix fitted, or others took the memory
+        refuse_too_large("more memory", available);
+    }
+}
+
 double predicted_bytes(const LayerProblem& problem) {
     const Discretisation discretisation(problem);
-    const Condensation condensation(discretisation.assemble().matrix,
-                                    discretisation.node_of_unknown(), discretisation.n_interior());
-    return condensation.predicted_bytes(static_cast<int>(discretisation.contact_unknowns().size()));
+    auto stiffness = discretisation.assemble();
+    const Condensation condensation = analyse(discretisation, stiffness);
+    return condensation.matrix_bytes() +
+           condensation.predicted_bytes(static_cast<int>(discretisation.contact_unknowns().size()));
 }
 
 }  // namespace tricontact::fem
