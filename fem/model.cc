@@ -34,10 +34,10 @@ void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
         workshop.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
                                  2e3 * spec.half_x, 2e3 * spec.half_y));
     const double least = std::min(spec.half_x, spec.half_y);
-    if (least < 6 * total * (1 - 1e-9))
+    if (least < far_sides(c) * total * (1 - 1e-9))
         workshop.say(fmt::format(
-            "the sides are {:.3g} layer thicknesses away, less than 6: they will be felt",
-            least / total));
+            "the sides are {:.3g} layer thicknesses away, less than {:.3g}: they will be felt",
+            least / total, far_sides(c)));
     if (c.layer.base == Case::Base::frictionless && c.fem.sides == Case::Sides::free)
         workshop.say("on a frictionless base the sides are held, or the layer would slide away");
 }

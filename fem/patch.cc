@@ -58,6 +58,13 @@ bool is_symmetric(const Case& c) {
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
 }
 
+// On a bonded base 0.01 % is left of the difference between held and free sides at 6 thicknesses.
+// On a frictionless one the layer is a sheet whose sides are felt as the inverse square of their
+// distance: 1.4 % at 6 thicknesses, nu = 1/2.
+double far_sides(const Case& c) {
+    return c.layer.base == Case::Base::bonded ? 6 : 40;
+}
+
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius) {
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
@@ -68,11 +75,10 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     spec.half_model = is_symmetric(c);
     spec.patch_x = whole_elements(contact_radius + extent[0], size);
     spec.patch_y = whole_elements(contact_radius + extent[1], size);
-    // Between held and free sides 6 thicknesses away a 0.01 % is left of the difference; a thin
-    // layer's patch may itself be wider.
     const double total = spec.thickness + spec.lower_thickness;
+    const double reach = far_sides(c) * total;
     auto half_side = [&](const std::optional<double>& given, double patch) {
-        return given ? *given / 2 : std::max(6 * total, patch + 3 * total);
+        return given ? *given / 2 : std::max(reach, patch + reach / 2);
     };
     spec.half_x = half_side(c.layer.width, spec.patch_x);
     spec.half_y = half_side(c.layer.depth, spec.patch_y);

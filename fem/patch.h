@@ -13,6 +13,9 @@ contact::NormalControl hardest_press(const contact::Case& c);
 /// Whether the case's path and load are symmetric about the plane y = 0.
 bool is_symmetric(const contact::Case& c);
 
+/// Distance of the sides from the load at which they are hardly felt, in thicknesses.
+double far_sides(const contact::Case& c);
+
 /// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path.
 meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double contact_radius);
 
