@@ -6,14 +6,12 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "contact/error.h"
+#include "fem/triangulation.h"
 
 namespace tricontact::fem {
 
@@ -27,37 +25,7 @@ const std::array<std::array<int, 3>, 27> node_positions{{
 
 namespace {
 
-using Triangulation = dealii::Triangulation<3>;
-// deal.II's vertices of hexahedra and quadrilaterals run with x fastest.
-constexpr std::array<int, 8> hex_vertices{0, 1, 3, 2, 4, 5, 7, 6};
-constexpr std::array<int, 4> quad_vertices{0, 1, 3, 2};
 constexpr std::size_t face_gauss_points = 3, nodes_of_face = 9;
-
-std::vector<dealii::Point<3>> points_of(const meshes::HexMesh& mesh) {
-    std::vector<dealii::Point<3>> points;
-    points.reserve(mesh.nodes.size());
-    for (const auto& x : mesh.nodes) points.emplace_back(x[0], x[1], x[2]);
-    return points;
-}
-
-// Boundary ids are those of `meshes::Boundary` plus 1: deal.II gives 0 to faces without a name.
-Triangulation triangulate(const meshes::HexMesh& mesh) {
-    std::vector<dealii::CellData<3>> cells(mesh.hexes.size(), dealii::CellData<3>(8));
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        for (int v = 0; v < 8; ++v) cells[c].vertices[v] = mesh.hexes[c][hex_vertices[v]];
-        cells[c].material_id = static_cast<dealii::types::material_id>(mesh.regions[c]);
-    }
-    dealii::SubCellData boundary;
-    for (const auto& face : mesh.faces) {
-        auto& quad = boundary.boundary_quads.emplace_back(4);
-        for (int v = 0; v < 4; ++v) quad.vertices[v] = face.nodes[quad_vertices[v]];
-        quad.boundary_id = static_cast<dealii::types::boundary_id>(face.boundary) + 1;
-    }
-    dealii::GridTools::consistently_order_cells(cells);
-    Triangulation triangulation;
-    triangulation.create_triangulation(points_of(mesh), cells, boundary);
-    return triangulation;
-}
 
 // For each of VTK's nodes, its number within a cell of `fe`.
 std::array<unsigned, 27> numbers_within_cell(const dealii::FiniteElement<3>& fe) {
@@ -95,7 +63,7 @@ std::array<int, 9> nodes_on_face(int face) {
 }  // namespace
 
 struct Q2Space::Parts {
-    Triangulation triangulation;
+    dealii::Triangulation<3> triangulation;
     dealii::FE_Q<3> fe{2};
     dealii::MappingQ1<3> mapping;
     dealii::DoFHandler<3> dofs{triangulation};
@@ -108,7 +76,8 @@ struct Q2Space::Parts {
     std::vector<meshes::Region> regions;
     std::vector<Face> faces;
 
-    explicit Parts(const meshes::HexMesh& mesh) : triangulation(triangulate(mesh)) {
+    explicit Parts(const meshes::HexMesh& mesh) {
+        triangulate(mesh, triangulation);
         dofs.distribute_dofs(fe);
         number_cells();
         place_nodes();
@@ -137,13 +106,8 @@ struct Q2Space::Parts {
 
     void add_face(std::size_t c, int f) {
         const auto id = iterators[c]->face(f)->boundary_id();
-        if (id < 1 || id > meshes::n_boundaries) {
-            const auto x = iterators[c]->face(f)->center();
-            throw contact::InputError(
-                "mesh: the boundary face about (" + std::to_string(x[0]) + ", " +
-                std::to_string(x[1]) + ", " + std::to_string(x[2]) +
-                ") m has no name; put every boundary face into exactly one physical group");
-        }
+        const auto x = iterators[c]->face(f)->center();
+        require_name(id, {x[0], x[1], x[2]});
         Face face{{}, static_cast<meshes::Boundary>(id - 1)};
         const auto local = nodes_on_face(f);
         for (int i = 0; i < 9; ++i) face.nodes[i] = cells[c][local[i]];

@@ -1,7 +1,6 @@
 #include "fem/unknowns.h"
 
 #include <algorithm>
-#include <cstdint>
 
 #include "contact/error.h"
 
@@ -11,8 +10,9 @@ namespace {
 
 using contact::Case;
 using meshes::Boundary;
-using Directions = std::uint8_t;  // bit c: displacement c is held
 constexpr Directions none = 0, y_only = 2, z_only = 4, all = 7;
+
+}  // namespace
 
 Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
     switch (boundary) {
@@ -29,13 +29,9 @@ Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
     return none;
 }
 
-void refuse_rigid_motions(const Q2Space& space, Case::Base base, Case::Sides sides) {
-    const auto has = [&](Boundary boundary) {
-        return std::ranges::any_of(space.faces(),
-                                   [&](const auto& face) { return face.boundary == boundary; });
-    };
-    if (sides == Case::Sides::fixed && has(Boundary::sides)) return;
-    if (!has(Boundary::base))
+void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Case::Sides sides) {
+    if (sides == Case::Sides::fixed && has_sides) return;
+    if (!has_base)
         throw contact::InputError(
             "mesh: nothing holds the layer; name the faces on the ground \"base\"");
     if (base == Case::Base::frictionless)
@@ -44,11 +40,13 @@ void refuse_rigid_motions(const Q2Space& space, Case::Base base, Case::Sides sid
             "sliding; choose fem.sides = \"fixed\"");
 }
 
-}  // namespace
-
 Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
                          Case::Base base, Case::Sides sides) {
-    refuse_rigid_motions(space, base, sides);
+    const auto has = [&](Boundary boundary) {
+        return std::ranges::any_of(space.faces(),
+                                   [&](const auto& face) { return face.boundary == boundary; });
+    };
+    refuse_rigid_motions(has(Boundary::base), has(Boundary::sides), base, sides);
     std::vector<Directions> held(space.nodes().size(), none);
     for (const auto& face : space.faces())
         for (const int node : face.nodes) held[node] |= held_on(face.boundary, base, sides);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "fem/layer_problem.h"
@@ -16,6 +17,13 @@ struct Unknowns {
     std::vector<int> node_of_unknown, direction_of_unknown;
     std::vector<int> of_contact;  ///< c * n + i less n_interior, or -1: see Discretisation
 };
+
+/// Bit c: displacement c is held.
+using Directions = std::uint8_t;
+Directions held_on(meshes::Boundary boundary, contact::Case::Base base, contact::Case::Sides sides);
+/// Throws contact::InputError when rigid motions remain with a base or sides in the mesh or not.
+void refuse_rigid_motions(bool has_base, bool has_sides, contact::Case::Base base,
+                          contact::Case::Sides sides);
 
 /// Held are: the base (bonded: all, frictionless: z), fixed sides (all), the symmetry plane (y).
 /// Throws contact::InputError when rigid motions remain.
