@@ -34,6 +34,9 @@ class Model {
     virtual void start_limit() = 0;
     /// The inside of the substrate in the present state; null where the model does not know it.
     virtual std::unique_ptr<const Interior> interior() { return nullptr; }
+    /// Another model over the same elasticity, which is shared, at rest and with other `options`;
+    /// null where there are no such options.
+    virtual std::unique_ptr<Model> sibling(const Case::Contact&) const { return nullptr; }
     /// The present state as bytes, for a run that is to go on after a kill; empty: not supported.
     /// `read_state` of the same bytes puts the same model into the same state.
     virtual std::string write_state() const { return {}; }

@@ -18,8 +18,8 @@ constexpr std::size_t normal_cache_bytes = std::size_t{1} << 28;
 constexpr int max_turns = 100;
 }  // namespace
 
-SurfaceModel::SurfaceModel(std::string name, std::unique_ptr<Compliance> compliance,
-                           std::unique_ptr<Indenter> indenter, double friction_coefficient,
+SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
+                           std::shared_ptr<const Indenter> indenter, double friction_coefficient,
                            double tolerance, const Case::Contact& options)
     : name_(std::move(name)),
       compliance_(std::move(compliance)),
@@ -30,6 +30,11 @@ SurfaceModel::SurfaceModel(std::string name, std::unique_ptr<Compliance> complia
       normal_solver_(*compliance_, 0.1 * tolerance),
       tangential_solver_(*compliance_, tolerance) {
     release();
+}
+
+std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
+    return std::make_unique<SurfaceModel>(name_, compliance_, indenter_, friction_coefficient_,
+                                          tolerance_, options);
 }
 
 void SurfaceModel::release() {

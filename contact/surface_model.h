@@ -29,9 +29,9 @@ class SurfaceModel final : public Model {
   public:
     /// `tolerance` [-]: of the tangential solver and of the turns, over mu d and d; the normal
     /// solver gets a tenth of it.
-    SurfaceModel(std::string name, std::unique_ptr<Compliance> compliance,
-                 std::unique_ptr<Indenter> indenter, double friction_coefficient, double tolerance,
-                 const Case::Contact& options = {});
+    SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
+                 std::shared_ptr<const Indenter> indenter, double friction_coefficient,
+                 double tolerance, const Case::Contact& options = {});
 
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !coupling_.absent(); }
@@ -42,6 +42,7 @@ class SurfaceModel final : public Model {
     double limit_tangential_ratio() const override;
     void start_limit() override;
     std::unique_ptr<const Interior> interior() override;
+    std::unique_ptr<Model> sibling(const Case::Contact& options) const override;
     std::string write_state() const override;
     void read_state(std::string_view bytes) override;
     const Audit& audit() const override { return audit_; }
@@ -70,8 +71,8 @@ class SurfaceModel final : public Model {
     void audit_stored_energy(const Before& before, double allowed);
 
     std::string name_;
-    std::unique_ptr<Compliance> compliance_;
-    std::unique_ptr<Indenter> indenter_;
+    std::shared_ptr<const Compliance> compliance_;
+    std::shared_ptr<const Indenter> indenter_;
     double friction_coefficient_;
     double tolerance_;
     Coupling coupling_;

@@ -48,6 +48,10 @@ class JournalledModel final : public contact::Model {
     contact::Surface surface() const override { return model_->surface(); }
     double limit_tangential_ratio() const override { return model_->limit_tangential_ratio(); }
     std::unique_ptr<const contact::Interior> interior() override { return model_->interior(); }
+    /// Of the model alone: what it does is in no journal.
+    std::unique_ptr<contact::Model> sibling(const contact::Case::Contact& options) const override {
+        return model_->sibling(options);
+    }
     std::string write_state() const override { return model_->write_state(); }
     void read_state(std::string_view bytes) override { model_->read_state(bytes); }
     const contact::Audit& audit() const override { return model_->audit(); }
