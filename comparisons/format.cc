@@ -60,7 +60,8 @@ std::string as_given(double value) {
 }
 
 std::string typeset(const std::string& sentence) {
-    constexpr std::array symbols{"f_T,lim", "f_T", "F_T", "F_N", "u_stat", "u_x", "U_max", "τ_x"};
+    constexpr std::array symbols{"f_T,lim", "f_T",   "F_T", "F_N",   "u_stat", "U_stat",
+                                 "u_end",   "U_end", "u_x", "U_max", "p_0",    "τ_x"};
     std::string html = kainjow::mustache::html_escape(sentence);
     for (const std::string_view symbol : symbols) {
         const std::size_t split = symbol.find('_');
@@ -109,6 +110,15 @@ std::string display_name(const std::string& model) {
             letter == '-' ? ' ' : (abbreviation ? static_cast<char>(std::toupper(code)) : letter);
     }
     return name;
+}
+
+std::string display_names(const std::vector<std::string>& models) {
+    std::string text;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (i > 0) text += i + 1 == models.size() ? " and " : ", ";
+        text += display_name(models[i]);
+    }
+    return text;
 }
 
 }  // namespace tricontact::comparisons

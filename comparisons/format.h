@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tricontact::comparisons {
 
@@ -31,5 +32,8 @@ std::string quantity(double value, const std::string& base, int digits = 4);
 
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
 std::string display_name(const std::string& model);
+
+/// Display names of models as a list in a sentence: "MDR, BEM and FEM"; empty for none.
+std::string display_names(const std::vector<std::string>& models);
 
 }  // namespace tricontact::comparisons

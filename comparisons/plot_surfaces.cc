@@ -7,6 +7,7 @@
 #include "comparisons/format.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
+#include "comparisons/resample.h"
 #include "comparisons/surface_fields.h"
 
 namespace tricontact::comparisons {
@@ -37,10 +38,12 @@ std::string mesh_data(const Surface& s, const std::vector<double>& values, doubl
     fmt::format_to(out, "$mesh << EOD\n");
     const std::vector<int> columns = visible(s.n_x, s.first[0] - s.offset[0], s.spacing[0], a);
     for (const int j : visible(s.n_y, s.first[1] - s.offset[1], s.spacing[1], a)) {
-        for (const int i : columns)
-            fmt::format_to(out, "{:.5g} {:.5g} {:.5g}\n", (s.x(i) - s.offset[0]) / a,
+        for (const int i : columns) {
+            const double value = values[static_cast<std::size_t>(j) * s.n_x + i] / unit;
+            fmt::format_to(out, "{:.5g} {:.5g} {}\n", (s.x(i) - s.offset[0]) / a,
                            (s.y(j) - s.offset[1]) / a,
-                           values[static_cast<std::size_t>(j) * s.n_x + i] / unit);
+                           std::isfinite(value) ? fmt::format("{:.5g}", value) : "NaN");
+        }
         fmt::format_to(out, "\n");
     }
     fmt::format_to(out, "EOD\n");
@@ -77,7 +80,7 @@ std::vector<Plot> surface_plots(const contact::Case& c, const Histories& histori
     std::vector<Plot> plots;
     for (const History& history : histories) {
         const contact::Snapshot* last = last_upright(history);
-        if (!last || last->surface.layout != Surface::Layout::grid) continue;
+        if (!last || !is_grid(last->surface)) continue;
         const double a = history.scales.contact_radius;
         const std::string model = display_name(history.model);
         plots.push_back({"traction_surface_" + history.model, "Traction over the contact, " + model,

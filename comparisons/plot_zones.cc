@@ -7,6 +7,7 @@
 #include "comparisons/format.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
+#include "comparisons/resample.h"
 #include "comparisons/surface_fields.h"
 
 namespace tricontact::comparisons {
@@ -131,8 +132,7 @@ std::vector<Plot> zone_maps(const contact::Case&, const Histories& histories) {
     std::vector<Plot> plots;
     for (const History& history : histories) {
         const Snapshot* last = last_upright(history);
-        if (last && last->surface.layout == Surface::Layout::grid)
-            plots.push_back(zone_map(history));
+        if (last && is_grid(last->surface)) plots.push_back(zone_map(history));
     }
     return plots;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/layer.h"
 #include "comparisons/reference.h"
 
 namespace tricontact::comparisons {
@@ -40,7 +41,8 @@ std::string undecided_sentence(const ModelSummary& s, const Reference& r) {
         "rolling.periods and rerun).",
         display_name(s.model), s.periods, s.periods == 1 ? "period" : "periods",
         significant(s.shift_increment_ratio, 3));
-    if (r.limit_tangential_ratio)
+    // The limit holds for Hertz' pressure and uncoupled contact.
+    if (r.limit_tangential_ratio && is_half_space(s.model))
         text += r.tangential_ratio <= *r.limit_tangential_ratio
                     ? " By the exact limit it must shake down in the end."
                     : " By the exact limit it must ratchet.";
@@ -113,6 +115,27 @@ bool has_model(const std::vector<ModelSummary>& summaries, const std::string& na
                        [&](const ModelSummary& s) { return s.model == name; });
 }
 
+void add_half_spaces(const contact::Case& c, const std::vector<ModelSummary>& summaries,
+                     std::vector<std::string>& findings) {
+    std::vector<std::string> models;
+    for (const ModelSummary& s : summaries)
+        if (is_half_space(s.model)) models.push_back(s.model);
+    if (models.empty()) return;
+    const std::string who = models.size() == summaries.size()
+                                ? "All models take"
+                                : display_names(models) + (models.size() > 1 ? " take" : " takes");
+    findings.push_back(fmt::format(
+        "{} the bodies as elastic half-spaces: {}. Normal and tangential contact are taken as "
+        "uncoupled{} (Dundurs' β = {}).",
+        who,
+        c.layer.thickness ? "the thickness of the layer is not seen (The layer, below, says what "
+                            "that changes)"
+                          : "a layer of finite thickness, usually stiffer on its rigid base, is "
+                            "not seen",
+        models.size() == summaries.size() ? "" : " there",
+        significant(c.materials().dundurs_beta(), 2)));
+}
+
 /// What the models leave out, so that nobody reads more into them.
 void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& summaries,
                      std::vector<std::string>& findings) {
@@ -123,11 +146,7 @@ void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& su
             "dimensions its "
             "traction may exceed μp: the bound holds spring by spring only.");
     }
-    findings.push_back(fmt::format(
-        "All models take the bodies as elastic half-spaces: a layer of finite thickness, usually "
-        "stiffer on its rigid base, is not seen. Normal and tangential contact are taken as "
-        "uncoupled (Dundurs' β = {}).",
-        significant(c.materials().dundurs_beta(), 2)));
+    add_half_spaces(c, summaries, findings);
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(
             "The theory column holds for a paraboloid; the exact sphere departs from it with "

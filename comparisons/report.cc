@@ -7,11 +7,14 @@
 
 #include "comparisons/base64.h"
 #include "comparisons/format.h"
+#include "comparisons/layer_report.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
 #include "comparisons/reading.h"
+#include "comparisons/refinement_report.h"
 #include "comparisons/report_tables.h"
 #include "comparisons/report_template.h"
+#include "comparisons/resample.h"
 #include "comparisons/summary.h"
 
 namespace tricontact::comparisons {
@@ -126,8 +129,28 @@ data figures(const std::vector<Plot>& plots, const std::vector<Drawing>& drawing
     return result;
 }
 
+void set_layer(const contact::Case& c, const std::vector<contact::History>& histories,
+               const std::vector<StaticVariant>& variants, data& page) {
+    const auto layer = compare_with_layer(c, histories, variants);
+    page.set("has_layer", layer.has_value());
+    if (!layer) return;
+    page.set("layer_sentences", typeset_list(layer_sentences(c, *layer)));
+    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, variants)));
+    page.set("layer_table", to_data(layer_table(*layer)));
+    page.set("has_variants", !variants.empty());
+    page.set("variants_table", to_data(variants_table(variants)));
+}
+
+void set_refinement(const std::optional<Refinement>& refinement, data& page) {
+    page.set("has_refinement", refinement.has_value());
+    if (!refinement) return;
+    page.set("refinement_sentences", typeset_list(refinement_sentences(*refinement)));
+    page.set("refinement_table", to_data(refinement_table(*refinement)));
+}
+
+/// Everything but figures, layer and refinement.
 data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
-          const std::vector<ModelSummary>& summaries) {
+          const std::vector<ModelSummary>& summaries, const std::vector<StaticVariant>& variants) {
     data settings{data::type::list};
     for (const Table& table : setting_tables(c)) settings << to_data(table);
     data result{data::type::object};
@@ -137,7 +160,11 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("title", c.title.empty() ? "Frictional contact" : c.title);
     result.set("version", version);
     result.set("cards", cards(summaries));
-    result.set("findings", typeset_list(reading(c, summaries)));
+    std::vector<std::string> findings = reading(c, summaries);
+    if (!c.layer.thickness && !variants.empty())  // the layer has a section for them
+        for (auto& sentence : treatment_sentences(c, c.models, variants))
+            findings.push_back(std::move(sentence));
+    result.set("findings", typeset_list(findings));
     result.set("settings", settings);
     result.set("results", to_data(results_table(c, summaries)));
     result.set("rolling", c.rolling.has_value());
@@ -163,13 +190,17 @@ std::string render(const data& content) {
 
 std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
                                     const std::string& version,
-                                    const std::vector<contact::History>& histories) {
+                                    const std::vector<contact::History>& histories,
+                                    const ReportExtras& extras) {
     std::vector<ModelSummary> summaries;
     summaries.reserve(histories.size());
     for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
-    const std::vector<Plot> plots = make_plots(c, histories);
+    const std::vector<Plot> plots =
+        are_on_grids(histories) ? make_plots(c, histories) : make_plots(c, on_grids(histories));
     const std::vector<Drawing> drawings = draw_all(plots);
-    data content = page(c, resolved_case, version, summaries);
+    data content = page(c, resolved_case, version, summaries, extras.variants);
+    set_layer(c, histories, extras.variants, content);
+    set_refinement(extras.refinement, content);
     content.set("figures", figures(plots, drawings));
 
     std::vector<ReportFile> files{{"report.html", render(content)}};

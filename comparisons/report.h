@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "comparisons/refinement.h"
+#include "comparisons/static_variant.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -14,12 +17,19 @@ struct ReportFile {
     std::string content;
 };
 
+/// What a report may carry besides the histories.
+struct ReportExtras {
+    std::vector<StaticVariant> variants;
+    std::optional<Refinement> refinement;  ///< of which the histories are the finest level
+};
+
 /// report.html, which needs no other file and no network, and plots/*.svg, plots/*.png.
 /// `resolved_case` is the case's TOML text with all defaults. Histories stand in the order of the
 /// models; the others are compared with the last. Same input, same bytes (but for the CPU times).
 /// Throws GnuplotError.
 std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
                                     const std::string& version,
-                                    const std::vector<contact::History>& histories);
+                                    const std::vector<contact::History>& histories,
+                                    const ReportExtras& extras = {});
 
 }  // namespace tricontact::comparisons

@@ -19,16 +19,18 @@ using Getter = std::function<Value(const ModelSummary&)>;
 /// Builds rows over the same models, with the same columns of theory and differences.
 class RowMaker {
   public:
-    explicit RowMaker(const std::vector<ModelSummary>& summaries) : summaries_(summaries) {}
+    /// `theory`: name of the column of theory.
+    RowMaker(const std::vector<ModelSummary>& summaries, std::string theory)
+        : summaries_(summaries), theory_(std::move(theory)) {}
 
     std::vector<std::string> columns() const {
         std::vector<std::string> result;
         for (const ModelSummary& s : summaries_) result.push_back(display_name(s.model));
-        result.emplace_back("theory");
+        result.push_back(theory_);
         for (std::size_t i = 0; i + 1 < summaries_.size(); ++i)
             result.push_back(display_name(summaries_[i].model) + " vs " +
                              display_name(summaries_.back().model));
-        if (compares_with_theory()) result.push_back("vs theory");
+        if (compares_with_theory()) result.push_back("vs " + theory_);
         return result;
     }
 
@@ -81,6 +83,7 @@ class RowMaker {
     }
 
     const std::vector<ModelSummary>& summaries_;
+    std::string theory_;
 };
 
 Table::Group pressed_group(const RowMaker& make, const Reference& r) {
@@ -175,7 +178,7 @@ Table::Group cost_group(const RowMaker& make, bool rolling) {
 
 Table results_table(const contact::Case& c, const std::vector<ModelSummary>& summaries) {
     const Reference r = reference(c);
-    const RowMaker make(summaries);
+    const RowMaker make(summaries, c.layer.thickness ? "half-space theory" : "theory");
     Table table{"Results of the models and of theory", make.columns(), {pressed_group(make, r)}};
     if (c.rolling) table.groups.push_back(rolling_group(make, r));
     table.groups.push_back(cost_group(make, c.rolling.has_value()));

@@ -134,10 +134,11 @@ ModelSummary summarise(const contact::Case& c, const History& history) {
 }
 
 std::string summary_json(const std::string& version, const json& resolved_case,
-                         const std::vector<ModelSummary>& summaries) {
+                         const std::vector<ModelSummary>& summaries, const json& layer) {
     json models = json::object();
     for (const ModelSummary& summary : summaries) models[summary.model] = to_json(summary);
-    const json document{{"version", version}, {"case", resolved_case}, {"models", models}};
+    json document{{"version", version}, {"case", resolved_case}, {"models", models}};
+    if (!layer.is_null()) document["layer"] = layer;
     return document.dump(2) + "\n";
 }
 

@@ -1,0 +1,163 @@
+#include "comparisons/layer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "theory/elastic_layer.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+using contact::NormalControl;
+
+/// Compliance of the indenter over the substrate's up to which it counts as rigid.
+constexpr double negligible_compliance = 1e-3;
+
+theory::ElasticLayer elastic_layer(const Case& c) {
+    return {c.substrate, *c.layer.thickness,
+            c.layer.base == Case::Base::bonded ? theory::LayerBase::bonded
+                                               : theory::LayerBase::frictionless};
+}
+
+double plane_compliance(const contact::Material& body) {
+    return (1 - body.poisson * body.poisson) / body.young;
+}
+
+/// Empty where theory covers the case.
+std::string why_theory_is_silent(const Case& c) {
+    if (c.layer.lower) return "the exact theory knows one layer, the case has two";
+    if (c.indenter.material && plane_compliance(*c.indenter.material) >
+                                   negligible_compliance * plane_compliance(c.substrate))
+        return "the exact theory takes the indenter as rigid, that of the case is not";
+    return {};
+}
+
+void add_exact(const Case& c, LayerComparison& result) {
+    result.why_not = why_theory_is_silent(c);
+    if (!result.why_not.empty()) return;
+    try {
+        const theory::LayerContact exact = theory::solve_layer_contact(
+            elastic_layer(c), *c.make_indenter(), contact::press_step(c).normal);
+        std::optional<double> shift = exact.unit_shift;
+        if (shift) *shift *= c.friction_coefficient;
+        result.exact = {exact.contact_radius,
+                        exact.indentation,
+                        exact.normal_force,
+                        exact.centre_pressure,
+                        shift,
+                        exact.normal_stiffness};
+    } catch (const contact::InputError& error) {
+        result.why_not = error.what();
+    } catch (const contact::NotConverged& error) {
+        result.why_not = error.what();
+    }
+}
+
+ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
+    const contact::MaterialPair pair = c.materials();
+    const double force = 3. / 4 * layer.normal_force, radius = c.indenter.radius;
+    // All moduli in proportion: E_app/E = E*_app/E*.
+    const auto young = [&](double effective_modulus) {
+        return c.substrate.young * effective_modulus / pair.effective_modulus();
+    };
+    const auto from_indentation = [&](double d) {
+        return young(force / (std::sqrt(radius) * std::pow(d, 1.5)));
+    };
+    ApparentModuli result{from_indentation(layer.indentation),
+                          young(force * radius / std::pow(layer.contact_radius, 3)),
+                          {}};
+    if (layer.unit_shift && c.friction_coefficient > 0)
+        result.from_unit_shift =
+            from_indentation(*layer.unit_shift * pair.effective_shear_modulus() /
+                             (c.friction_coefficient * pair.effective_modulus()));
+    return result;
+}
+
+/// dF/dd at the last of three pressing steps that are evenly spaced in force or indentation.
+std::optional<double> stiffness_of_steps(const History& history) {
+    const auto rolls = std::find_if(history.steps.begin(), history.steps.end(),
+                                    [](const auto& step) { return step.phase > 0; });
+    const auto n = rolls - history.steps.begin() - 1;  // the last of them loads tangentially
+    if (n < 3) return {};
+    // One-sided difference of second order: 3 f_n - 4 f_(n-1) + f_(n-2) = 2 h f'.
+    const auto slope = [&](const auto& get) {
+        return 3 * get(history.steps[n - 1]) - 4 * get(history.steps[n - 2]) +
+               get(history.steps[n - 3]);
+    };
+    const double depth = slope([](const auto& step) { return step.indentation; });
+    if (!(depth > 0)) return {};
+    return slope([](const auto& step) { return step.normal_force; }) / depth;
+}
+
+PressedValues values_of(const Case& c, const History& history) {
+    const contact::Scales& s = history.scales;
+    PressedValues values{s.contact_radius, s.indentation, s.normal_force,
+                         s.peak_pressure,  s.unit_shift,  {}};
+    values.normal_stiffness =
+        is_half_space(history.model)
+            ? std::optional(2 * c.materials().effective_modulus() * s.contact_radius)
+            : stiffness_of_steps(history);
+    return values;
+}
+
+PressedValues hertz_values(const Case& c) {
+    const contact::HertzScales h = contact::hertz_scales(c);
+    return {h.contact_radius, h.indentation,
+            h.normal_force,   h.peak_pressure,
+            h.unit_shift,     2 * c.materials().effective_modulus() * h.contact_radius};
+}
+
+}  // namespace
+
+const std::vector<PressedQuantity>& pressed_quantities() {
+    using Values = const PressedValues&;
+    using Value = std::optional<double>;
+    static const std::vector<PressedQuantity> quantities{
+        {"contact_radius_m", "contact_radius", "contact radius <i>a</i>", "m",
+         [](Values v) -> Value { return v.contact_radius; }},
+        {"indentation_m", "indentation", "indentation <i>d</i>", "m",
+         [](Values v) -> Value { return v.indentation; }},
+        {"normal_force_N", "normal_force", "normal force <i>F</i><sub>N</sub>", "N",
+         [](Values v) -> Value { return v.normal_force; }},
+        {"peak_pressure_Pa", "peak_pressure", "peak pressure <i>p</i><sub>0</sub>", "Pa",
+         [](Values v) -> Value { return v.peak_pressure; }},
+        {"unit_shift_m", "unit_shift", "unit of shift <i>U</i><sub>max</sub>", "m",
+         [](Values v) { return v.unit_shift; }},
+        {"normal_stiffness_N_per_m", "normal_stiffness",
+         "stiffness d<i>F</i><sub>N</sub>/d<i>d</i>", "N/m",
+         [](Values v) { return v.normal_stiffness; }}};
+    return quantities;
+}
+
+bool is_half_space(const std::string& model) {
+    return model == "mdr" || model == "bem";
+}
+
+std::optional<LayerComparison> compare_with_layer(const Case& c,
+                                                  const std::vector<History>& histories,
+                                                  const std::vector<StaticVariant>& variants) {
+    if (!c.layer.thickness) return {};
+    LayerComparison result;
+    result.thickness = *c.layer.thickness;
+    result.half_space = hertz_values(c);
+    result.thickness_ratio = result.thickness / (2 * result.half_space.contact_radius);
+    add_exact(c, result);
+    if (result.exact) result.apparent = apparent_moduli(c, *result.exact);
+    for (const History& history : histories)
+        result.models.push_back(
+            {history.model, is_half_space(history.model), values_of(c, history)});
+    const double total = result.thickness + (c.layer.lower ? c.layer.lower->thickness : 0);
+    if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
+    if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
+    result.variants = variants;
+    return result;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,92 @@
+// The layer's section of summary.json.
+
+#include <cmath>
+
+#include "comparisons/layer.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using json = nlohmann::ordered_json;
+
+json number(std::optional<double> value) {
+    if (!value || !std::isfinite(*value)) return nullptr;
+    return *value;
+}
+
+json values_json(const PressedValues& values) {
+    json result = json::object();
+    for (const PressedQuantity& q : pressed_quantities()) result[q.key] = number(q.get(values));
+    return result;
+}
+
+/// Ratio minus 1 of each quantity.
+json difference_json(const PressedValues& values, const std::optional<PressedValues>& base) {
+    if (!base) return nullptr;
+    json result = json::object();
+    for (const PressedQuantity& q : pressed_quantities()) {
+        const auto value = q.get(values), reference = q.get(*base);
+        result[q.name] = value && reference ? number(*value / *reference - 1) : json();
+    }
+    return result;
+}
+
+json apparent_json(const std::optional<ApparentModuli>& apparent) {
+    if (!apparent) return nullptr;
+    return {{"from_indentation", number(apparent->from_indentation)},
+            {"from_contact_radius", number(apparent->from_contact_radius)},
+            {"from_unit_shift", number(apparent->from_unit_shift)}};
+}
+
+json models_json(const LayerComparison& layer) {
+    json result = json::object();
+    for (const auto& model : layer.models)
+        result[model.name] = {{"ignores_thickness", model.half_space},
+                              {"values", values_json(model.values)},
+                              {"over_exact", difference_json(model.values, layer.exact)}};
+    return result;
+}
+
+json variants_json(const std::vector<StaticVariant>& variants) {
+    json result = json::array();
+    for (const StaticVariant& v : variants)
+        result.push_back({{"model", v.model},
+                          {"key", v.key},
+                          {"chosen", v.chosen},
+                          {"changed", v.changed},
+                          {"static_shift_m", number(v.static_shift)},
+                          {"changed_static_shift_m", number(v.changed_shift)},
+                          {"change", v.ratio() ? number(*v.ratio() - 1) : json()},
+                          {"why_none", v.changed_shift ? json() : json(v.why_none)}});
+    return result;
+}
+
+json treatment_json(const Case& c) {
+    const bool friction = c.load.press == Case::Press::friction;
+    return {
+        {"coupling", c.contact.coupling},
+        {"kinematics", c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed"},
+        {"press", friction ? "friction" : "frictionless"},
+        {"press_steps", friction ? c.load.press_steps : 1}};
+}
+
+}  // namespace
+
+json layer_json(const Case& c, const LayerComparison& layer) {
+    return {{"thickness_m", number(layer.thickness)},
+            {"thickness_over_hertz_diameter", number(layer.thickness_ratio)},
+            {"half_width_over_thickness", number(layer.half_width)},
+            {"half_depth_over_thickness", number(layer.half_depth)},
+            {"exact", layer.exact ? values_json(*layer.exact) : json()},
+            {"why_no_exact", layer.exact ? json() : json(layer.why_not)},
+            {"half_space", values_json(layer.half_space)},
+            {"half_space_over_exact", difference_json(layer.half_space, layer.exact)},
+            {"apparent_young_Pa", apparent_json(layer.apparent)},
+            {"models", models_json(layer)},
+            {"contact", treatment_json(c)},
+            {"static_variants", variants_json(layer.variants)}};
+}
+
+}  // namespace tricontact::comparisons

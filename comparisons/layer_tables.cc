@@ -1,0 +1,72 @@
+#include <algorithm>
+
+#include "comparisons/format.h"
+#include "comparisons/layer_report.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Value = std::optional<double>;
+
+Value ratio(Value value, Value base) {
+    return value && base && *base != 0 ? Value(*value / *base) : Value();
+}
+
+Unit common_unit(const PressedQuantity& q, const LayerComparison& layer) {
+    double largest = q.get(layer.half_space).value_or(0);
+    for (const auto& model : layer.models)
+        largest = std::max(largest, q.get(model.values).value_or(0));
+    return fitting_unit(largest, q.base);
+}
+
+}  // namespace
+
+Table layer_table(const LayerComparison& layer) {
+    Table table{"Pressed contact on the layer", {}, {{}}};
+    if (layer.exact) table.columns = {"exact layer"};
+    table.columns.emplace_back("half-space");
+    for (const auto& model : layer.models) table.columns.push_back(display_name(model.name));
+    if (layer.exact) {
+        table.columns.emplace_back("half-space vs exact");
+        for (const auto& model : layer.models)
+            table.columns.push_back(display_name(model.name) + " vs exact");
+    }
+    for (const PressedQuantity& q : pressed_quantities()) {
+        const Unit unit = common_unit(q, layer);
+        Table::Row row{q.label, unit.symbol, {}};
+        const auto add = [&](const PressedValues& values) {
+            const Value value = q.get(values);
+            row.cells.push_back(significant(value ? Value(*value / unit.factor) : Value()));
+        };
+        const auto compare = [&](const PressedValues& values) {
+            row.cells.push_back(percent(ratio(q.get(values), q.get(*layer.exact))));
+        };
+        if (layer.exact) add(*layer.exact);
+        add(layer.half_space);
+        for (const auto& model : layer.models) add(model.values);
+        if (layer.exact) {
+            compare(layer.half_space);
+            for (const auto& model : layer.models) compare(model.values);
+        }
+        table.groups.front().rows.push_back(row);
+    }
+    return table;
+}
+
+Table variants_table(const std::vector<StaticVariant>& variants) {
+    Table table{"Static shift with one choice changed", {"this run", "changed", "difference"}, {}};
+    for (const StaticVariant& v : variants) {
+        if (table.groups.empty() || table.groups.back().title != display_name(v.model))
+            table.groups.push_back({display_name(v.model), {}});
+        const Unit unit = fitting_unit(v.static_shift, "m");
+        const Value changed = v.changed_shift ? Value(*v.changed_shift / unit.factor) : Value();
+        table.groups.back().rows.push_back({v.key + ": " + v.changed + " instead of " + v.chosen,
+                                            unit.symbol,
+                                            {significant(v.static_shift / unit.factor),
+                                             significant(changed), percent(v.ratio())}});
+    }
+    return table;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tricontact::comparisons {
+
+/// How values behave on finer and finer levels.
+enum class Convergence {
+    ordered,      ///< as v + C h^p with a plausible p
+    unchanged,    ///< the changes are no larger than the noise
+    oscillating,  ///< the last two changes have opposite signs
+    irregular     ///< they have one sign, but belong to no plausible order
+};
+const char* name_of(Convergence convergence);
+
+/// What a sequence of levels says about its limit.
+struct LimitEstimate {
+    Convergence convergence = Convergence::irregular;
+    std::optional<double> order;  ///< p observed on the finest three levels; also where implausible
+    double value = 0;             ///< of the limit: extrapolated if ordered, else the finest one
+    double error = 0;             ///< estimated of the finest value, >= 0, in its unit
+};
+
+/// Orders outside these are taken for an accident: contact elements have 1 to 2.
+inline constexpr double least_order = 0.5, largest_order = 4;
+/// The estimated error never counts on more than this order.
+inline constexpr double largest_trusted_order = 2;
+/// Between an extrapolated difference and the error that is stated.
+inline constexpr double safety_factor = 1.25;
+
+/// Order p with (h1^p - h2^p)/(h2^p - h3^p) = (v1 - v2)/(v2 - v3) for h1 > h2 > h3 > 0; empty where
+/// there is none in [0.01, 20].
+std::optional<double> observed_order(std::span<const double, 3> sizes,
+                                     std::span<const double, 3> values);
+
+/// From the finest three of at least three levels, sizes decreasing in any ratios. Richardson's
+/// extrapolation with the observed order; the error is Roache's grid convergence index (Roache
+/// 1998, Verification and Validation, ch. 5): 1.25 times what separates the finest value from the
+/// extrapolated one, with the observed order but at most 2. Where no order can be relied on nothing
+/// is extrapolated, and the error is the spread of the three values. `noise`: below which a change
+/// says nothing, in the unit of the values; also the least error.
+LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
+                             double noise = 0);
+
+/// One quantity on all levels.
+struct RefinedQuantity {
+    std::string name;            ///< key in files: "indentation_m"
+    std::string label;           ///< HTML, without unit
+    std::string symbol;          ///< plain text: "d"
+    std::string base;            ///< unit, "" of a ratio
+    std::vector<double> values;  ///< per level
+    LimitEstimate limit;
+    std::optional<double> exact;  ///< by theory of the infinitely wide layer
+    std::optional<double> wide;   ///< on the wide block, at the finest level but one
+    /// What the wider block changes: over the same level's value, minus 1.
+    std::optional<double> wide_change() const;
+};
+
+/// A case on several levels of resolution.
+struct Refinement {
+    std::string model;          ///< as in its histories
+    std::string key;            ///< what was refined: "fem.size", "bem.spacing"
+    std::vector<double> sizes;  ///< decreasing [m]
+    std::vector<double> cpu_s;  ///< per level
+    std::vector<RefinedQuantity> quantities;
+    double wide_factor = 0;  ///< of width and depth; 0: the block is none or was not widened
+};
+
+/// refinement.json: all of it, fixed keys.
+std::string refinement_json(const std::string& version, const Refinement& refinement);
+/// refinement.csv: a row per level and quantity, then rows of what follows from them.
+std::string refinement_csv(const Refinement& refinement);
+/// For a terminal: values per level, order, limit, error, theory, wide block.
+std::string refinement_text(const Refinement& refinement);
+
+}  // namespace tricontact::comparisons
