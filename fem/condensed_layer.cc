@@ -42,17 +42,18 @@ void spread(const std::vector<int>& unknown, std::vector<double>& compliance) {
         }
 }
 
-[[noreturn]] void refuse_too_large(const std::string& needed, double available) {
-    throw contact::InputError(
+[[noreturn]] void refuse(const std::string& what, double needed, double available) {
+    throw MemoryShort(
         fmt::format("condensing the layer needs {}, {:.1f} GB are there; choose a larger "
                     "fem.size or a machine with more memory",
-                    needed, available / 1e9));
+                    what, available / 1e9),
+        needed, available);
 }
 
 void refuse_too_large(double needed) {
     const double available = available_bytes();
     if (needed > available)
-        refuse_too_large(fmt::format("{:.1f} GB of memory", needed / 1e9), available);
+        refuse(fmt::format("{:.1f} GB of memory", needed / 1e9), needed, available);
 }
 
 Condensation analyse(const Discretisation& discretisation, AssembledStiffness& stiffness) {
@@ -83,7 +84,7 @@ CondensedLayer condense(const LayerProblem& problem) {
     try {
         return condense_discretised(Discretisation(problem));
     } catch (const std::bad_alloc&) {  // not even the matrix fitted, or others took the memory
-        refuse_too_large("more memory", available);
+        refuse("more memory", 0, available);
     }
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "contact/compliance.h"
+#include "contact/error.h"
 #include "fem/layer_problem.h"
 #include "fem/memory.h"
 #include "fem/sparse_matrix.h"
@@ -21,7 +23,16 @@ struct CondensedLayer {
     double reaction_error = 0;
 };
 
-/// Discretises and condenses. Throws contact::InputError when the memory that is there does not
+/// A condensation does not fit into the memory that is there.
+class MemoryShort : public contact::InputError {
+  public:
+    MemoryShort(const std::string& message, double needed, double available)
+        : InputError(message), needed_bytes(needed), available_bytes(available) {}
+    double needed_bytes;  ///< 0: more than could be found out
+    double available_bytes;
+};
+
+/// Discretises and condenses. Throws MemoryShort when the memory that is there does not
 /// suffice, naming what is missing; contact::NotConverged.
 CondensedLayer condense(const LayerProblem& problem);
 

@@ -86,8 +86,8 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     Workshop workshop(c, say);
-    auto compliance =
-        c.fem.mesh ? workshop.make(read_users_mesh(c)) : make_fitting(plan(c, workshop), workshop);
+    auto compliance = c.fem.mesh ? workshop.make(read_users_mesh(c))
+                                 : make_fitting(c, plan(c, workshop), workshop);
     return std::make_unique<contact::SurfaceModel>("fem", std::move(compliance), c.make_indenter(),
                                                    c.friction_coefficient, c.fem.tolerance,
                                                    c.contact);

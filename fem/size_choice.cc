@@ -1,10 +1,14 @@
 #include "fem/size_choice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 
 #include "contact/surface_model.h"
+#include "meshes/layer_mesh.h"
 
 namespace tricontact::fem {
 
@@ -30,6 +34,27 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     return {s.indentation, s.normal_force, s.peak_pressure, s.unit_shift};
 }
 
+/// The least size found whose condensation is predicted to fit [m]; 0: none was.
+double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemoryShort& shortage) {
+    // Factor and dense compliance of a layer grow with about h^-2.5.
+    double ratio = shortage.needed_bytes > 0 ? shortage.needed_bytes / shortage.available_bytes : 4;
+    const double first = spec.size;
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        const double radius_x = spec.patch_x, radius_y = spec.patch_y;
+        spec.size = std::min(1.05 * spec.size * std::pow(ratio, 0.4), 16 * first);
+        spec.patch_x = std::ceil(radius_x / spec.size) * spec.size;
+        spec.patch_y = std::ceil(radius_y / spec.size) * spec.size;
+        try {
+            const double needed = predicted_bytes(problem_of(c, make_layer_mesh(spec)));
+            ratio = needed / shortage.available_bytes;
+        } catch (const std::bad_alloc&) {
+            ratio = 4;
+        }
+        if (ratio < 1) return spec.size;
+    }
+    return 0;
+}
+
 }  // namespace
 
 double size_for_accuracy(const Case& c, double radius, Workshop& workshop) {
@@ -44,9 +69,16 @@ double size_for_accuracy(const Case& c, double radius, Workshop& workshop) {
     return fine * std::min(1., factor);
 }
 
-std::unique_ptr<CondensedCompliance> make_fitting(const meshes::LayerMeshSpec& spec,
+std::unique_ptr<CondensedCompliance> make_fitting(const Case& c, const meshes::LayerMeshSpec& spec,
                                                   Workshop& workshop) {
-    return workshop.make(make_layer_mesh(spec));
+    try {
+        return workshop.make(make_layer_mesh(spec));
+    } catch (const MemoryShort& shortage) {
+        const double size = size_that_fits(c, spec, shortage);
+        throw contact::InputError(fmt::format(
+            "fem: {}{}", shortage.what(),
+            size > 0 ? fmt::format("; fem.size = \"{:.3g} mm\" would fit", 1e3 * size) : ""));
+    }
 }
 
 }  // namespace tricontact::fem

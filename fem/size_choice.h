@@ -11,7 +11,8 @@ double size_for_accuracy(const contact::Case& c, double radius, Workshop& worksh
 
 /// The layer on the mesh of `spec`. When the memory does not suffice, the error names the size
 /// that would.
-std::unique_ptr<CondensedCompliance> make_fitting(const meshes::LayerMeshSpec& spec,
+std::unique_ptr<CondensedCompliance> make_fitting(const contact::Case& c,
+                                                  const meshes::LayerMeshSpec& spec,
                                                   Workshop& workshop);
 
 }  // namespace tricontact::fem
