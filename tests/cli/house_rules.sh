@@ -22,15 +22,28 @@ may_include() {
 }
 may_include contact
 may_include theory contact
+may_include meshes contact
 may_include mdr contact
 may_include bem contact
+may_include fem contact meshes
 may_include io contact
 may_include comparisons contact theory
-may_include app contact theory mdr bem io comparisons
+may_include app contact theory meshes mdr bem fem io comparisons
+
+# only_in FOLDER PATTERN: a library's headers stay in one folder.
+only_in() {
+    local folder=$1 found
+    found=$(grep -lrE "$2" --include='*.h' --include='*.cc' app bem comparisons contact fem io mdr \
+        meshes theory | grep -v "^$folder/" || true)
+    [ -z "$found" ] || complain "$found: $2 belongs to $folder"
+}
+only_in fem '#include <(deal\.II|cholmod|metis)'
+only_in meshes '#include <gmsh'
+only_in io '#include <vtk'
 
 while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
-done < <(find app bem benchmarks comparisons contact io mdr tests theory \
+done < <(find app bem benchmarks comparisons contact fem io mdr meshes tests theory \
     \( -name '*.cc' -o -name '*.h' -o -name '*.sh' \) -exec wc -l {} \;)
 
 # Links [text](path#anchor) relative to their document.

@@ -29,7 +29,7 @@ whole_csv() {
 
 whole() {
     case $1 in
-        *.vti | *.vtp | *.pvd) ends_with "$1" '</VTKFile>' ;;
+        *.vti | *.vtp | *.vtu | *.pvd) ends_with "$1" '</VTKFile>' ;;
         *.csv) whole_csv "$1" ;;
         *.toml) "$program" check "$1" >/dev/null || complain "cannot be read: $1" ;;
         *) complain "unexpected file: $1" ;;
