@@ -122,6 +122,55 @@ def write_deck(args):
             write_step(out, "1., 1.", f"NTURN, 2, 2, {0.2 * k / rig.R}\n" + hold, pull)
 
 
+def centre(name, what):
+    """What *NODE PRINT wrote of the roller's centre at the end of each increment."""
+    text = open(name + ".dat", encoding="utf-8").read()
+    pattern = rf" {what} .*? time +(\S+)\s+\d+ +(\S+) +(\S+) +(\S+)"
+    return [[float(v) for v in found] for found in re.findall(pattern, text)]
+
+
+def contact_points(name):
+    """p, t1, t2 [MPa] at the contact's integration points, one array per increment."""
+    blocks = open(name + ".dat", encoding="utf-8").read().split("contact stress (slave")[1:]
+    rows = [re.findall(r"^ +\d+ +\d+ +(\S+) +(\S+) +(\S+)$", block, re.M) for block in blocks]
+    return [np.array(row, dtype=float) for row in rows]
+
+
+def nodal_pressures(name):
+    """Points [mm] and CPRESS [MPa] of the surface's corner and mid nodes, one per increment."""
+    points, blocks, mode = {}, [], None
+    for line in open(name + ".frd", encoding="utf-8"):
+        if line.startswith("    2C"):
+            mode = "points"
+        elif line.startswith(" -4"):
+            mode = "contact" if "CONTACT" in line else None
+            blocks += [{}] if mode else []
+        elif line.startswith(" -3"):
+            mode = None
+        elif line.startswith(" -1") and mode:
+            node, values = int(line[3:13]), line[13:].rstrip("\n")
+            numbers = [float(values[k:k + 12]) for k in range(0, len(values), 12)]
+            if mode == "points":
+                points[node] = numbers
+            else:
+                blocks[-1][node] = numbers[3]
+    return points, blocks
+
+
+def read(args):
+    shifts, forces = centre(args.name, "displacements"), centre(args.name, "forces")
+    loaded = next(i for i, row in enumerate(shifts) if row[1] != 0)
+    p, t1, t2 = contact_points(args.name)[loaded].T
+    points, blocks = nodal_pressures(args.name)
+    top = {n for n, xyz in points.items() if xyz[2] == 0 and xyz[1] >= 0}
+    nodes = [n for n in blocks[loaded] if n in top]
+    x, y, _ = np.array([points[n] for n in nodes]).T
+    return {"d": -shifts[loaded][3], "force": -2 * forces[loaded][3], "u_stat": shifts[loaded][1],
+            "excess": rig.friction_excess(p, t1, t2), "p_peak_point": float(p.max()),
+            "p_least_point": float(p.min()), "increments": len(shifts)} \
+        | rig.pressure_summary(x, y, np.array([blocks[loaded][n] for n in nodes]))
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("action", choices=["deck", "read"])
@@ -135,6 +184,8 @@ def main():
     args = parser.parse_args()
     if args.action == "deck":
         write_deck(args)
+    else:
+        print(json.dumps(read(args)))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,56 @@
+#!/bin/sh
+# Public programs beside ours on the rig's layer: ./run.sh PROGRAM FOLDER, see README.md.
+# One process at a time, one thread each; results and times go into FOLDER.
+set -eu
+program=$(realpath "$1")
+mkdir -p "$2"
+here=$(dirname "$(realpath "$0")")
+case=$(realpath "$here/../../cases/rig_layer_parallel.toml")
+cd "$2"
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 PYTHONPATH="$here"
+python=/usr/bin/python3
+
+for size in 1 0.5; do
+    "$program" mesh "$case" --set fem.size="$size mm" --output "mesh_$size" > "mesh_$size.log"
+done
+
+# own SIZE KINEMATICS PERIODS: two lengths of one history give the cost of an increment
+own() {
+    name=own_$1_$2_$3
+    /usr/bin/time -v "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
+        --set contact.kinematics="$2" --set rolling.periods="$3" --set rolling.run_all=true \
+        --set output.volume=none --no-report --threads 1 --output "$name" \
+        > "$name.log" 2> "$name.time"
+    "$python" "$here/own_layer.py" "$name" > "$name.json"
+}
+
+# getfem NAME SIZE OPTIONS...
+getfem() {
+    name=getfem_$1 size=$2
+    shift 2
+    /usr/bin/time -v "$python" "$here/getfem_layer.py" "mesh_$size/mesh.msh" "$size" "$@" \
+        > "$name.json" 2> "$name.time"
+}
+
+# calculix NAME SIZE OPTIONS...
+calculix() {
+    name=calculix_$1 size=$2
+    shift 2
+    "$python" "$here/calculix_layer.py" deck "$name" --mesh "mesh_$size/mesh.msh" --size "$size" "$@"
+    /usr/bin/time -v ccx "$name" > "$name.log" 2> "$name.time" || true  # it may give up late
+    "$python" "$here/calculix_layer.py" read "$name" > "$name.json"
+}
+
+for size in 1 0.5; do
+    for kinematics in linear deformed; do
+        own $size $kinematics 1
+        own $size $kinematics 5
+    done
+done
+reduced="--element 20 --volume reduced"
+getfem 1_linear 1 $reduced --press-steps 1 --rolling 2
+getfem 1_deformed 1 $reduced --press-steps 1 --rolling 2 --kinematics deformed
+getfem 0.5_linear 0.5 $reduced --press-steps 1 --rolling 2
+getfem 1_linear_20 1 $reduced --press-steps 20
+getfem 1_mixed 1 --press-steps 1 --rolling 1
+calculix 1 1 --press-steps 5 --rolling 1
