@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/run_model.h"
+#include "comparisons/layer.h"
 #include "comparisons/report.h"
 #include "comparisons/summary.h"
 #include "contact/error.h"
@@ -61,17 +62,21 @@ void run_command(const RunOptions& given) {
     io::write_file(options.output + "/" + resolved_case_name, resolved);
     std::vector<contact::History> histories;
     std::vector<comparisons::ModelSummary> summaries;
+    comparisons::ReportExtras extras;
     for (const std::string& name : c.models) {
-        histories.push_back(run_model(name, c, resolved, options));
+        histories.push_back(run_model(name, c, resolved, options, &extras.study));
         summaries.push_back(comparisons::summarise(c, histories.back()));
     }
+    const auto layer = comparisons::compare_with_layer(c, histories, extras.study);
     io::write_file(options.output + "/summary.json",
-                   comparisons::summary_json(version, as_json(resolved), summaries));
+                   comparisons::summary_json(
+                       version, as_json(resolved), summaries,
+                       layer ? comparisons::layer_json(c, *layer) : nlohmann::ordered_json()));
     io::write_file(options.output + "/" + io::paraview_macro_name,
                    std::string(io::paraview_macro()));
     if (options.report) {
         io::make_output_folder(options.output + "/plots");
-        for (const auto& file : comparisons::make_report(c, resolved, version, histories))
+        for (const auto& file : comparisons::make_report(c, resolved, version, histories, extras))
             io::write_file(options.output + "/" + file.name, file.content);
     }
     if (!options.quiet)

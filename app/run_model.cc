@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/loading_study.h"
 #include "app/models.h"
 #include "contact/error.h"
 #include "contact/run.h"
@@ -74,7 +75,7 @@ void require_sound(const contact::Audit& audit, const std::string& name) {
 }  // namespace
 
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
-                           const RunOptions& options) {
+                           const RunOptions& options, comparisons::LoadingStudy* study) {
     const std::string folder = options.output + "/" + name;
     io::make_output_folder(folder);
     auto say = [&](const std::string& line) {
@@ -115,6 +116,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
 
     io::write_file(folder + "/history.csv", io::history_csv(history));
     states.finish();
+    if (study) study_loading(c, model, history, say, *study);
     if (journal) journal->finish();
     return history;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "comparisons/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -13,8 +14,10 @@ inline constexpr const char* resolved_case_name = "case.toml";
 
 /// One model of a case: its steps with progress, its history and its ParaView files in a folder of
 /// its own. A finite element run that was killed goes on from its last finished step. `resolved` is
-/// the text of the case. Throws InputError, NotConverged.
+/// the text of the case. Adds to `study`, if asked for, what loading once more finds (see
+/// loading_study.h). Throws InputError, NotConverged.
 contact::History run_model(const std::string& name, const contact::Case& c,
-                           const std::string& resolved, const RunOptions& options);
+                           const std::string& resolved, const RunOptions& options,
+                           comparisons::LoadingStudy* study = nullptr);
 
 }  // namespace tricontact::app

@@ -80,38 +80,16 @@ ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
     return result;
 }
 
-/// dF/dd at the last of three pressing steps that are evenly spaced in force or indentation.
-std::optional<double> stiffness_of_steps(const History& history) {
-    const auto rolls = std::find_if(history.steps.begin(), history.steps.end(),
-                                    [](const auto& step) { return step.phase > 0; });
-    const auto n = rolls - history.steps.begin() - 1;  // the last of them loads tangentially
-    if (n < 3) return {};
-    // One-sided difference of second order: 3 f_n - 4 f_(n-1) + f_(n-2) = 2 h f'.
-    const auto slope = [&](const auto& get) {
-        return 3 * get(history.steps[n - 1]) - 4 * get(history.steps[n - 2]) +
-               get(history.steps[n - 3]);
-    };
-    const double depth = slope([](const auto& step) { return step.indentation; });
-    if (!(depth > 0)) return {};
-    return slope([](const auto& step) { return step.normal_force; }) / depth;
-}
-
-PressedValues values_of(const Case& c, const History& history) {
+PressedValues values_of(const Case& c, const History& history, const LoadingStudy& study) {
     const contact::Scales& s = history.scales;
     PressedValues values{s.contact_radius, s.indentation, s.normal_force,
                          s.peak_pressure,  s.unit_shift,  {}};
-    values.normal_stiffness =
-        is_half_space(history.model)
-            ? std::optional(2 * c.materials().effective_modulus() * s.contact_radius)
-            : stiffness_of_steps(history);
+    const auto found = study.normal_stiffness.find(history.model);
+    if (is_half_space(history.model))
+        values.normal_stiffness = 2 * c.materials().effective_modulus() * s.contact_radius;
+    else if (found != study.normal_stiffness.end())
+        values.normal_stiffness = found->second;
     return values;
-}
-
-PressedValues hertz_values(const Case& c) {
-    const contact::HertzScales h = contact::hertz_scales(c);
-    return {h.contact_radius, h.indentation,
-            h.normal_force,   h.peak_pressure,
-            h.unit_shift,     2 * c.materials().effective_modulus() * h.contact_radius};
 }
 
 }  // namespace
@@ -136,13 +114,20 @@ const std::vector<PressedQuantity>& pressed_quantities() {
     return quantities;
 }
 
+PressedValues hertz_values(const Case& c) {
+    const contact::HertzScales h = contact::hertz_scales(c);
+    return {h.contact_radius, h.indentation,
+            h.normal_force,   h.peak_pressure,
+            h.unit_shift,     2 * c.materials().effective_modulus() * h.contact_radius};
+}
+
 bool is_half_space(const std::string& model) {
     return model == "mdr" || model == "bem";
 }
 
 std::optional<LayerComparison> compare_with_layer(const Case& c,
                                                   const std::vector<History>& histories,
-                                                  const std::vector<StaticVariant>& variants) {
+                                                  const LoadingStudy& study) {
     if (!c.layer.thickness) return {};
     LayerComparison result;
     result.thickness = *c.layer.thickness;
@@ -152,11 +137,11 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     if (result.exact) result.apparent = apparent_moduli(c, *result.exact);
     for (const History& history : histories)
         result.models.push_back(
-            {history.model, is_half_space(history.model), values_of(c, history)});
+            {history.model, is_half_space(history.model), values_of(c, history, study)});
     const double total = result.thickness + (c.layer.lower ? c.layer.lower->thickness : 0);
     if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
     if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
-    result.variants = variants;
+    result.variants = study.variants;
     return result;
 }
 

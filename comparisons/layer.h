@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/static_variant.h"
+#include "comparisons/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -66,12 +66,14 @@ struct LayerComparison {
 /// MDR and BEM: models that do not see the thickness.
 bool is_half_space(const std::string& model);
 
+/// Hertz' solution of the case's paraboloid, U_max of the uncoupled half-space, 2 E* a.
+PressedValues hertz_values(const contact::Case& c);
+
 /// Empty without substrate.thickness. The models' values are their histories' scales; the stiffness
-/// of half-space models is 2 E* a (Pharr, Oliver and Brotzen 1992), that of others is taken
-/// from the last three of their equal pressing steps, to second order.
+/// of half-space models is 2 E* a (Pharr, Oliver and Brotzen 1992), that of others the study's.
 std::optional<LayerComparison> compare_with_layer(const contact::Case& c,
                                                   const std::vector<contact::History>& histories,
-                                                  const std::vector<StaticVariant>& variants = {});
+                                                  const LoadingStudy& study = {});
 
 /// Section "layer" of summary.json: SI units; "over" another value: their ratio minus 1.
 nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison& layer);

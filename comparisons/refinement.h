@@ -53,7 +53,7 @@ struct RefinedQuantity {
     std::string base;            ///< unit, "" of a ratio
     std::vector<double> values;  ///< per level
     LimitEstimate limit;
-    std::optional<double> exact;  ///< by theory of the infinitely wide layer
+    std::optional<double> exact;  ///< by theory
     std::optional<double> wide;   ///< on the wide block, at the finest level but one
     /// What the wider block changes: over the same level's value, minus 1.
     std::optional<double> wide_change() const;
@@ -66,6 +66,7 @@ struct Refinement {
     std::vector<double> sizes;  ///< decreasing [m]
     std::vector<double> cpu_s;  ///< per level
     std::vector<RefinedQuantity> quantities;
+    std::string exact_name;  ///< whose theory the exact values are: "exact layer", "Hertz"
     double wide_factor = 0;  ///< of width and depth; 0: the block is none or was not widened
 };
 

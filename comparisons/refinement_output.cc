@@ -59,7 +59,7 @@ std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) 
     line += shown(q.limit.convergence == Convergence::ordered ? std::optional(q.limit.value)
                                                               : std::nullopt);
     line += padded(relative(q.limit.error, q.values.back()), 12);
-    if (with_exact) line += shown(q.exact);
+    if (with_exact) line += "   " + shown(q.exact);
     if (with_wide) {
         const auto change = q.wide_change();
         line += padded(percent(change ? std::optional(1 + *change) : change), 11);
@@ -84,6 +84,7 @@ std::string refinement_json(const std::string& version, const Refinement& r) {
                         {"sizes_m", r.sizes},
                         {"cpu_s", r.cpu_s},
                         {"safety_factor", safety_factor},
+                        {"exact_by", r.exact_name},
                         {"wide_block_factor", r.wide_factor > 0 ? json(r.wide_factor) : json()},
                         {"quantities", quantities}};
     return document.dump(2) + "\n";
@@ -121,7 +122,7 @@ std::string refinement_text(const Refinement& r) {
     std::string head = fmt::format("{:<12}", r.key + ", mm");
     for (const double size : r.sizes) head += padded(significant(1e3 * size), 10);
     head += padded("order", 7) + padded("limit", 10) + padded("error", 12);
-    if (with_exact) head += padded("exact", 10);
+    if (with_exact) head += padded(r.exact_name, 13);
     if (with_wide) head += padded("wide block", 11);
     std::string text = trimmed(head);
     for (const RefinedQuantity& q : r.quantities)

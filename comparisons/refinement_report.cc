@@ -53,16 +53,18 @@ std::string exact_sentence(const Refinement& r) {
     for (const RefinedQuantity& q : r.quantities) {
         if (!q.exact) continue;
         const double error = std::abs(q.values.back() - *q.exact);
+        if (q.limit.convergence == Convergence::unchanged && error <= q.limit.error)
+            continue;  // prescribed
         (error <= q.limit.error ? within : outside)
             .push_back(fmt::format("{} ({})", q.symbol, percent(q.values.back() / *q.exact)));
     }
     std::string text;
     if (!within.empty())
-        text = fmt::format("The exact layer lies within the estimated error of {}.",
+        text = fmt::format("Theory ({}) lies within the estimated error of {}.", r.exact_name,
                            fmt::join(within, ", "));
     if (!outside.empty())
-        text += fmt::format("{}Outside it lies that of {}.", text.empty() ? "" : " ",
-                            fmt::join(outside, ", "));
+        text += fmt::format("{}Theory ({}) lies outside the estimated error of {}.",
+                            text.empty() ? "" : " ", r.exact_name, fmt::join(outside, ", "));
     return text;
 }
 
@@ -123,8 +125,8 @@ Table refinement_table(const Refinement& r) {
     for (const char* column : {"sequence", "order", "limit", "error"})
         table.columns.emplace_back(column);
     if (has_exact(r)) {
-        table.columns.emplace_back("exact layer");
-        table.columns.emplace_back("finest vs exact");
+        table.columns.push_back(r.exact_name);
+        table.columns.push_back("finest vs " + r.exact_name);
     }
     if (r.wide_factor > 0) table.columns.emplace_back("wide block");
     for (const RefinedQuantity& q : r.quantities)

@@ -130,15 +130,15 @@ data figures(const std::vector<Plot>& plots, const std::vector<Drawing>& drawing
 }
 
 void set_layer(const contact::Case& c, const std::vector<contact::History>& histories,
-               const std::vector<StaticVariant>& variants, data& page) {
-    const auto layer = compare_with_layer(c, histories, variants);
+               const LoadingStudy& study, data& page) {
+    const auto layer = compare_with_layer(c, histories, study);
     page.set("has_layer", layer.has_value());
     if (!layer) return;
     page.set("layer_sentences", typeset_list(layer_sentences(c, *layer)));
-    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, variants)));
+    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, study.variants)));
     page.set("layer_table", to_data(layer_table(*layer)));
-    page.set("has_variants", !variants.empty());
-    page.set("variants_table", to_data(variants_table(variants)));
+    page.set("has_variants", !study.variants.empty());
+    page.set("variants_table", to_data(variants_table(study.variants)));
 }
 
 void set_refinement(const std::optional<Refinement>& refinement, data& page) {
@@ -198,8 +198,8 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
     const std::vector<Plot> plots =
         are_on_grids(histories) ? make_plots(c, histories) : make_plots(c, on_grids(histories));
     const std::vector<Drawing> drawings = draw_all(plots);
-    data content = page(c, resolved_case, version, summaries, extras.variants);
-    set_layer(c, histories, extras.variants, content);
+    data content = page(c, resolved_case, version, summaries, extras.study.variants);
+    set_layer(c, histories, extras.study, content);
     set_refinement(extras.refinement, content);
     content.set("figures", figures(plots, drawings));
 

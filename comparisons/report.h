@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/loading_study.h"
 #include "comparisons/refinement.h"
-#include "comparisons/static_variant.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -19,7 +19,7 @@ struct ReportFile {
 
 /// What a report may carry besides the histories.
 struct ReportExtras {
-    std::vector<StaticVariant> variants;
+    LoadingStudy study;
     std::optional<Refinement> refinement;  ///< of which the histories are the finest level
 };
 

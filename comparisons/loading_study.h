@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tricontact::comparisons {
 
@@ -19,6 +21,12 @@ struct StaticVariant {
         if (!changed_shift || static_shift == 0) return {};
         return *changed_shift / static_shift;
     }
+};
+
+/// What models found by loading more than once.
+struct LoadingStudy {
+    std::vector<StaticVariant> variants;
+    std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
 };
 
 }  // namespace tricontact::comparisons

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/commands.h"
+#include "app/refinement_levels.h"
+#include "app/run_model.h"
+#include "comparisons/refined_values.h"
+#include "comparisons/refinement_report.h"
+#include "comparisons/report.h"
+#include "io/atomic_file.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::LevelValues;
+using json = nlohmann::ordered_json;
+
+const std::string version = TRICONTACT_VERSION;
+
+/// The numbers of a finished level.
+struct Finished {
+    LevelValues values;
+    double cpu_s = 0;
+};
+
+std::string read_text(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    return file ? text.str() : "";
+}
+
+/// Levels in the folders of a refinement. A level that is finished is not computed again as long as
+/// program and case are the same.
+class Levels {
+  public:
+    explicit Levels(const RefineOptions& options) : options_(options) {}
+
+    Finished finish(const Level& level) const {
+        if (const auto found = find(level)) return *found;
+        return keep(level, run(level));
+    }
+    contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
+        say(fmt::format("{}: {}", level.name, level.what));
+        io::make_output_folder(folder(level));
+        RunOptions options;
+        options.output = folder(level);
+        options.threads = options_.threads;
+        options.quiet = options_.quiet;
+        return run_model(options_.model, level.c, level.resolved, options, study);
+    }
+    Finished keep(const Level& level, const contact::History& history) const {
+        const Finished done{comparisons::level_values(level.c, history), history.cpu_s};
+        const json document{{"version", version},
+                            {"case", level.resolved},
+                            {"cpu_s", done.cpu_s},
+                            {"values", done.values}};
+        io::write_file(file(level), document.dump(2) + "\n");
+        return done;
+    }
+    std::optional<Finished> find(const Level& level) const {
+        const json found = json::parse(read_text(file(level)), nullptr, false);
+        if (found.is_discarded() || !found.is_object() || found.value("version", "") != version ||
+            found.value("case", "") != level.resolved)
+            return {};
+        try {
+            const Finished done{found.at("values").get<LevelValues>(),
+                                found.at("cpu_s").get<double>()};
+            say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
+            return done;
+        } catch (const json::exception&) {  // not of our making
+            return {};
+        }
+    }
+    void say(const std::string& line) const {
+        if (!options_.quiet) std::cerr << line << '\n';
+    }
+
+  private:
+    std::string folder(const Level& level) const { return options_.output + "/" + level.name; }
+    std::string file(const Level& level) const { return folder(level) + "/level.json"; }
+
+    const RefineOptions& options_;
+};
+
+std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool layer) {
+    if (!layer) {
+        if (c.indenter.shape == contact::Case::Shape::paraboloid)
+            return comparisons::hertz_values(c);
+        return {};
+    }
+    const auto comparison = comparisons::compare_with_layer(c, {});
+    return comparison ? comparison->exact : std::nullopt;
+}
+
+comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
+    const bool layer = options.model == "fem";
+    const contact::Case& c = plan.levels.front().c;
+    comparisons::RefinedLevels result;
+    result.model = options.model;
+    result.key = plan.key;
+    result.wide_factor = plan.wide_factor;
+    result.exact = theory_of(c, layer);
+    result.exact_name = layer ? "exact layer" : "Hertz";
+    result.tolerance = layer ? c.fem.tolerance : c.bem.tolerance;
+    return result;
+}
+
+void add(const Level& level, const Finished& done, comparisons::RefinedLevels& refined) {
+    refined.sizes.push_back(level.size);
+    refined.values.push_back(done.values);
+    refined.cpu_s.push_back(done.cpu_s);
+}
+
+void write_report(const Level& finest, const contact::History& history,
+                  const comparisons::ReportExtras& extras, const std::string& output) {
+    io::make_output_folder(output + "/plots");
+    io::write_file(output + "/" + resolved_case_name, finest.resolved);
+    for (const auto& file :
+         comparisons::make_report(finest.c, finest.resolved, version, {history}, extras))
+        io::write_file(output + "/" + file.name, file.content);
+}
+
+/// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
+/// written.
+comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
+                                    comparisons::RefinedLevels refined, const std::string& output) {
+    const std::string report = output + "/report.html", numbers = output + "/refinement.json";
+    if (const auto found = levels.find(finest)) {
+        comparisons::RefinedLevels all = refined;
+        add(finest, *found, all);
+        const comparisons::Refinement result = make_refinement(all);
+        if (std::filesystem::exists(report) &&
+            read_text(numbers) == refinement_json(version, result))
+            return result;
+        levels.say(finest.name + ": once more, for the report");
+    }
+    comparisons::ReportExtras extras;
+    const contact::History history = levels.run(finest, &extras.study);
+    const Finished done{comparisons::level_values(finest.c, history), history.cpu_s};
+    add(finest, done, refined);
+    extras.refinement = make_refinement(refined);
+    write_report(finest, history, extras, output);
+    io::write_file(output + "/refinement.csv", refinement_csv(*extras.refinement));
+    io::write_file(numbers, refinement_json(version, *extras.refinement));
+    levels.keep(finest, history);
+    return *extras.refinement;
+}
+
+}  // namespace
+
+void refine_command(const RefineOptions& given) {
+    RefineOptions options = given;
+    if (options.output.empty())
+        options.output =
+            "results/" + std::filesystem::path(options.case_file).stem().string() + "_refined";
+    const Levels levels(options);
+    const RefinementPlan plan =
+        plan_refinement(options, [&](const std::string& line) { levels.say(line); });
+    io::make_output_folder(options.output);
+
+    comparisons::RefinedLevels refined = start_of(plan, options);
+    for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
+        add(plan.levels[k], levels.finish(plan.levels[k]), refined);
+    if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
+    const comparisons::Refinement result =
+        finish_last(plan.levels.back(), levels, refined, options.output);
+
+    std::cout << refinement_text(result);
+    for (const std::string& sentence : refinement_sentences(result)) std::cout << sentence << '\n';
+    levels.say("results in " + options.output + " (open report.html)");
+}
+
+}  // namespace tricontact::app
