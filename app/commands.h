@@ -31,6 +31,20 @@ struct MeshOptions {
 /// prints its quality to standard output. Throws InputError, NotConverged.
 void mesh_command(const MeshOptions& options);
 
+struct RefineOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;         ///< empty: results/<name of the case file>_refined
+    std::string model = "fem";  ///< or "bem"
+    int levels = 3;             ///< 3 to 8
+    int threads = 1;
+    bool quiet = false;
+};
+/// Runs one model of the case on finer and finer levels; writes refinement.json, refinement.csv and
+/// the report of the finest, prints a table to standard output. Finished levels of an earlier call
+/// are taken over. Throws InputError, NotConverged.
+void refine_command(const RefineOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

@@ -64,6 +64,20 @@ int run_program(int argc, char** argv) {
         ->type_name("DIR");
 #endif
 
+    tricontact::app::RefineOptions refine_options;
+    auto* refine = app.add_subcommand("refine", "Run a case on finer and finer meshes: its errors");
+    add_case_arguments(*refine, refine_options.case_file, refine_options.overrides);
+    refine->add_option("--levels", refine_options.levels, "Number of levels (3)")
+        ->check(CLI::Range(3, 8));
+    refine->add_option("--model", refine_options.model, "Model to be refined (fem)")
+        ->check(CLI::IsMember({"fem", "bem"}));
+    refine->add_option("--output", refine_options.output, "Folder (results/<case>_refined)")
+        ->type_name("DIR");
+    refine_options.threads = options.threads;
+    refine->add_option("--threads", refine_options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    refine->add_flag("--quiet", refine_options.quiet, "No progress");
+
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
@@ -77,6 +91,7 @@ int run_program(int argc, char** argv) {
     }
     if (*run) tricontact::app::run_command(options);
     if (*check) tricontact::app::check_command(check_file, check_overrides);
+    if (*refine) tricontact::app::refine_command(refine_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::mesh_command(mesh_options);
