@@ -20,9 +20,10 @@ complain() {
 }
 
 # A coarse layer: a second to condense, a tenth to step.
+layer_command=("$program" run "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report
+    --set 'fem.size="1.2 mm"' --set 'fem.cache="cache"' --set output.volume=none)
 layer() {
-    "$program" run "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report \
-        --set 'fem.size="1.2 mm"' --set 'fem.cache="cache"' --set output.volume=none "$@"
+    "${layer_command[@]}" "$@"
 }
 
 # refused PATTERN COMMAND...: exit code 2, one line that matches, nothing written as a result.
@@ -51,7 +52,7 @@ same whole/fem/history.csv again/fem/history.csv
 [ ! -e whole/fem/steps.journal ] || complain "a journal is left behind"
 
 # 2. Killed while stepping: the next run goes on, with the same bytes.
-layer --output killed --quiet &
+"${layer_command[@]}" --output killed --quiet &
 child=$!
 for _ in $(seq 1 3000); do
     [ "$(stat -c %s killed/fem/steps.journal 2>/dev/null || echo 0)" -gt 1000000 ] && break
@@ -66,7 +67,7 @@ grep -qE '[1-9][0-9]* steps of an earlier run' resumed.txt || complain "nothing 
 for file in whole/fem/*; do same "$file" "killed/fem/$(basename "$file")"; done
 
 # 3. A journal of another case is not used.
-layer --output other --quiet --set load.tangential_ratio=0.3 &
+"${layer_command[@]}" --output other --quiet --set load.tangential_ratio=0.3 &
 child=$!
 for _ in $(seq 1 3000); do
     [ -s other/fem/steps.journal ] && break
@@ -81,7 +82,7 @@ same whole/fem/history.csv other/fem/history.csv
 
 # 4. Killed while condensing: no file that looks like a layer is left, and the next run works.
 rm -rf cache
-layer --output early --quiet &
+"${layer_command[@]}" --output early --quiet &
 child=$!
 sleep 0.6
 kill -9 "$child" 2>/dev/null
@@ -103,10 +104,10 @@ spoil flip
 spoil cut_off
 spoil foreign
 
-# 6. A cache that cannot be written: said, and the run goes on. A file size limit acts like a full
-# disk; results are smaller than it.
+# 6. A cache that cannot be written: said, and the run goes on. A file size limit of 1 MB acts like a
+# full disk for layers and journal; results are smaller than it.
 rm -rf cache
-(ulimit -f 2000 && layer --output full 2>full.txt) || complain "full disk: $(tail -n 1 full.txt)"
+(ulimit -f 1000 && layer --output full 2>full.txt) || complain "full disk: $(tail -n 1 full.txt)"
 grep -q 'not kept' full.txt || complain "a full disk goes unnoticed: $(cat full.txt)"
 [ -z "$(find cache -type f 2>/dev/null)" ] || complain "half a layer is left on a full disk"
 same whole/fem/history.csv full/fem/history.csv
