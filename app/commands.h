@@ -31,6 +31,17 @@ struct MeshOptions {
 /// prints its quality to standard output. Throws InputError, NotConverged.
 void mesh_command(const MeshOptions& options);
 
+struct CondenseOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    bool distributed = false;  ///< by MPI, also when mpirun did not start this process
+};
+/// Condenses the case's finite element layer into the cache, from which other commands take it; by
+/// all processes that mpirun started, together. Throws InputError, NotConverged.
+void condense_command(const CondenseOptions& options);
+/// Whether this is a further process of those that condense together: the first one tells errors.
+bool another_process_speaks();
+
 struct RefineOptions {
     std::string case_file;
     std::vector<std::string> overrides;

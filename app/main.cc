@@ -17,8 +17,10 @@ using tricontact::app::RunOptions;
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
 
+bool told_by_another = false;  // errors, by the first of processes that work together
+
 int fail(int code, const char* message) {
-    std::fprintf(stderr, "error: %s\n", message);
+    if (!told_by_another) std::fprintf(stderr, "error: %s\n", message);
     return code;
 }
 
@@ -62,6 +64,13 @@ int run_program(int argc, char** argv) {
     add_case_arguments(*mesh, mesh_options.case_file, mesh_options.overrides);
     mesh->add_option("--output", mesh_options.output, "Folder for the mesh (results/<case>)")
         ->type_name("DIR");
+
+    tricontact::app::CondenseOptions condense_options;
+    auto* condense = app.add_subcommand(
+        "condense", "Condense the finite element layer of a case for later runs (also by mpirun)");
+    add_case_arguments(*condense, condense_options.case_file, condense_options.overrides);
+    condense->add_flag("--distributed", condense_options.distributed,
+                       "Use MPI, even if mpirun did not start this process");
 #endif
 
     tricontact::app::RefineOptions refine_options;
@@ -82,6 +91,10 @@ int run_program(int argc, char** argv) {
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
 
+#ifdef TRICONTACT_WITH_FEM
+    condense->preparse_callback(
+        [](std::size_t) { told_by_another = tricontact::app::another_process_speaks(); });
+#endif
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {
@@ -95,6 +108,7 @@ int run_program(int argc, char** argv) {
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::mesh_command(mesh_options);
+    if (*condense) tricontact::app::condense_command(condense_options);
 #endif
     return 0;
 }

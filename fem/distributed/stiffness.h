@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "fem/contact_surface.h"
+#include "fem/distributed/session.h"
+#include "fem/layer_problem.h"
+
+struct _p_Mat;  // PETSc's Mat and Vec point to these
+struct _p_Vec;
+
+namespace tricontact::fem::distributed {
+
+/// The stiffness of Discretisation, with its elements and rows distributed over the ranks: the
+/// mesh is the coarse mesh of a triangulation that p4est divides along a space-filling curve.
+///
+/// All displacement components have a row; those held are decoupled from the others.
+class Stiffness {
+  public:
+    /// Collective; `problem` is the same on all ranks. Throws what Discretisation throws, on all.
+    Stiffness(const LayerProblem& problem, const Session& session);
+    ~Stiffness();
+
+    /// PETSc's matrix [N/m], symmetric positive definite, both triangles.
+    _p_Mat* matrix() const;
+    /// Per direction, as in AssembledStiffness [N/m].
+    _p_Vec* held_row(int direction) const;
+    /// The contact patch of the whole mesh, the same on all ranks but for the nodes' numbers.
+    const ContactSurface& surface() const;
+    /// Row of component c of contact point i at c * n + i, or -1: held. The same on all ranks.
+    const std::vector<int>& contact_rows() const;
+
+    std::int64_t n_unknowns() const;  ///< free components
+    /// Of the nodes of this rank [m]: three rows each, one after another from the rank's first.
+    std::vector<std::array<double, 3>> owned_nodes() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace tricontact::fem::distributed
