@@ -118,14 +118,17 @@ def write_deck(args):
         write_step(out, f"{part}, 1., 1e-6, {part}", still + "NCENTRE, 1, 1\n" + hold, "")
         pull = f"NCENTRE, 1, {rig.FT / 2}\n"
         write_step(out, "1., 1.", still + hold, pull)
-        for k in range(1, args.rolling + 1):  # turning about +y moves the lowest point along -x
-            write_step(out, "1., 1.", f"NTURN, 2, 2, {0.2 * k / rig.R}\n" + hold, pull)
+        # Rolling under a given F_T did not converge: it rolls at the shift of the loaded state.
+        # Turning about +y moves the lowest point along -x.
+        for k in range(1, args.rolling + 1):
+            roll = f"NTURN, 2, 2, {0.2 * k / rig.R}\nNCENTRE, 1, 1, {args.shift + 0.2 * k}\n"
+            write_step(out, "1., 1.", roll + hold, "")
 
 
 def centre(name, what):
     """What *NODE PRINT wrote of the roller's centre at the end of each increment."""
     text = open(name + ".dat", encoding="utf-8").read()
-    pattern = rf" {what} .*? time +(\S+)\s+\d+ +(\S+) +(\S+) +(\S+)"
+    pattern = rf" {what} [^\n]* time +(\S+)\s+\d+ +(\S+) +(\S+) +(\S+)"
     return [[float(v) for v in found] for found in re.findall(pattern, text)]
 
 
@@ -162,8 +165,11 @@ def read(args):
     loaded = next(i for i, row in enumerate(shifts) if row[1] != 0)
     p, t1, t2 = contact_points(args.name)[loaded].T
     points, blocks = nodal_pressures(args.name)
-    top = {n for n, xyz in points.items() if xyz[2] == 0 and xyz[1] >= 0}
-    nodes = [n for n in blocks[loaded] if n in top]
+    top = {}  # the roller's lowest node lies on the layer's and comes after it
+    for n, xyz in sorted(points.items()):
+        if xyz[2] == 0 and n in blocks[loaded]:
+            top.setdefault(tuple(xyz), n)
+    nodes = list(top.values())
     x, y, _ = np.array([points[n] for n in nodes]).T
     return {"d": -shifts[loaded][3], "force": -2 * forces[loaded][3], "u_stat": shifts[loaded][1],
             "excess": rig.friction_excess(p, t1, t2), "p_peak_point": float(p.max()),
@@ -179,8 +185,9 @@ def main():
     parser.add_argument("--size", type=float, default=1.0, help="element at the contact [mm]")
     parser.add_argument("--press-steps", type=int, default=20)
     parser.add_argument("--rolling", type=int, default=0, help="increments of 0.2 mm")
-    parser.add_argument("--stiffness", type=float, default=1000.0, help="penalty [MPa/mm]")
-    parser.add_argument("--stick-slope", type=float, default=1000.0, help="[MPa/mm]")
+    parser.add_argument("--shift", type=float, default=0.0, help="at which it rolls [mm]")
+    parser.add_argument("--stiffness", type=float, default=50 * rig.E, help="penalty [MPa/mm]")
+    parser.add_argument("--stick-slope", type=float, default=50 * rig.E, help="[MPa/mm]")
     args = parser.parse_args()
     if args.action == "deck":
         write_deck(args)

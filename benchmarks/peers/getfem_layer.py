@@ -68,7 +68,7 @@ def model(mesh, area, args):
     md.add_filtered_fem_variable("lam", fem_lam, CONTACT)
     for name in ("d", "s"):
         md.add_variable(name, 1)
-    for name, value in (("s_old", 0), ("W", 0), ("R", rig.R), ("G", rig.G), ("Mu", rig.MU),
+    for name, value in (("s_old", 0), ("W", 0), ("R", rig.R), ("G", rig.G), ("Mu", 0 if args.frictionless else rig.MU),
                         ("Aug", args.augmentation), ("FN", rig.FN), ("FT", 0), ("Area", area)):
         md.add_initialized_data(name, value)
     md.add_linear_term(volume, "2*G*Sym(Grad_u):Grad_Test_u")
@@ -80,6 +80,8 @@ def model(mesh, area, args):
         md.add_linear_term(reduced, f"{args.bulk}*G*Div_u*Div_Test_u")
     md.add_Dirichlet_condition_with_simplification("u", BASE)
     md.add_linear_term(volume, "1e6*G*u(2)*Test_u(2)", SYMMETRY)
+    if args.frictionless:  # nothing else holds the shift
+        md.add_linear_term(surface, "s*Test_s", CONTACT)
     contact = PROJECTION[args.kinematics]
     md.add_nonlinear_term(surface, f"-lam.Test_u + (1/Aug)*(lam-{contact}).Test_lam + {RESULTANT}",
                           CONTACT)
@@ -139,6 +141,7 @@ def main():
     parser.add_argument("size", type=float, help="element at the contact [mm]")
     parser.add_argument("--kinematics", choices=PROJECTION, default="linear")
     parser.add_argument("--press-steps", type=int, default=20)
+    parser.add_argument("--frictionless", action="store_true", help="pressing only")
     parser.add_argument("--rolling", type=int, default=0, help="increments of 0.2 mm")
     parser.add_argument("--multiplier", type=int, default=1, help="degree of the traction")
     parser.add_argument("--augmentation", type=float, default=10.0, help="[MPa/mm]")
@@ -157,6 +160,9 @@ def main():
     result = {"size": args.size, "kinematics": args.kinematics, "steps": args.press_steps,
               "unknowns": int(md.nbdof())} | normal_state(md, surface)
     shift = float(md.variable("s")[0])
+    if args.frictionless:
+        print(json.dumps(result))
+        return
     run.step(FT=rig.FT)
     result |= {"u_stat": float(md.variable("s")[0]) - shift, "excess": excess(md),
                "iterations": run.iterations, "cpu_loaded": cpu()}
