@@ -8,6 +8,9 @@
 #include <thread>
 
 #include "app/commands.h"
+#ifdef TRICONTACT_WITH_FEM
+#include "app/fem_entries.h"
+#endif
 #include "contact/error.h"
 
 namespace {
@@ -92,8 +95,9 @@ int run_program(int argc, char** argv) {
     list->add_option("folder", list_folder, "Folder to look into (cases)");
 
 #ifdef TRICONTACT_WITH_FEM
-    condense->preparse_callback(
-        [](std::size_t) { told_by_another = tricontact::app::another_process_speaks(); });
+    condense->preparse_callback([](std::size_t) {
+        told_by_another = tricontact::app::fem_entries().another_process_speaks();
+    });
 #endif
     try {
         app.parse(argc, argv);
@@ -107,8 +111,8 @@ int run_program(int argc, char** argv) {
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
-    if (*mesh) tricontact::app::mesh_command(mesh_options);
-    if (*condense) tricontact::app::condense_command(condense_options);
+    if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);
+    if (*condense) tricontact::app::fem_entries().condense_command(condense_options);
 #endif
     return 0;
 }

@@ -4,7 +4,7 @@
 #include "contact/error.h"
 #include "mdr/model.h"
 #ifdef TRICONTACT_WITH_FEM
-#include "fem/model.h"
+#include "app/fem_entries.h"
 #endif
 
 namespace tricontact::app {
@@ -26,7 +26,7 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const contac
     if (name == "mdr") return mdr::make_model(c);
     if (name == "bem") return bem::make_model(c, n_threads);
 #ifdef TRICONTACT_WITH_FEM
-    if (name == "fem") return fem::make_model(c, say);
+    if (name == "fem") return fem_entries().make_model(c, say);
 #endif
     throw contact::InputError("models: this program was built without the model " + name);
 }

@@ -10,7 +10,7 @@
 #include "io/case_reader.h"
 #include "io/case_writer.h"
 #ifdef TRICONTACT_WITH_FEM
-#include "fem/model.h"
+#include "app/fem_entries.h"
 #endif
 
 namespace tricontact::app {
@@ -38,7 +38,7 @@ struct Block {
 };
 Block block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
 #ifdef TRICONTACT_WITH_FEM
-    const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say);
+    const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
     return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
 #else
     throw contact::InputError("models: this program was built without the model fem");
