@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# The main job: builds the program and computes a sphere on rubber, rolled back and forth.
+# The main job: builds the program and computes a sphere on a rubber layer, rolled back and forth, by
+# all models.
 # usage: demo.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
-name=rig_sphere_parallel
+name=rig_layer_parallel
 
 "$root/scripts/setup.sh" build
 cmake -S "$root" --preset release --log-level=NOTICE
@@ -12,4 +13,4 @@ cmake --build "$root/build/release" --target tricontact
     --output "$root/results/$name"
 printf '\nThe report:   %s\n' "$root/results/$name/report.html"
 printf 'The numbers:  %s\n' "$root/results/$name/summary.json"
-printf 'For ParaView: %s\n' "$root/results/$name/bem/surface.pvd"
+printf 'For ParaView: %s\n' "$root/results/$name/fem/surface.pvd"
