@@ -100,6 +100,11 @@ std::string quantity(double value, const std::string& base, int digits) {
     return significant(value / unit.factor, digits) + " " + unit.symbol;
 }
 
+std::string given_quantity(double value, const std::string& base) {
+    const Unit unit = fitting_unit(value, base);
+    return as_given(value / unit.factor) + " " + unit.symbol;
+}
+
 std::string display_name(const std::string& model) {
     std::string name;
     bool abbreviation = true;

@@ -30,6 +30,9 @@ Unit fitting_unit(double magnitude, const std::string& base);
 /// Number and unit: "4.52 mm".
 std::string quantity(double value, const std::string& base, int digits = 4);
 
+/// The same for a given number, without trailing zeros: "8 mm".
+std::string given_quantity(double value, const std::string& base);
+
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
 std::string display_name(const std::string& model);
 

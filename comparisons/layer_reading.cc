@@ -31,10 +31,10 @@ std::string larger(double ratio) {
 std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
     std::string text =
         fmt::format("The layer is {} thick, {} times the diameter of Hertz' contact, {}.",
-                    quantity(layer.thickness, "m"), significant(layer.thickness_ratio, 3),
+                    given_quantity(layer.thickness, "m"), significant(layer.thickness_ratio, 3),
                     c.layer.lower ? fmt::format("and rests on a second layer of {} and E = {}",
-                                                quantity(c.layer.lower->thickness, "m"),
-                                                quantity(c.layer.lower->material.young, "Pa"))
+                                                given_quantity(c.layer.lower->thickness, "m"),
+                                                given_quantity(c.layer.lower->material.young, "Pa"))
                     : c.layer.base == Case::Base::bonded ? "and bonded to its rigid ground"
                                                          : "and glides on its rigid ground");
     if (!layer.exact) text += " It is compared with no exact solution: " + layer.why_not + ".";
@@ -78,13 +78,13 @@ std::string apparent_sentence(const Case& c, const LayerComparison& layer) {
         apparent.from_unit_shift
             ? fmt::format(" and {} from U_max", quantity(*apparent.from_unit_shift, "Pa", 3))
             : "",
-        quantity(c.substrate.young, "Pa", 3));
+        given_quantity(c.substrate.young, "Pa"));
 }
 
 std::string side_text(const char* name, std::optional<double> half, std::optional<double> length) {
     if (!half) return fmt::format("its {} is chosen wide enough", name);
     return fmt::format("{} of {} puts the sides {} thicknesses from the centre", name,
-                       quantity(*length, "m"), significant(*half, 3));
+                       given_quantity(*length, "m"), significant(*half, 3));
 }
 
 std::string width_sentence(const Case& c, const LayerComparison& layer) {

@@ -53,9 +53,13 @@ std::string mesh_data(const Surface& s, const std::vector<double>& values, doubl
 /// Picture of one field; `label` names the vertical axis in gnuplot's notation.
 Picture surface_picture(const Surface& s, const std::vector<double>& values, double a, double unit,
                         const std::string& label) {
-    double top = 0;
-    for (const double value : values) top = std::max(top, value / unit);
+    double top = 0, bottom = 0;
+    for (const double value : values) {
+        top = std::max(top, value / unit);
+        bottom = std::min(bottom, value / unit);
+    }
     if (!(top > negligible_ratio)) top = 1;
+    if (bottom > -negligible_ratio) bottom = 0;
     const std::string script =
         mesh_data(s, values, a, unit) + plot_style() +
         fmt::format(
@@ -63,14 +67,14 @@ Picture surface_picture(const Surface& s, const std::vector<double>& values, dou
             // Viridis (van der Walt and Smith 2015): even in lightness, safe without colour vision.
             "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', "
             "4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
-            "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\nset zrange [0:{1:.4g}]\n"
-            "set cbrange [0:{1:.4g}]\n"
+            "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\nset zrange [{3:.4g}:{1:.4g}]\n"
+            "set cbrange [{3:.4g}:{1:.4g}]\n"
             "set xtics 1 offset 0,-0.4\nset ytics 1 offset 0,-0.4\n"
             "set xlabel 'x/a'\nset ylabel 'y/a'\nset label '{2}' at screen 0.03,0.93 left\n"
             "set colorbox user origin 0.87,0.25 size 0.025,0.5\n"
             "set pm3d depthorder border linewidth 0.35 linecolor rgb '#222222'\n"
             "splot $mesh using 1:2:3 with pm3d\n",
-            half_width, 1.04 * top, label);
+            half_width, 1.04 * top, label, 1.04 * bottom);
     return {600, 430, script};
 }
 

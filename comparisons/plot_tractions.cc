@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,13 +83,18 @@ const char* zone_name(Zone zone, bool shaken_down) {
 
 constexpr double strip_pitch = 0.105;  // of the axis of the traction
 
-double strip_bottom(std::size_t strips) {
-    return -0.07 - strip_pitch * static_cast<double>(strips);
+/// Where the strips begin: below the curves, which coupling may take below zero.
+double strip_top(const std::vector<CentreLine>& lines) {
+    double least = 0;
+    for (const CentreLine& line : lines)
+        for (const double traction : line.traction) least = std::min(least, traction);
+    return least - 0.06;
 }
 
 /// One strip per model under the curves, a box per zone with its name where it fits.
-std::string zone_strip(std::size_t row, const History& history, const CentreLine& line) {
-    constexpr double first = -0.06, height = 0.085, letter_width = 0.042;
+std::string zone_strip(std::size_t row, double first, const History& history,
+                       const CentreLine& line) {
+    constexpr double height = 0.085, letter_width = 0.042;
     const double top = first - strip_pitch * static_cast<double>(row), bottom = top - height;
     std::string script =
         fmt::format("set label '{}' at graph -0.015, first {:.4g} right textcolor rgb '{}'\n",
@@ -113,21 +119,27 @@ std::string zone_strip(std::size_t row, const History& history, const CentreLine
 struct Parts {
     std::string data, strips, curves;
     std::size_t models = 0;
+    double bottom = 0;  // of the picture
 
     void add_curve(const std::string& curve) { curves += (curves.empty() ? "" : ", ") + curve; }
 };
 
 void add_models(const contact::Case& c, const Histories& histories, Axis axis, Parts& parts) {
-    for (const History& history : histories) {
-        const CentreLine line = centre_line(history, c.friction_coefficient, axis);
-        if (line.position.empty()) continue;
+    std::vector<CentreLine> lines;
+    for (const History& history : histories)
+        lines.push_back(centre_line(history, c.friction_coefficient, axis));
+    const double top = strip_top(lines);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const History& history = histories[k];
+        if (lines[k].position.empty()) continue;
         const std::size_t i = parts.models++;
-        parts.data += curve_data(fmt::format("$model{}", i), line);
-        parts.strips += zone_strip(i, history, line);
+        parts.data += curve_data(fmt::format("$model{}", i), lines[k]);
+        parts.strips += zone_strip(i, top, history, lines[k]);
         parts.add_curve(fmt::format(
             "$model{0} using 1:2 with lines linewidth 2 linecolor rgb '{1}' title '{2}'", i,
             model_colour(i), display_name(history.model)));
     }
+    parts.bottom = top - 0.01 - strip_pitch * static_cast<double>(parts.models);
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& parts) {
@@ -181,7 +193,7 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
             "set xtics 0.5\nset ytics 0,0.2\n"
             "set key outside top center horizontal maxcols 3 samplen 1.6 width -3\n"
             "set lmargin 9\nplot {3}\n",
-            letter, half_width, strip_bottom(parts.models), parts.curves);
+            letter, half_width, parts.bottom, parts.curves);
     return {{fmt::format("traction_{}", letter),
              fmt::format("Traction on the centre line along {}", letter),
              "The last upright state. Strips: what each point does during the last period. Black, "

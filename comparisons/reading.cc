@@ -18,13 +18,14 @@ using contact::State;
 constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
 constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
 
-std::string limit_sentence(const Reference& r) {
+std::string limit_sentence(const contact::Case& c, const Reference& r) {
     if (!r.limit_tangential_ratio) return {};
     const double f = r.tangential_ratio, limit = *r.limit_tangential_ratio;
     std::string text = fmt::format(
-        "At the amplitude w = {} the exact limit of shakedown is f_T,lim = 1 − 3/2 w + 1/2 w³ = "
+        "At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = 1 − 3/2 w + 1/2 w³ = "
         "{}. ",
-        significant(r.amplitude_ratio, 3), significant(limit, 4));
+        significant(r.amplitude_ratio, 3), c.layer.thickness ? " on a half-space" : "",
+        significant(limit, 4));
     if (!(limit > 0))
         return text + "No point stays in contact throughout: any tangential force ratchets.";
     text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected.", significant(f, 3),
@@ -79,17 +80,20 @@ std::string relation(double ratio) {
 
 std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base) {
     const std::string name = display_name(s.model), other = display_name(base.model);
-    if (s.state && base.state && s.state != base.state)
+    const bool decided = s.state != State::undecided && base.state != State::undecided;
+    if (s.state && base.state && decided && s.state != base.state)
         return fmt::format(
             "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
             "limit, the periods run and the resolution.",
             name, other, contact::name_of(*s.state), contact::name_of(*base.state));
-    if (s.state == State::ratcheting && base.shift_increment_ratio.value_or(0) > 0)
+    if (s.state == State::ratcheting && base.state == s.state &&
+        base.shift_increment_ratio.value_or(0) > 0)
         return fmt::format("{} ratchets {} times as fast as {} (Δu per period).", name,
                            significant(*s.shift_increment_ratio / *base.shift_increment_ratio, 3),
                            other);
     if (!(base.final_shift_ratio > negligible_shift)) return {};
-    const char* verb = !s.state ? "lies" : s.state == State::shakedown ? "settles" : "now stands";
+    const bool settled = s.state == State::shakedown && base.state == s.state;
+    const char* verb = !s.state ? "lies" : settled ? "settles" : "now stands";
     std::string text = fmt::format("{} {} {} {}", name, verb,
                                    relation(s.final_shift_ratio / base.final_shift_ratio), other);
     if (s.kappa && base.kappa)
@@ -186,7 +190,7 @@ std::vector<std::string> reading(const contact::Case& c,
     for (const ModelSummary& s : summaries) add(verdict_sentence(s, r));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
-    add(limit_sentence(r));
+    add(limit_sentence(c, r));
     add(static_sentence(summaries, r));
     add_limitations(c, summaries, findings);
     if (!failed) add(audit);

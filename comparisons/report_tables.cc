@@ -39,6 +39,31 @@ double degrees(double radians) {
     return radians * 180 / std::numbers::pi;
 }
 
+void add_layer(const Case& c, std::vector<Row>& rows) {
+    const Case::Layer& layer = c.layer;
+    if (!layer.thickness) return;
+    rows.push_back(given_row("layer thickness <i>b</i>", *layer.thickness, "m"));
+    if (layer.lower) {
+        rows.push_back(given_row("lower layer’s thickness", layer.lower->thickness, "m"));
+        rows.push_back(given_row("lower layer’s <i>E</i>", layer.lower->material.young, "Pa"));
+        rows.push_back(given_row("lower layer’s <i>ν</i>", layer.lower->material.poisson, ""));
+    }
+    rows.push_back(text_row("base", layer.base == Case::Base::bonded ? "bonded" : "frictionless"));
+    for (const auto& [name, side] : {std::pair("width", layer.width), {"depth", layer.depth}})
+        rows.push_back(side ? given_row(name, *side, "m") : text_row(name, "wide enough"));
+}
+
+/// How models that can treat coupled contact do it.
+void add_treatment(const Case& c, std::vector<Row>& rows) {
+    if (!c.layer.thickness) return;
+    const bool friction = c.load.press == Case::Press::friction;
+    rows.push_back(text_row("pressing", friction ? "with friction" : "without friction"));
+    if (friction) rows.push_back(text_row("pressing steps", std::to_string(c.load.press_steps)));
+    rows.push_back(text_row("coupling", c.contact.coupling ? "yes" : "left out"));
+    rows.push_back(text_row(
+        "kinematics", c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed"));
+}
+
 Table bodies_table(const Case& c) {
     const bool sphere = c.indenter.shape == Case::Shape::sphere;
     std::vector<Row> rows{text_row("indenter", sphere ? "sphere" : "paraboloid"),
@@ -53,6 +78,7 @@ Table bodies_table(const Case& c) {
     }
     rows.push_back(given_row("substrate <i>E</i><sub>2</sub>", c.substrate.young, "Pa"));
     rows.push_back(given_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson, ""));
+    add_layer(c, rows);
     rows.push_back(given_row("friction coefficient <i>μ</i>", c.friction_coefficient, ""));
     return {"Bodies", {"value"}, {{"Bodies", rows}}};
 }
@@ -91,6 +117,7 @@ Table load_table(const Case& c) {
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, rows);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     rows);
+    add_treatment(c, rows);
     if (!c.rolling) {
         rows.push_back(text_row("rolling", "none"));
         return {"Load", {"value"}, {{"Load", rows}}};

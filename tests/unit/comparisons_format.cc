@@ -22,6 +22,18 @@ TEST(Format, PowersOfTenOutsideTheReadableRange) {
     EXPECT_EQ(significant(-3e-5, 1), "−3·10⁻⁵");
 }
 
+TEST(Format, GivenQuantitiesHaveNoTrailingZeros) {
+    EXPECT_EQ(given_quantity(8e-3, "m"), "8 mm");
+    EXPECT_EQ(given_quantity(5.2e6, "Pa"), "5.2 MPa");
+}
+
+TEST(Format, ModelsAsAListInASentence) {
+    EXPECT_EQ(display_names({}), "");
+    EXPECT_EQ(display_names({"mdr"}), "MDR");
+    EXPECT_EQ(display_names({"mdr", "bem"}), "MDR and BEM");
+    EXPECT_EQ(display_names({"mdr", "bem", "fem"}), "MDR, BEM and FEM");
+}
+
 TEST(Format, UndefinedIsADash) {
     EXPECT_EQ(significant({}), "–");
     EXPECT_EQ(significant(std::numeric_limits<double>::infinity()), "–");

@@ -123,6 +123,19 @@ TEST(PlotData, ChosenInstantsOfTheMaps) {
     }
 }
 
+TEST(PlotData, TractionsAgainstTheLoadStayInThePicture) {
+    const Options options{.rolling = false};
+    auto histories = synthetic::two_models(options);
+    for (auto& snapshot : histories[1].snapshots)
+        for (double& t : snapshot.surface.tangential_traction_x) t -= 0.2 * 2 / std::numbers::pi;
+    const contact::Case c = synthetic::unit_case(options);
+    // mu p0 = 2/pi: -0.2 at the edge, with 4 % of margin; strips 0.06 below the curves.
+    EXPECT_NE(surface_plots(c, histories)[0].picture.script.find("set zrange [-0.208:"),
+              std::string::npos);
+    EXPECT_NE(traction_plots(c, histories)[0].picture.script.find("set yrange [-0.48:"),
+              std::string::npos);
+}
+
 TEST(PlotData, ErrorsOfGnuplotReachTheCaller) {
     Plot broken{"broken", "t", "c", {320, 200, "plot nonsense(x)"}};
     EXPECT_THROW(draw_all({broken}), GnuplotError);

@@ -206,6 +206,26 @@ TEST_F(Reading, DisagreementIsSaid) {
                          "do not agree on the verdict (ratcheting against shakedown)"));
 }
 
+TEST_F(Reading, WhoIsUndecidedDoesNotDisagree) {
+    bem_.state = contact::State::undecided;
+    const std::string text = reading_text(c_, {mdr_, bem_});
+    EXPECT_FALSE(contains(text, "do not agree")) << text;
+    EXPECT_TRUE(contains(text, "MDR now stands as high as BEM")) << text;
+}
+
+TEST_F(Reading, OnlyHalfSpacesIgnoreTheLayer) {
+    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}), "All models take the bodies as elastic"));
+    c_.layer.thickness = 1;
+    ModelSummary fem = bem_;
+    fem.model = "fem";
+    const std::string text = reading_text(c_, {mdr_, bem_, fem});
+    EXPECT_TRUE(contains(text, "MDR and BEM take the bodies as elastic half-spaces")) << text;
+    EXPECT_TRUE(contains(text, "the exact limit of shakedown on a half-space is")) << text;
+    EXPECT_FALSE(contains(reading_text(c_, {fem}), "half-spaces:"));
+    fem.state = contact::State::undecided;
+    EXPECT_FALSE(contains(reading_text(c_, {fem}), "By the exact limit"));
+}
+
 TEST_F(Reading, RatchetingSpeeds) {
     for (ModelSummary* s : {&mdr_, &bem_}) s->state = contact::State::ratcheting;
     mdr_.shift_increment_ratio = 0.9;
