@@ -76,6 +76,7 @@ def write_bodies(out, axes, size):
 
 
 def write_physics(out, args):
+    friction = f"*FRICTION\n{rig.MU}, {args.stick_slope}\n"
     out.write(f"""*MATERIAL, NAME=RUBBER
 *ELASTIC
 {rig.E}, {NU}
@@ -84,9 +85,7 @@ def write_physics(out, args):
 *SURFACE INTERACTION, NAME=DRY
 *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR
 {args.stiffness}
-*FRICTION
-{rig.MU}, {args.stick_slope}
-*CONTACT PAIR, INTERACTION=DRY, TYPE=SURFACE TO SURFACE
+{"" if args.frictionless else friction}*CONTACT PAIR, INTERACTION=DRY, TYPE=SURFACE TO SURFACE
 SLAYER, SROLLER
 *BOUNDARY
 NBASE, 1, 3
@@ -116,6 +115,8 @@ def write_deck(args):
         # The roller is held at its indentation: a given normal force did not converge.
         hold = f"NCENTRE, 3, 3, {-rig.EXACT['d']}\n"
         write_step(out, f"{part}, 1., 1e-6, {part}", still + "NCENTRE, 1, 1\n" + hold, "")
+        if args.frictionless:
+            return
         pull = f"NCENTRE, 1, {rig.FT / 2}\n"
         write_step(out, "1., 1.", still + hold, pull)
         # Rolling under a given F_T did not converge: it rolls at the shift of the loaded state.
@@ -130,6 +131,13 @@ def centre(name, what):
     text = open(name + ".dat", encoding="utf-8").read()
     pattern = rf" {what} [^\n]* time +(\S+)\s+\d+ +(\S+) +(\S+) +(\S+)"
     return [[float(v) for v in found] for found in re.findall(pattern, text)]
+
+
+def contact_radius(name, increment):
+    """Of the circle whose half has the area [mm^2] that *CONTACT PRINT, CF reports [mm]."""
+    text = open(name + ".dat", encoding="utf-8").read()
+    areas = re.findall(r"shear force \(size\)\s+(\S+)", text)
+    return float(np.sqrt(2 * float(areas[increment]) / np.pi))
 
 
 def contact_points(name):
@@ -162,7 +170,7 @@ def nodal_pressures(name):
 
 def read(args):
     shifts, forces = centre(args.name, "displacements"), centre(args.name, "forces")
-    loaded = next(i for i, row in enumerate(shifts) if row[1] != 0)
+    loaded = next((i for i, row in enumerate(shifts) if row[1] != 0), len(shifts) - 1)
     p, t1, t2 = contact_points(args.name)[loaded].T
     points, blocks = nodal_pressures(args.name)
     top = {}  # the roller's lowest node lies on the layer's and comes after it
@@ -172,6 +180,7 @@ def read(args):
     nodes = list(top.values())
     x, y, _ = np.array([points[n] for n in nodes]).T
     return {"d": -shifts[loaded][3], "force": -2 * forces[loaded][3], "u_stat": shifts[loaded][1],
+            "a": contact_radius(args.name, loaded),
             "excess": rig.friction_excess(p, t1, t2), "p_peak_point": float(p.max()),
             "p_least_point": float(p.min()), "increments": len(shifts)} \
         | rig.pressure_summary(x, y, np.array([blocks[loaded][n] for n in nodes]))
@@ -184,6 +193,7 @@ def main():
     parser.add_argument("--mesh", help="written by tricontact mesh")
     parser.add_argument("--size", type=float, default=1.0, help="element at the contact [mm]")
     parser.add_argument("--press-steps", type=int, default=20)
+    parser.add_argument("--frictionless", action="store_true", help="pressing only")
     parser.add_argument("--rolling", type=int, default=0, help="increments of 0.2 mm")
     parser.add_argument("--shift", type=float, default=0.0, help="at which it rolls [mm]")
     parser.add_argument("--stiffness", type=float, default=50 * rig.E, help="penalty [MPa/mm]")

@@ -17,15 +17,18 @@ CONTACT, BASE, SYMMETRY = 1, 3, 5
 
 # s, d: shift along x and indentation of the roller; W: its offset by rolling.
 RESULTANT = "(lam(3)+FN/(2*Area))*Test_d + (lam(1)-FT/(2*Area))*Test_s"
+# What the roller's own material does in a step: shift, descent, and turning about the contact.
+ROLLER = "[s-s_old;0;d_old-d-(W-W_old)/R*(X(1)+u(1)-W-s)]"
+OFFSET = "[X(1)+u(1)-W-s;X(2)+u(2)]"
 PROJECTION = {
     # gap and normal in the undeformed configuration: z_roller - z_surface at X
     "linear": "Coulomb_friction_coupled_projection(lam, [0;0;1], u-u_old-[1;0;0]*(s-s_old),"
               "(Norm_sqr([X(1)-W;X(2)])/(2*R)-d-u(3)), Mu, Aug)",
     # both at the displaced point x = X + u: distance and normal to the first order of the slope
     "deformed": "Coulomb_friction_coupled_projection(lam,"
-                "Normalized([-(X(1)+u(1)-W-s)/R;-(X(2)+u(2))/R;1]), u-u_old-[1;0;0]*(s-s_old),"
-                "(Norm_sqr([X(1)+u(1)-W-s;X(2)+u(2)])/(2*R)-d-u(3))"
-                "/sqrt(1+Norm_sqr([X(1)+u(1)-W-s;X(2)+u(2)])/sqr(R)), Mu, Aug)",
+                "Normalized([-(X(1)+u(1)-W-s)/R;-(X(2)+u(2))/R;1]),"
+                f"u-u_old-{ROLLER},"
+                f"(Norm_sqr({OFFSET})/(2*R)-d-u(3))/sqrt(1+Norm_sqr({OFFSET})/sqr(R)), Mu, Aug)",
 }
 
 
@@ -68,8 +71,10 @@ def model(mesh, area, args):
     md.add_filtered_fem_variable("lam", fem_lam, CONTACT)
     for name in ("d", "s"):
         md.add_variable(name, 1)
-    for name, value in (("s_old", 0), ("W", 0), ("R", rig.R), ("G", rig.G), ("Mu", 0 if args.frictionless else rig.MU),
-                        ("Aug", args.augmentation), ("FN", rig.FN), ("FT", 0), ("Area", area)):
+    values = {"s_old": 0, "d_old": 0, "W": 0, "W_old": 0, "R": rig.R, "G": rig.G,
+              "Mu": 0 if args.frictionless else rig.MU, "Aug": args.augmentation,
+              "FN": rig.FN, "FT": 0, "Area": area}
+    for name, value in values.items():
         md.add_initialized_data(name, value)
     md.add_linear_term(volume, "2*G*Sym(Grad_u):Grad_Test_u")
     if args.volume == "mixed":
@@ -104,7 +109,8 @@ class Run:
             raise SystemExit(f"not converged after {iterations} iterations: {data}")
         self.iterations += iterations
         self.md.set_variable("u_old", self.md.variable("u"))
-        self.md.set_variable("s_old", self.md.variable("s"))
+        for name in ("s", "d", "W"):
+            self.md.set_variable(name + "_old", self.md.variable(name))
         print(f"{data} {iterations} iterations, {cpu():.1f} s", file=sys.stderr, flush=True)
 
 
@@ -115,7 +121,7 @@ def traction_nodes(md):
 
 
 def press(run, steps):
-    """F_N in equal steps with friction; in one step the friction history is empty."""
+    """F_N in equal steps, with friction unless it is left out."""
     for k in range(1, steps + 1):
         run.step(FN=rig.FN * k / steps)
 

@@ -57,5 +57,6 @@ def pressure_summary(x, y, p):
 
 
 def friction_excess(p, tx, ty):
-    """Largest nodal |t| - mu p over mu times the peak pressure; a node under tension carries none."""
+    """Largest nodal |t| - mu p over mu times the peak pressure; a node under tension bears no t.
+    Means something where t and p act along fixed axes (linear kinematics)."""
     return float((np.hypot(tx, ty) - MU * np.maximum(p, 0)).max() / (MU * p.max()))

@@ -25,10 +25,11 @@ def fields(path):
 
 
 def read(folder):
-    """The state under F_N and F_T; F_T is the first step at phase 0 with a tangential force."""
+    """The state under F_N and F_T, and the indentation before F_T, which is the first step with a
+    tangential force."""
     with open(f"{folder}/fem/history.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    loaded = next(i for i, row in enumerate(rows) if float(row["tangential_force_x_N"]) > 1)
+    loaded = next(i for i, row in enumerate(rows) if float(row["tangential_force_x_N"]) > 1e-3)
     with open(f"{folder}/summary.json", encoding="utf-8") as file:
         model = json.load(file)["models"]["fem"]
     points, p, t = fields(f"{folder}/fem/surface_000000.vtu")

@@ -17,8 +17,8 @@ done
 # own SIZE KINEMATICS PERIODS: two lengths of one history give the cost of an increment
 own() {
     name=own_$1_$2_$3
-    /usr/bin/time -v "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
-        --set contact.kinematics="$2" --set rolling.periods="$3" --set rolling.run_all=true \
+    /usr/bin/time -v "$program" run "$case" --models fem --set fem.cache=none \
+        --set fem.size="$1 mm" --set contact.kinematics="$2" --set rolling.periods="$3" --set rolling.run_all=true \
         --set output.volume=none --no-report --threads 1 --output "$name" \
         > "$name.log" 2> "$name.time"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
@@ -36,21 +36,51 @@ getfem() {
 calculix() {
     name=calculix_$1 size=$2
     shift 2
-    "$python" "$here/calculix_layer.py" deck "$name" --mesh "mesh_$size/mesh.msh" --size "$size" "$@"
+    "$python" "$here/calculix_layer.py" deck "$name" --mesh "mesh_$size/mesh.msh" \
+        --size "$size" "$@"
     /usr/bin/time -v ccx "$name" > "$name.log" 2> "$name.time" || true  # it may give up late
     "$python" "$here/calculix_layer.py" read "$name" > "$name.json"
 }
 
+# The exact solution is frictionless: pressure and indentation are judged without friction.
+own_frictionless() {
+    name=own_$1_frictionless
+    "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
+        --set load.press=frictionless --set load.tangential_ratio=0.001 \
+        --set rolling.amplitude_ratio=0 --set rolling.periods=1 --set output.volume=none \
+        --no-report --threads 1 --output "$name" > "$name.log"
+    "$python" "$here/own_layer.py" "$name" > "$name.json"
+}
+
+# own_pressed SIZE KINEMATICS STEPS: as the peers press, which are too slow for 20 steps
+own_pressed() {
+    name=own_$1_$2_pressed_$3
+    "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
+        --set contact.kinematics="$2" --set load.press_steps="$3" --set output.volume=none \
+        --set rolling.amplitude_ratio=0 --set rolling.periods=1 --no-report --threads 1 \
+        --output "$name" > "$name.log"
+    "$python" "$here/own_layer.py" "$name" > "$name.json"
+}
+
 for size in 1 0.5; do
+    own_frictionless $size
+    own_pressed $size linear 1
+    own_pressed $size deformed 5
     for kinematics in linear deformed; do
         own $size $kinematics 1
         own $size $kinematics 5
     done
 done
-reduced="--element 20 --volume reduced"
-getfem 1_linear 1 $reduced --press-steps 1 --rolling 2
-getfem 1_deformed 1 $reduced --press-steps 1 --rolling 2 --kinematics deformed
-getfem 0.5_linear 0.5 $reduced --press-steps 1 --rolling 2
-getfem 1_linear_20 1 $reduced --press-steps 20
-getfem 1_mixed 1 --press-steps 1 --rolling 1
-calculix 1 1 --press-steps 5 --rolling 1
+
+reduced="--element 20 --volume reduced --press-steps 1"
+getfem 1_frictionless 1 $reduced --frictionless
+getfem 1_linear 1 $reduced --rolling 2
+getfem 1_deformed 1 $reduced --press-steps 5 --kinematics deformed
+getfem 1_mixed 1 --press-steps 1
+getfem 0.5_frictionless 0.5 $reduced --frictionless
+getfem 0.5_linear 0.5 $reduced --rolling 2
+
+calculix 1_frictionless 1 --press-steps 5 --frictionless
+calculix 1_loaded 1 --press-steps 5
+shift_found=$(sed 's/.*"u_stat": \([0-9.]*\).*/\1/' calculix_1_loaded.json)
+calculix 1_rolled 1 --press-steps 5 --rolling 1 --shift "$shift_found"
