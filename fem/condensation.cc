@@ -14,17 +14,10 @@
 
 // LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
 extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-extern "C" int openblas_get_num_threads(void);
 
 namespace tricontact::fem {
 
 namespace {
-
-// OpenBLAS takes 128 MB for each thread at its first product, and tries for ever where they are not
-// to be had: they must be known to be there.
-double blas_buffer_bytes() {
-    return 128. * 1024 * 1024 * (openblas_get_num_threads() + 1);
-}
 
 using Index = SuiteSparse_long;
 static_assert(sizeof(Index) == sizeof(std::int64_t));
@@ -187,7 +180,7 @@ double Condensation::predicted_bytes(int ld) const {
     const double n_contact = std::max(ld, parts_->n_contact), n = static_cast<double>(factor.n);
     const double values = 8. * static_cast<double>(factor.xsize);
     const double update = 8. * static_cast<double>(factor.maxcsize), maps = 3 * 8. * n;
-    return values + std::max(update + maps, 8 * n_contact * n_contact) + blas_buffer_bytes();
+    return values + std::max(update + maps, 8 * n_contact * n_contact);
 }
 
 void Condensation::factorise() {

@@ -66,7 +66,7 @@ CondensedLayer condense_discretised(const Discretisation& discretisation) {
     Condensation condensation = analyse(discretisation, stiffness);
     const auto& unknowns = discretisation.contact_unknowns();
     const int n_components = static_cast<int>(unknowns.size());
-    refuse_too_large(condensation.predicted_bytes(n_components));
+    refuse_too_large(condensation.predicted_bytes(n_components) + blas_buffer_bytes());
     condensation.factorise();
     CondensedLayer layer;
     layer.points = discretisation.contact_points();

@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+extern "C" int openblas_get_num_threads(void);
+
 namespace tricontact::fem {
 
 namespace {
@@ -100,6 +102,10 @@ void return_freed_memory() {
     mallopt(M_MMAP_THRESHOLD, large_block);
     mallopt(M_TRIM_THRESHOLD, 2 * large_block);
     malloc_trim(0);
+}
+
+double blas_buffer_bytes() {
+    return 128. * 1024 * 1024 * (openblas_get_num_threads() + 1);
 }
 
 }  // namespace tricontact::fem

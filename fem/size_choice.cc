@@ -45,7 +45,8 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
         spec.patch_x = std::ceil(radius_x / spec.size) * spec.size;
         spec.patch_y = std::ceil(radius_y / spec.size) * spec.size;
         try {
-            const double needed = predicted_bytes(problem_of(c, make_layer_mesh(spec)));
+            const double needed =
+                predicted_bytes(problem_of(c, make_layer_mesh(spec))) + blas_buffer_bytes();
             ratio = needed / shortage.available_bytes;
         } catch (const std::bad_alloc&) {
             ratio = 4;
