@@ -18,8 +18,8 @@ done
 own() {
     name=own_$1_$2_$3
     /usr/bin/time -v "$program" run "$case" --models fem --set fem.cache=none \
-        --set fem.size="$1 mm" --set contact.kinematics="$2" --set rolling.periods="$3" --set rolling.run_all=true \
-        --set output.volume=none --no-report --threads 1 --output "$name" \
+        --set fem.size="$1 mm" --set contact.kinematics="$2" --set rolling.periods="$3" \
+        --set rolling.run_all=true --set output.volume=none --no-report --threads 1 --output "$name" \
         > "$name.log" 2> "$name.time"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
 }
