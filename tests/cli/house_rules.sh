@@ -26,6 +26,7 @@ may_include meshes contact
 may_include mdr contact
 may_include bem contact
 may_include fem contact meshes
+may_include fem/distributed contact meshes fem
 may_include io contact
 may_include comparisons contact theory
 may_include app contact theory meshes mdr bem fem io comparisons
@@ -37,7 +38,7 @@ only_in() {
         meshes theory | grep -v "^$folder/" || true)
     [ -z "$found" ] || complain "$found: $2 belongs to $folder"
 }
-only_in fem '#include <(deal\.II|cholmod|metis)'
+only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in io '#include <vtk'
 
