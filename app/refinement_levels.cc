@@ -76,9 +76,13 @@ Level make_level(const Case& c, const std::string& name, const std::string& what
                  Overrides overrides, const std::string& case_file) {
     // The folders of a level hold numbers; fields are for runs.
     overrides.insert(overrides.end(), {"output.vtk=none", "output.volume=none"});
-    const Case level =
-        io::parse_case(io::write_case(c), fmt::format("{}, {}", case_file, name), overrides);
-    return {name, what, level, io::write_case(level), size};
+    try {
+        const Case level = io::parse_case(io::write_case(c), case_file, overrides);
+        return {name, what, level, io::write_case(level), size};
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(
+            fmt::format("{}: {} ({}): {}", case_file, name, what, error.what()));
+    }
 }
 
 Overrides resolution(const Case& c, const std::string& key, double size, int k) {

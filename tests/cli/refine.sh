@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# tricontact refine: table and files, what is taken over after a kill or a second call, bad input.
+# usage: refine.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+case_file=$source_dir/cases/rig_layer_parallel.toml
+work=$(mktemp -d)
+child=
+trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
+cd "$work" || exit 1
+export OPENBLAS_NUM_THREADS=1
+failures=0
+coarse=(--set rolling.periods=1 --set rolling.steps=turning-points --set "fem.size=2 mm"
+    --set load.press_steps=3 --set "fem.cache=$work/cache")
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# expect CODE ARGUMENTS...: output goes to the files out and err.
+expect() {
+    local code=$1 got
+    shift
+    "$program" refine "$@" >out 2>err
+    got=$?
+    [ "$got" -eq "$code" ] || complain "exit code $got instead of $code: $*: $(cat err)"
+}
+
+# says TEXT FILE
+says() {
+    grep -qF -- "$1" "$2" || complain "no '$1' in $2: $(head -c 600 "$2")"
+}
+
+bem() {
+    expect 0 "$source_dir/cases/rig_sphere_parallel.toml" --model bem --quiet --output "$1" \
+        --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
+}
+
+# 1. Another model: its own key, Hertz' theory, no block to widen.
+bem bem
+says "bem.spacing, mm" out
+says "Hertz" out
+[ -e bem/wide ] && complain "a wide block for a half-space"
+[ -s err ] && complain "--quiet is not silent: $(cat err)"
+
+# 2. Bad input.
+expect 2 "$source_dir/cases/rig_sphere_parallel.toml" --output none
+says "models: fem is not among the models of the case" err
+for levels in 2 9 many; do
+    expect 2 "$case_file" --levels "$levels" --output none
+    says "--levels" err
+done
+expect 2 "$case_file" --model mdr --output none
+says "--model" err
+[ -e none ] && complain "a folder in spite of bad input"
+
+if ! "$program" list | grep -q '^  fem '; then
+    expect 2 "$case_file" --output none
+    printf '%d failures (built without fem)\n' "$failures"
+    exit "$failures"
+fi
+
+touch layer.msh
+expect 2 "$case_file" --set "fem.mesh=$work/layer.msh" --output none
+says "a mesh from a file cannot be refined" err
+expect 2 "$case_file" --set "fem.size=3 mm" --output none
+says "too coarse" err
+expect 2 "$case_file" --set "fem.size=0.1 mm" --levels 8 --output none
+says "level_1 (fem.size = 0.07071 mm): " err
+says "contact and rolling path need" err
+[ -e none ] && complain "a folder in spite of bad input"
+
+# 3. Three levels and a wide block.
+expect 0 "$case_file" "${coarse[@]}" --output whole
+for text in "fem.size, mm" "2.000" "1.414" "1.000" "order" "exact layer" "wide block" "U_end" \
+    "was refined on 3 levels"; do
+    says "$text" out
+done
+for file in level_0/level.json level_1/level.json level_2/level.json wide/level.json case.toml \
+    report.html refinement.json refinement.csv plots/shift.svg; do
+    [ -s "whole/$file" ] || complain "no whole/$file"
+done
+says '<section id="refinement">' whole/report.html
+says '"key": "fem.size"' whole/refinement.json
+# The whole mesh is refined: growth 1.8^(1/sqrt 2) and 1.8^(1/2).
+grep -q "growth = 1.8$" <(sed 's/\\n/\n/g' whole/level_0/level.json) || complain "growth of level 0"
+grep -q "growth = 1.34164" <(sed 's/\\n/\n/g' whole/level_2/level.json) ||
+    complain "growth of level 2"
+# 96 mm are the block's own choice, 6 thicknesses to each side.
+says 'width = \"0.144' whole/wide/level.json
+
+# 4. A second call takes everything over.
+cp -r whole again
+expect 0 "$case_file" "${coarse[@]}" --output again
+[ "$(grep -c 'taken from' err)" -eq 4 ] || complain "not four levels taken over: $(cat err)"
+grep -q "steps in" err && complain "steps in spite of finished levels"
+diff -r whole again || complain "a second call changed the results"
+
+# 5. Without its report the finest level is computed once more, a damaged level too, no other.
+rm again/report.html
+echo '{"version": 3' >again/level_1/level.json
+expect 0 "$case_file" "${coarse[@]}" --output again
+[ "$(grep -c 'steps in' err)" -eq 2 ] || complain "not two levels computed: $(cat err)"
+says "level_0: fem.size = 2 mm: taken from" err
+says "level_2: once more, for the report" err
+cmp whole/refinement.csv again/refinement.csv || complain "other numbers the second time"
+[ -s again/report.html ] || complain "no report"
+
+# 6. A kill during the second level costs no more than that.
+"$program" refine "$case_file" "${coarse[@]}" --output killed --quiet >/dev/null &
+child=$!
+for _ in $(seq 1 3000); do
+    [ -e killed/level_1 ] && break
+    kill -0 "$child" 2>/dev/null || break
+    sleep 0.01
+done
+kill -9 "$child" || complain "the refinement was over before it could be killed"
+wait "$child" 2>/dev/null
+[ -e killed/level_0/level.json ] || complain "the first level is lost"
+[ -e killed/refinement.json ] && complain "a refinement of levels that were not computed"
+expect 0 "$case_file" "${coarse[@]}" --output killed
+says "level_0: fem.size = 2 mm: taken from" err
+cmp whole/refinement.csv killed/refinement.csv || complain "other numbers after a kill"
+
+# 7. Another case takes nothing over.
+expect 0 "$case_file" "${coarse[@]}" --set load.tangential_ratio=0.3 --output again
+grep -q "taken from" err && complain "levels of another case: $(cat err)"
+cmp -s whole/refinement.csv again/refinement.csv && complain "the same numbers for another load"
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
