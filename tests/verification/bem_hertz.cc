@@ -103,13 +103,14 @@ TEST(BemHertz, Orders) {
         EXPECT_NEAR(first, 2, .3);
         EXPECT_NEAR(second, 2, .3);
     }
-    // The radius by the fit converges at least as fast (counting cells would be first order), and
-    // so does the pressure away from the edge, which coarse grids still feel there.
-    for (const auto part : {&HertzError::radius, &HertzError::pressure}) {
-        const auto [first, second] = orders(part);
-        EXPECT_GT(first, 1.7);
-        EXPECT_GT(second, 1.7);
-    }
+    // So is the pressure away from the edge, which coarse grids still feel there.
+    const auto [first_pressure, second_pressure] = orders(&HertzError::pressure);
+    EXPECT_GT(first_pressure, 1.7);
+    EXPECT_GT(second_pressure, 1.7);
+    // Moments feel the ring of cells at the edge: width h times a pressure wrong by sqrt(h/a) p0.
+    const auto [first_radius, second_radius] = orders(&HertzError::radius);
+    EXPECT_GT(first_radius, 1.3);
+    EXPECT_GT(second_radius, 1.3);
     // A ring of cells of width h is wrong by sqrt(h/a) p0: the norm over the contact is O(h).
     const auto [first, second] = orders(&HertzError::pressure_rms);
     EXPECT_NEAR(first, 1, .3);
