@@ -199,7 +199,8 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
              "The last upright state. Strips: what each point does during the last period. Black, "
              "stick: always in contact, below the friction bound; grey, slip: at the bound μp at "
              "some instant; light, zero or released: out of contact at some instant, after "
-             "shakedown no traction is left there. a and p₀ are each model's own.",
+             "shakedown no traction is left there (in coupled contact what the pressure drags). a "
+             "and p₀ are each model's own.",
              {640, 460, script}}};
 }
 
