@@ -34,6 +34,11 @@ std::vector<double> Compliance::consistent_traction(std::span<const double>, boo
     return {};
 }
 
+std::optional<std::array<double, 3>> Compliance::missing_reaction(std::span<const double>,
+                                                                  const TangentialField&) const {
+    return std::nullopt;
+}
+
 std::unique_ptr<const Interior> Compliance::interior(std::span<const double>,
                                                      const TangentialField&) const {
     return nullptr;

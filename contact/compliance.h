@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -68,8 +69,10 @@ class Compliance {
     /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
     /// where there are no elements. `odd_in_y`: of a y component.
     virtual std::vector<double> consistent_traction(std::span<const double> t, bool odd_in_y) const;
-    /// Largest error of the ground's reaction over the force that causes it; 0: there is no ground.
-    virtual double reaction_error() const { return 0; }
+    /// Force of the ground [N] plus the force of these tractions (z out of the substrate), zero but
+    /// for errors; null where there is no ground.
+    virtual std::optional<std::array<double, 3>> missing_reaction(std::span<const double> p,
+                                                                  const TangentialField& t) const;
     /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
     virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
                                                      const TangentialField& t) const;

@@ -8,12 +8,6 @@
 
 namespace tricontact::contact {
 
-namespace {
-// Over a force on a single node, the worst of all; what a state's own force misses is a mean of
-// these, and is held to 1e-8 when its inside is computed.
-constexpr double single_force_allowed = 1e-7;
-}  // namespace
-
 StepRecord SurfaceModel::record(const LoadStep& step) const {
     const auto& area = compliance_->points().area;
     const bool mirrored = compliance_->points().mirrored;
@@ -65,8 +59,12 @@ void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
     if (normal.kind == NormalControl::Kind::force) normal.value -= coupling_.normal_force(t);
     audit_normal(*normal_, normal, points.area, tolerance_, audit_, force_allowed);
     if (is_coupled()) audit_.record("normal_and_tangential_agree", gap_residual_, tolerance_);
-    if (compliance_->reaction_error() > 0)
-        audit_.record("base_reaction", compliance_->reaction_error(), single_force_allowed);
+    const auto missing = compliance_->missing_reaction(coupling_.downward_traction(p, t),
+                                                       coupling_.surface_traction(p, t));
+    if (missing)
+        audit_.record("base_reaction",
+                      std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / normal_->force,
+                      1e-8);
 
     if (step.friction) {
         std::array<TangentialControl, 2> tangential = step.tangential;

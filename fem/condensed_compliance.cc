@@ -42,7 +42,7 @@ CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> pro
       points_(std::move(layer.points)),
       matrix_(std::move(layer.compliance)),
       mass_(std::move(layer.contact_mass)),
-      reaction_error_(layer.reaction_error) {
+      missing_reaction_(std::move(layer.missing_reaction)) {
     // From z out of the substrate to z into it, and from forces on the modelled part to all.
     const std::size_t n = points_.size();
     const double part = modelled_part(points_);
@@ -144,6 +144,21 @@ std::vector<double> CondensedCompliance::consistent_traction(std::span<const dou
     const Eigen::VectorXd consistent =
         (odd_in_y ? surface_mass_->odd : surface_mass_->even).solve(force);
     return {consistent.data(), consistent.data() + n};
+}
+
+std::optional<std::array<double, 3>> CondensedCompliance::missing_reaction(
+    std::span<const double> p, const TangentialField& t) const {
+    const std::size_t n = points_.size();
+    std::array<double, 3> missing{};
+    for (std::size_t direction = 0; direction < 3; ++direction) {
+        if (points_.mirrored && direction == 1) continue;  // both halves cancel
+        const auto& by_unit_force = missing_reaction_[direction];
+        for (std::size_t i = 0; i < n; ++i)
+            missing[direction] +=
+                points_.area[i] * (by_unit_force[i] * t.x[i] + by_unit_force[n + i] * t.y[i] -
+                                   by_unit_force[2 * n + i] * p[i]);
+    }
+    return missing;
 }
 
 std::unique_ptr<const contact::Interior> CondensedCompliance::interior(

@@ -31,7 +31,8 @@ class CondensedCompliance final : public contact::Compliance {
     const double* dense() const override { return matrix_.data(); }
     std::vector<double> consistent_traction(std::span<const double> t,
                                             bool odd_in_y) const override;
-    double reaction_error() const override { return reaction_error_; }
+    std::optional<std::array<double, 3>> missing_reaction(
+        std::span<const double> p, const contact::TangentialField& t) const override;
     /// Factorises the whole body anew when first asked for: as long as a condensation.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
@@ -46,7 +47,7 @@ class CondensedCompliance final : public contact::Compliance {
     contact::ContactPoints points_;
     std::vector<double> matrix_;  // as dense() says
     SparseMatrix mass_;
-    double reaction_error_;
+    std::array<std::vector<double>, 3> missing_reaction_;  // see CondensedLayer
     mutable std::unique_ptr<Body> body_;
     mutable std::unique_ptr<SurfaceMass> surface_mass_;
 };

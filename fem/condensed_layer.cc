@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
@@ -14,22 +15,28 @@ namespace tricontact::fem {
 
 namespace {
 
-// The ground's reaction to a unit force on an unknown is minus the displacement there when all held
-// components are moved by one (reciprocity): 1 in the direction moved, 0 in the others.
-double reaction_error(const Discretisation& discretisation, const Condensation& condensation,
-                      const std::array<std::vector<double>, 3>& held_rows) {
-    const int n = discretisation.n_unknowns();
+// The ground's reaction to a unit force on a component is minus the displacement there when all
+// held components are moved by one (reciprocity): 1 in the direction moved, 0 in the others.
+std::array<std::vector<double>, 3> missing_reaction(
+    const Discretisation& discretisation, const Condensation& condensation,
+    const std::array<std::vector<double>, 3>& held_rows) {
+    const std::size_t n = discretisation.n_unknowns();
+    const auto& unknowns = discretisation.contact_unknowns();
     std::vector<double> forces;
     for (const auto& row : held_rows)
         for (const double k : row) forces.push_back(-k);
     const auto moved = condensation.solve(forces);
-    double worst = 0;
-    for (int direction = 0; direction < 3; ++direction)
-        for (int u = discretisation.n_interior(); u < n; ++u) {
-            const double expected = discretisation.direction_of_unknown()[u] == direction ? 1 : 0;
-            worst = std::max(worst, std::abs(moved[direction * n + u] - expected));
+    std::array<std::vector<double>, 3> missing;
+    for (std::size_t direction = 0; direction < 3; ++direction) {
+        missing[direction].assign(unknowns.size(), 0);
+        for (std::size_t c = 0; c < unknowns.size(); ++c) {
+            if (unknowns[c] < 0) continue;
+            const int u = discretisation.n_interior() + unknowns[c];
+            const double force = c / (unknowns.size() / 3) == direction ? 1 : 0;
+            missing[direction][c] = force - moved[direction * n + u];
         }
-    return worst;
+    }
+    return missing;
 }
 
 // Moves the leading square of the free unknowns to the places of all components; others are zero.
@@ -71,13 +78,20 @@ CondensedLayer condense_discretised(const Discretisation& discretisation) {
     CondensedLayer layer;
     layer.points = discretisation.contact_points();
     layer.contact_mass = discretisation.contact_mass();
-    layer.reaction_error = reaction_error(discretisation, condensation, stiffness.held_rows);
+    layer.missing_reaction = missing_reaction(discretisation, condensation, stiffness.held_rows);
     layer.compliance = condensation.compliance(n_components);
     spread(unknowns, layer.compliance);
     return layer;
 }
 
 }  // namespace
+
+double CondensedLayer::reaction_error() const {
+    double worst = 0;
+    for (const auto& direction : missing_reaction)
+        for (const double missing : direction) worst = std::max(worst, std::abs(missing));
+    return worst;
+}
 
 CondensedLayer condense(const LayerProblem& problem) {
     const double available = available_bytes();

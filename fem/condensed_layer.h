@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,11 @@ struct CondensedLayer {
     /// columns of held components are zero.
     std::vector<double> compliance;
     SparseMatrix contact_mass;  ///< see Discretisation
-    /// Largest |ground's reaction + force| over force, over all unit forces on the patch.
-    double reaction_error = 0;
+    /// Ground's reaction + force under unit forces: by direction, components as above.
+    std::array<std::vector<double>, 3> missing_reaction;
+
+    /// The largest of them.
+    double reaction_error() const;
 };
 
 /// A condensation does not fit into the memory that is there.

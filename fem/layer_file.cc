@@ -22,7 +22,8 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "the format is little-endian");
 
 // Followed by: x, y, area of the points; quadrilaterals; the contact mass (column_start, row,
-// value); the compliance's lower triangle by columns; the checksum of all that.
+// value); the missing reaction; the compliance's lower triangle by columns; the checksum of all
+// that.
 struct Header {
     std::array<char, 8> magic{'T', 'R', 'I', 'C', 'L', 'A', 'Y', 'R'};
     std::uint64_t version = layer_file_version;
@@ -31,10 +32,9 @@ struct Header {
     std::int64_t n_x = 0, n_y = 0;
     std::array<double, 2> first{}, spacing{};
     std::uint64_t mirrored = 0;
-    double reaction_error = 0;
     std::uint64_t checksum = 0;  // of what comes before it
 };
-static_assert(sizeof(Header) == 8 * 18, "no padding");
+static_assert(sizeof(Header) == 8 * 17, "no padding");
 
 std::uint64_t checksum_of(const Header& header) {
     return XXH3_64bits(&header, offsetof(Header, checksum));
@@ -45,7 +45,7 @@ constexpr std::uint64_t largest_n_points = 1u << 20;  // beyond: 10^13 numbers, 
 std::uint64_t file_size(const Header& header) {
     const std::uint64_t n = header.n_points, m = 3 * n;
     return sizeof(Header) + 3 * 8 * n + 9 * sizeof(int) * header.n_quads + 8 * (n + 1) +
-           16 * header.n_mass + 8 * (m * (m + 1) / 2) + sizeof(XXH64_hash_t);
+           16 * header.n_mass + 8 * 3 * m + 8 * (m * (m + 1) / 2) + sizeof(XXH64_hash_t);
 }
 
 [[noreturn]] void fail_with_errno(const char* what) {
@@ -129,6 +129,7 @@ void transfer(Archive& archive, Layer& layer) {
     vector(layer.contact_mass.column_start);
     vector(layer.contact_mass.row);
     vector(layer.contact_mass.value);
+    for (auto& missing : layer.missing_reaction) vector(missing);
     const std::size_t m = 3 * layer.points.size();
     for (std::size_t c = 0; c < m; ++c) archive.array(layer.compliance.data() + c * m + c, m - c);
 }
@@ -144,7 +145,6 @@ Header header_of(const std::string& key, const CondensedLayer& layer) {
     header.first = layer.points.first;
     header.spacing = layer.points.spacing;
     header.mirrored = layer.points.mirrored ? 1 : 0;
-    header.reaction_error = layer.reaction_error;
     header.checksum = checksum_of(header);
     return header;
 }
@@ -184,7 +184,7 @@ CondensedLayer layer_of_size(const Header& header) {
     layer.contact_mass.row.resize(header.n_mass);
     layer.contact_mass.value.resize(header.n_mass);
     layer.compliance.resize(9 * n * n);
-    layer.reaction_error = header.reaction_error;
+    for (auto& missing : layer.missing_reaction) missing.resize(3 * n);
     return layer;
 }
 

@@ -9,7 +9,7 @@ namespace tricontact::fem {
 
 /// Belongs to every file and key: raise it when the bytes of a file or the numbers of a condensed
 /// layer change their meaning.
-constexpr unsigned layer_file_version = 1;
+constexpr unsigned layer_file_version = 2;
 
 /// Digits of a key.
 constexpr std::size_t layer_key_length = 32;

@@ -69,21 +69,24 @@ void refuse_too_large(const Condensation& condensation, const Session& session) 
     });
 }
 
-// The error that fem::condense finds. What the contact must do when all held components are moved
-// by one: move with them, 1 in that direction and 0 in the others.
-double reaction_error(const std::array<std::vector<double>, 3>& forces,
-                      const std::vector<double>& compliance, const std::vector<int>& rows) {
+// What fem::condense finds. What the contact must do when all held components are moved by one:
+// move with them, 1 in that direction and 0 in the others.
+std::array<std::vector<double>, 3> missing_reaction(
+    const std::array<std::vector<double>, 3>& forces, const std::vector<double>& compliance,
+    const std::vector<int>& rows) {
     const std::size_t n = rows.size();
-    double worst = 0;
-    for (std::size_t direction = 0; direction < 3; ++direction)
+    std::array<std::vector<double>, 3> missing;
+    for (std::size_t direction = 0; direction < 3; ++direction) {
+        missing[direction].assign(n, 0);
         for (std::size_t r = 0; r < n; ++r) {
             if (rows[r] < 0) continue;
             double moved = 0;
             for (std::size_t c = 0; c < n; ++c)
                 moved += compliance[r * n + c] * forces[direction][c];
-            worst = std::max(worst, std::abs(moved - (r / (n / 3) == direction ? 1 : 0)));
+            missing[direction][r] = (r / (n / 3) == direction ? 1 : 0) - moved;
         }
-    return worst;
+    }
+    return missing;
 }
 
 }  // namespace
@@ -122,11 +125,12 @@ CondensedLayer condense(const LayerProblem& problem, const Session& session, con
     session.agree_on_first([&] {
         layer.points = stiffness.surface().points;
         layer.contact_mass = stiffness.surface().mass;
-        layer.reaction_error = reaction_error(forces, layer.compliance, stiffness.contact_rows());
-        if (layer.reaction_error > largest_reaction_error)
+        layer.missing_reaction =
+            missing_reaction(forces, layer.compliance, stiffness.contact_rows());
+        if (layer.reaction_error() > largest_reaction_error)
             throw contact::NotConverged(fmt::format(
                 "the condensed layer is wrong: the ground's reaction misses the force by {:.1e}",
-                layer.reaction_error));
+                layer.reaction_error()));
     });
     stages.finished("compliance");
     return layer;

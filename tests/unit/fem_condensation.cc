@@ -86,8 +86,8 @@ TEST(FemCondensedLayer, ComplianceIsSymmetricAndPositiveDefinite) {
                 compliance(n + i, n + i) = 1;
             }
         EXPECT_EQ(compliance.llt().info(), Eigen::Success);
-        EXPECT_LT(layer.reaction_error, 1e-8);
-        EXPECT_GT(layer.reaction_error, 0);  // measured, not promised
+        EXPECT_LT(layer.reaction_error(), 1e-8);
+        EXPECT_GT(layer.reaction_error(), 0);  // measured, not promised
     }
 }
 
