@@ -73,6 +73,8 @@ class Compliance {
     /// for errors; null where there is no ground.
     virtual std::optional<std::array<double, 3>> missing_reaction(std::span<const double> p,
                                                                   const TangentialField& t) const;
+    /// What missing_reaction may be over the force, for the rounding of a stiff material.
+    virtual double allowed_missing_reaction() const { return 1e-8; }
     /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
     virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
                                                      const TangentialField& t) const;

@@ -235,7 +235,8 @@ std::unique_ptr<const Interior> SurfaceModel::interior() {
         missing = std::hypot(missing, inside->applied[d] + inside->base_reaction[d]);
         applied = std::hypot(applied, inside->applied[d]);
     }
-    audit_.record("interior_equilibrium", missing / applied, 1e-8);
+    audit_.record("interior_equilibrium", missing / applied,
+                  compliance_->allowed_missing_reaction());
     return inside;
 }
 

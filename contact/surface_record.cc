@@ -64,7 +64,7 @@ void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
     if (missing)
         audit_.record("base_reaction",
                       std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / normal_->force,
-                      1e-8);
+                      compliance_->allowed_missing_reaction());
 
     if (step.friction) {
         std::array<TangentialControl, 2> tangential = step.tangential;

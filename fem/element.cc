@@ -92,6 +92,27 @@ double Dilatation::at(const std::array<double, 3>& x,
     return sum;
 }
 
+// Rows that sum to zero over the nodes but for rounding of entries of the size of K/G are given
+// that sum exactly, at the cost of the last node: rigid translations, which a ground far away holds
+// by shear alone, would else meet a stiffness of rounding errors.
+void free_translations(ElementStiffness& k) {
+    constexpr int last = n_nodes - 1;
+    const auto rest = [&](int r, int b) {
+        long double sum = 0;
+        for (int j = 0; j < last; ++j) sum += k[r][b * n_nodes + j];
+        return -static_cast<double>(sum);
+    };
+    for (int b = 0; b < 3; ++b)
+        for (int r = 0; r < n_unknowns; ++r)
+            if (r % n_nodes != last)
+                k[r][b * n_nodes + last] = k[b * n_nodes + last][r] = rest(r, b);
+    for (int a = 0; a < 3; ++a)
+        for (int b = 0; b <= a; ++b) {
+            const int r = a * n_nodes + last, c = b * n_nodes + last;
+            k[r][c] = k[c][r] = rest(r, b);
+        }
+}
+
 // 2 G dev eps : dev eps of the shape functions i in direction a and j in direction b is
 // G (delta_ab grad_i . grad_j + d_b i d_a j - 2/3 d_a i d_b j).
 void element_stiffness(const ElementValues& values, const Moduli& moduli, ElementStiffness& k) {
@@ -114,6 +135,7 @@ void element_stiffness(const ElementValues& values, const Moduli& moduli, Elemen
                 k[c][r] = k[r][c];
             }
         }
+    free_translations(k);
 }
 
 }  // namespace tricontact::fem
