@@ -13,6 +13,7 @@
 #include <string>
 
 #include "fem/layer_cache.h"
+#include "fem/layer_file.h"
 #include "tests/unit/fem_box_mesh.h"
 
 namespace tricontact {
@@ -157,7 +158,8 @@ TEST_F(FemLayerCache, ForeignFilesAreTold) {
     auto other_version = whole;
     other_version[8] = 77;
     write_bytes(path, other_version);
-    EXPECT_EQ(load_error(cache), path + " is of version 77, not 1");
+    EXPECT_EQ(load_error(cache),
+              path + " is of version 77, not " + std::to_string(fem::layer_file_version));
     write_bytes(path, std::string(1000, 'a'));
     EXPECT_EQ(load_error(cache), path + " is no file of a condensed layer");
     // Someone renamed a file.
