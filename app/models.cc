@@ -14,6 +14,7 @@ const std::vector<ModelDescription>& known_models() {
         {"mdr",
          "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
         {"bem", "boundary elements on the elastic half-space, FFT convolution"},
+        {"bem-layer", "boundary elements on the elastic layer, FFT convolution"},
 #ifdef TRICONTACT_WITH_FEM
         {"fem", "finite elements of the elastic layer, condensed to the contact patch"},
 #endif
@@ -25,6 +26,7 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const contac
                                            int n_threads, [[maybe_unused]] const Say& say) {
     if (name == "mdr") return mdr::make_model(c);
     if (name == "bem") return bem::make_model(c, n_threads);
+    if (name == "bem-layer") return bem::make_model(c, n_threads, bem::Body::layer);
 #ifdef TRICONTACT_WITH_FEM
     if (name == "fem") return fem_entries().make_model(c, say);
 #endif

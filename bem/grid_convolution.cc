@@ -145,8 +145,8 @@ void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& 
     }
 }
 
-GridConvolution::Symbol GridConvolution::symbol(
-    const std::function<double(int, int)>& coefficient) const {
+GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, int)>& coefficient,
+                                                Parity parity) const {
     const int n_kx = period_x_ / 2 + 1;
     FftwReal kernel = allocate_real(static_cast<std::size_t>(period_x_) * period_y_);
     FftwComplex spectrum = allocate_complex(static_cast<std::size_t>(n_kx) * period_y_);
@@ -167,7 +167,7 @@ GridConvolution::Symbol GridConvolution::symbol(
     for (int j = 0; j < period_y_; ++j)
         for (int i = 0; i < n_kx; ++i)
             result[static_cast<std::size_t>(i) * period_y_ + j] =
-                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][0];
+                scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][parity == Parity::odd];
     return result;
 }
 
@@ -212,6 +212,51 @@ void GridConvolution::apply(const Symbol2& symbol, std::span<const double> in_x,
     });
     rows_backward(field_[0], out_x);
     rows_backward(field_[1], out_y);
+}
+
+void GridConvolution::apply(const OddSymbol2& symbol, std::span<const double> in,
+                            std::span<double> out_x, std::span<double> out_y) const {
+    if (!field_[1].rows) field_[1] = make_field();
+    rows_forward(in, field_[0]);
+    for_each_piece(pitch_, [&](int first) {
+        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
+        columns_forward(field_[0], first, x);
+        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
+        const double *to_x = symbol.x.data() + start, *to_y = symbol.y.data() + start;
+        for (int k = 0; k < piece * period_y_; ++k) {
+            const double re = x[k][0], im = x[k][1];
+            x[k][0] = -to_x[k] * im;
+            x[k][1] = to_x[k] * re;
+            y[k][0] = -to_y[k] * im;
+            y[k][1] = to_y[k] * re;
+        }
+        columns_backward(x, first, field_[0]);
+        columns_backward(y, first, field_[1]);
+    });
+    rows_backward(field_[0], out_x);
+    rows_backward(field_[1], out_y);
+}
+
+void GridConvolution::apply_adjoint(const OddSymbol2& symbol, std::span<const double> in_x,
+                                    std::span<const double> in_y, std::span<double> out) const {
+    if (!field_[1].rows) field_[1] = make_field();
+    rows_forward(in_x, field_[0]);
+    rows_forward(in_y, field_[1]);
+    for_each_piece(pitch_, [&](int first) {
+        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
+        columns_forward(field_[0], first, x);
+        columns_forward(field_[1], first, y);
+        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
+        const double *by_x = symbol.x.data() + start, *by_y = symbol.y.data() + start;
+        for (int k = 0; k < piece * period_y_; ++k) {
+            const double re = by_x[k] * x[k][0] + by_y[k] * y[k][0];
+            const double im = by_x[k] * x[k][1] + by_y[k] * y[k][1];
+            x[k][0] = im;
+            x[k][1] = -re;
+        }
+        columns_backward(x, first, field_[0]);
+    });
+    rows_backward(field_[0], out);
 }
 
 }  // namespace tricontact::bem

@@ -19,20 +19,26 @@ struct FftwFree {
 using FftwReal = std::unique_ptr<double[], FftwFree>;
 using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
 
-/// Convolution of fields on an n_x * n_y grid (x fastest) with kernels that are real in Fourier
-/// space (even in both directions, or odd in both). The transforms are pruned: rows that hold only
-/// zeros or that nobody reads are not transformed. Plans are estimated, not measured, and work is
-/// split into fixed pieces, so results do not depend on timing or on the number of threads.
+/// Convolution of fields on an n_x * n_y grid (x fastest) with kernels K(-x, -y) = K(x, y), which
+/// are real in Fourier space, or K(-x, -y) = -K(x, y), which are imaginary there. The transforms
+/// are pruned: rows that hold only zeros or that nobody reads are not transformed. Plans are
+/// estimated, not measured, and work is split into fixed pieces, so results do not depend on timing
+/// or on the number of threads.
 ///
 /// With period_x >= 2 n_x - 1 (and y) the convolution is linear; with less it is periodic.
 class GridConvolution {
   public:
-    /// Transform of a kernel, scaled by 1/(period_x period_y): one real number per wave vector,
-    /// k_y fastest.
+    /// Transform of a kernel, scaled by 1/(period_x period_y): one real number (of an odd kernel:
+    /// its imaginary part) per wave vector, k_y fastest.
     using Symbol = std::vector<double>;
+    enum class Parity { even, odd };  ///< under (x, y) -> (-x, -y)
     /// Symmetric 2x2 matrix per wave vector.
     struct Symbol2 {
         Symbol xx, xy, yy;
+    };
+    /// Odd kernels of two components.
+    struct OddSymbol2 {
+        Symbol x, y;
     };
 
     GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
@@ -42,13 +48,20 @@ class GridConvolution {
 
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
     /// (either sign).
-    Symbol symbol(const std::function<double(int, int)>& coefficient) const;
+    Symbol symbol(const std::function<double(int, int)>& coefficient,
+                  Parity parity = Parity::even) const;
 
     /// out = kernel * in, both n_x * n_y.
     void apply(const Symbol& symbol, std::span<const double> in, std::span<double> out) const;
     /// Both components at once; in and out may not overlap.
     void apply(const Symbol2& symbol, std::span<const double> in_x, std::span<const double> in_y,
                std::span<double> out_x, std::span<double> out_y) const;
+    /// out_x = K_x * in, out_y = K_y * in.
+    void apply(const OddSymbol2& symbol, std::span<const double> in, std::span<double> out_x,
+               std::span<double> out_y) const;
+    /// The adjoint: out = -(K_x * in_x + K_y * in_y).
+    void apply_adjoint(const OddSymbol2& symbol, std::span<const double> in_x,
+                       std::span<const double> in_y, std::span<double> out) const;
 
   private:
     struct Field {  // one component: padded rows and their spectra, row after row

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bem/half_space_compliance.h"
+#include "bem/grid_compliance.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/placement.h"
@@ -37,6 +37,13 @@ contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
                                         {spacing, spacing});
 }
 
+std::unique_ptr<GridCompliance> compliance_of(const contact::Case& c, Body body,
+                                              contact::ContactPoints grid, int n_threads) {
+    return body == Body::layer
+               ? layer_compliance(layers_of(c), c.indenter.material, std::move(grid), n_threads)
+               : half_space_compliance(c.materials(), std::move(grid), n_threads);
+}
+
 /// Half sides of the region that the contact centre sweeps [m].
 contact::Vector2 path_extent(const contact::Case& c, double radius) {
     if (!c.rolling) return {0, 0};
@@ -55,7 +62,19 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
 
 }  // namespace
 
-std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads) {
+theory::LayerStack layers_of(const contact::Case& c) {
+    if (!c.layer.thickness)
+        throw contact::InputError(
+            "bem-layer: substrate.thickness is missing; give the thickness of the layer");
+    theory::LayerStack stack;
+    stack.sheets.push_back({c.substrate, *c.layer.thickness});
+    if (c.layer.lower) stack.sheets.push_back({c.layer.lower->material, c.layer.lower->thickness});
+    stack.base = c.layer.base == contact::Case::Base::bonded ? theory::LayerBase::bonded
+                                                             : theory::LayerBase::frictionless;
+    return stack;
+}
+
+std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     const contact::HertzScales hertz = hertz_scales(c);
     const double spacing = spacing_of(c, hertz.contact_radius);
     const double hardest_factor = 1 + std::abs(c.load.normal_amplitude_ratio);
@@ -69,14 +88,12 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
-        auto compliance = std::make_unique<HalfSpaceCompliance>(
-            c.materials(),
-            make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing),
-            n_threads);
+        auto grid = make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing);
+        auto compliance = compliance_of(c, body, std::move(grid), n_threads);
         if (covers(*compliance, c, hardest, extent))
             return std::make_unique<contact::SurfaceModel>(
-                "bem", std::move(compliance), c.make_indenter(), c.friction_coefficient,
-                c.bem.tolerance, c.contact);
+                body == Body::layer ? "bem-layer" : "bem", std::move(compliance), c.make_indenter(),
+                c.friction_coefficient, c.bem.tolerance, c.contact);
     }
 }
 

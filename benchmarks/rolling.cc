@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 #include <fftw3.h>
 
-#include "bem/half_space_compliance.h"
+#include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "benchmarks/rig.h"
 #include "contact/run.h"
@@ -22,28 +22,29 @@ contact::Case bem_history() {
 }
 
 /// The compliance on the grid that the rig's history uses.
-bem::HalfSpaceCompliance rig_compliance() {
-    return {rig(0.24, 0.56).materials(),
-            contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4}), 1};
+std::unique_ptr<bem::GridCompliance> rig_compliance() {
+    return bem::half_space_compliance(
+        rig(0.24, 0.56).materials(),
+        contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4}), 1);
 }
 
 /// One tangential convolution: two forward and two inverse transforms.
 void tangential_convolution(benchmark::State& state) {
-    const bem::HalfSpaceCompliance compliance = rig_compliance();
-    const std::size_t n = compliance.points().size();
+    const auto compliance = rig_compliance();
+    const std::size_t n = compliance->points().size();
     contact::TangentialField t(n), u(n);
-    compliance.tangential(t, u);
-    for (auto _ : state) compliance.tangential(t, u);
+    compliance->tangential(t, u);
+    for (auto _ : state) compliance->tangential(t, u);
 }
 BENCHMARK(tangential_convolution)->Unit(benchmark::kMicrosecond);
 
 /// One application of the preconditioner: the same on the bare grid.
 void preconditioner(benchmark::State& state) {
-    const bem::HalfSpaceCompliance compliance = rig_compliance();
-    const std::size_t n = compliance.points().size();
+    const auto compliance = rig_compliance();
+    const std::size_t n = compliance->points().size();
     contact::TangentialField r(n), z(n);
-    compliance.precondition_tangential(r, z);
-    for (auto _ : state) compliance.precondition_tangential(r, z);
+    compliance->precondition_tangential(r, z);
+    for (auto _ : state) compliance->precondition_tangential(r, z);
 }
 BENCHMARK(preconditioner)->Unit(benchmark::kMicrosecond);
 

@@ -7,6 +7,7 @@
 
 #include "contact/indenter.h"
 #include "contact/material.h"
+#include "contact/relaxation.h"
 
 namespace tricontact::contact {
 
@@ -63,6 +64,10 @@ struct Case {
         /// steps, or in one step without friction.
         Press press = Press::friction;
         int press_steps = 20;
+        /// Time, which only a relaxing substrate feels: of the pressing (in press_steps equal
+        /// parts), then, F_T having been applied at once, of the wait before rolling begins.
+        double press_time = 0;  ///< [s]
+        double hold = 0;        ///< [s]
     };
 
     struct Rolling {
@@ -75,6 +80,7 @@ struct Case {
         Steps steps = Steps::per_quarter;
         double increment = 0;       ///< dW [m], for Steps::increment
         int steps_per_quarter = 6;  ///< for Steps::per_quarter
+        double speed = 0;           ///< v of the drive [m/s]; 0: infinitely slow
     };
 
     struct Bem {
@@ -106,7 +112,8 @@ struct Case {
     std::string title;
     std::vector<std::string> models;
     IndenterData indenter;
-    Material substrate{0, 0};
+    Material substrate{0, 0};              ///< of a relaxing one: its relaxed state
+    std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     Layer layer;
     double friction_coefficient = 0;
     Contact contact;

@@ -31,6 +31,7 @@ struct LoadStep {
     Vector2 offset{};  ///< position of the indenter's lowest point over the substrate [m]
     NormalControl normal;
     std::array<TangentialControl, 2> tangential;  ///< x, y
+    double duration = 0;   ///< [s], in which strains change linearly; infinite: all relaxes
     bool friction = true;  ///< false: the surface slides freely under the indenter in this step
 };
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string>
 
-#include "bem/half_space_compliance.h"
+#include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/error.h"
 #include "contact/run.h"
@@ -114,8 +114,8 @@ contact::SurfaceModel model_on(int cells) {
     const double h = contact::hertz_scales(c).contact_radius / 8;
     const auto grid =
         contact::ContactPoints::grid(cells, cells, {-(cells / 2) * h, -(cells / 2) * h}, {h, h});
-    return {"bem", std::make_unique<bem::HalfSpaceCompliance>(c.materials(), grid, 1),
-            c.make_indenter(), c.friction_coefficient, 1e-7};
+    return {"bem", bem::half_space_compliance(c.materials(), grid, 1), c.make_indenter(),
+            c.friction_coefficient, 1e-7};
 }
 
 TEST(SurfaceModel, SaysWhenTheContactReachesTheEdge) {

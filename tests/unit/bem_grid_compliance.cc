@@ -5,13 +5,15 @@
 #include <functional>
 #include <vector>
 
-#include "bem/half_space_compliance.h"
+#include "bem/grid_compliance.h"
 #include "bem/influence.h"
+#include "bem/layer_influence.h"
 
 namespace tricontact {
 namespace {
 
-using bem::HalfSpaceCompliance;
+using bem::GridCompliance;
+using bem::half_space_compliance;
 using contact::ContactPoints;
 using contact::MaterialPair;
 using contact::TangentialField;
@@ -49,42 +51,61 @@ double least_eigenvalue(const Eigen::MatrixXd& m) {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().minCoeff();
 }
 
-TEST(HalfSpaceCompliance, IsTheSumOfInfluenceCoefficients) {
+// Coupling included, for half-spaces and for a layer.
+template <class Influence>
+void expect_sum_of_coefficients(const GridCompliance& compliance, const Influence& k) {
+    const ContactPoints& grid = compliance.points();
+    const std::size_t n = grid.size();
+    std::vector<double> p(n), by_p(n), by_t(n);
+    TangentialField t(n), u(n), u_by_p(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        p[i] = std::sin(3. * i);
+        t.x[i] = std::sin(5. * i);
+        t.y[i] = std::cos(2. * i);
+    }
+    compliance.normal(p, by_p);
+    compliance.normal_from_tangential(t, by_t);
+    compliance.tangential(t, u);
+    compliance.tangential_from_normal(p, u_by_p);
+    const double rounding = 1e-14 * n * k.at(0, 0).zz;
+    for (std::size_t i = 0; i < n; ++i) {
+        double zz = 0, zt = 0, xt = 0, yt = 0, xz = 0, yz = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto c = k.at(grid.x[i] - grid.x[j], grid.y[i] - grid.y[j]);
+            zz += c.zz * p[j];
+            zt += c.zx * t.x[j] + c.zy * t.y[j];
+            xt += c.xx * t.x[j] + c.xy * t.y[j];
+            yt += c.yx() * t.x[j] + c.yy * t.y[j];
+            xz += c.xz * p[j];
+            yz += c.yz * p[j];
+        }
+        ASSERT_NEAR(by_p[i], zz, rounding);
+        ASSERT_NEAR(by_t[i], zt, rounding);
+        ASSERT_NEAR(u.x[i], xt, rounding);
+        ASSERT_NEAR(u.y[i], yt, rounding);
+        ASSERT_NEAR(u_by_p.x[i], xz, rounding);
+        ASSERT_NEAR(u_by_p.y[i], yz, rounding);
+    }
+    EXPECT_EQ(compliance.local_tangential(), k.at(0, 0).xx);
+}
+
+TEST(GridCompliance, IsTheSumOfInfluenceCoefficients) {
     for (const double nu : {0., .3, .5})
         for (const auto& grid : {grid_a, grid_b}) {
-            const HalfSpaceCompliance compliance(materials(nu), grid, 1);
-            const bem::RectangleInfluence k(materials(nu), grid.spacing[0], grid.spacing[1]);
-            const std::size_t n = grid.size();
-            std::vector<double> p(n), u_z(n);
-            TangentialField t(n), u(n);
-            for (std::size_t i = 0; i < n; ++i) {
-                p[i] = std::sin(3. * i);
-                t.x[i] = std::sin(5. * i);
-                t.y[i] = std::cos(2. * i);
-            }
-            compliance.normal(p, u_z);
-            compliance.tangential(t, u);
-            const double rounding = 1e-14 * n * k.at(0, 0).zz;
-            for (std::size_t i = 0; i < n; ++i) {
-                double z = 0, x = 0, y = 0;
-                for (std::size_t j = 0; j < n; ++j) {
-                    const auto c = k.at(grid.x[i] - grid.x[j], grid.y[i] - grid.y[j]);
-                    z += c.zz * p[j];
-                    x += c.xx * t.x[j] + c.xy * t.y[j];
-                    y += c.yx() * t.x[j] + c.yy * t.y[j];
-                }
-                ASSERT_NEAR(u_z[i], z, rounding);
-                ASSERT_NEAR(u.x[i], x, rounding);
-                ASSERT_NEAR(u.y[i], y, rounding);
-            }
-            EXPECT_EQ(compliance.local_tangential(), k.at(0, 0).xx);
+            const auto& [h_x, h_y] = grid.spacing;
+            expect_sum_of_coefficients(*half_space_compliance(materials(nu), grid, 1),
+                                       bem::RectangleInfluence(materials(nu), h_x, h_y));
+            const theory::LayerStack layer{{{{3, nu}, .7}}, theory::LayerBase::bonded, {}};
+            expect_sum_of_coefficients(*bem::layer_compliance(layer, {}, grid, 1),
+                                       bem::LayerInfluence(layer, {}, h_x, h_y, 5));
         }
 }
 
-TEST(HalfSpaceCompliance, SymmetricPositiveDefinite) {
+TEST(GridCompliance, SymmetricPositiveDefinite) {
     for (const double nu : {0., .3, .5})
         for (const auto& grid : {grid_a, grid_b}) {
-            const HalfSpaceCompliance compliance(materials(nu), grid, 1);
+            const auto owner = half_space_compliance(materials(nu), grid, 1);
+            const GridCompliance& compliance = *owner;
             const auto tangential = matrix_of(
                 grid.size(), [&](const auto& t, auto& u) { compliance.tangential(t, u); });
             EXPECT_LT(asymmetry(tangential), 1e-14);
@@ -101,10 +122,11 @@ TEST(HalfSpaceCompliance, SymmetricPositiveDefinite) {
         }
 }
 
-TEST(HalfSpaceCompliance, PreconditionerIsSymmetricPositiveAndGood) {
+TEST(GridCompliance, PreconditionerIsSymmetricPositiveAndGood) {
     for (const double nu : {0., .3, .5})
         for (const auto& grid : {grid_a, grid_b, ContactPoints::grid(16, 15, {0, 0}, {.1, .1})}) {
-            const HalfSpaceCompliance compliance(materials(nu), grid, 1);
+            const auto owner = half_space_compliance(materials(nu), grid, 1);
+            const GridCompliance& compliance = *owner;
             const auto inverse = matrix_of(grid.size(), [&](const auto& r, auto& z) {
                 compliance.precondition_tangential(r, z);
             });
@@ -121,29 +143,35 @@ TEST(HalfSpaceCompliance, PreconditionerIsSymmetricPositiveAndGood) {
         }
 }
 
-TEST(HalfSpaceCompliance, DoesNotCouple) {
-    EXPECT_FALSE(HalfSpaceCompliance(materials(.3), grid_a, 1).is_coupled());
+TEST(GridCompliance, CouplesWhereTheMaterialsDo) {
+    EXPECT_TRUE(half_space_compliance(materials(.3), grid_a, 1)->is_coupled());
+    EXPECT_FALSE(half_space_compliance({{}, {3, .5}}, grid_a, 1)->is_coupled());
+    EXPECT_FALSE(
+        half_space_compliance({contact::Material{3, .3}, {3, .3}}, grid_a, 1)->is_coupled());
+    const theory::LayerStack layer{{{{3, .5}, .7}}, theory::LayerBase::bonded, {}};
+    EXPECT_TRUE(bem::layer_compliance(layer, {}, grid_a, 1)->is_coupled());
 }
 
-TEST(HalfSpaceCompliance, ThreadsDoNotChangeABit) {
+TEST(GridCompliance, ThreadsDoNotChangeABit) {
     const auto grid =
         ContactPoints::grid(400, 300, {0, 0}, {.1, .1});  // enough to be worth threads
-    const HalfSpaceCompliance one(materials(.4), grid, 1), two(materials(.4), grid, 2);
+    const auto one = half_space_compliance(materials(.4), grid, 1),
+               two = half_space_compliance(materials(.4), grid, 2);
     const std::size_t n = grid.size();
     TangentialField t(n), u1(n), u2(n);
     for (std::size_t i = 0; i < n; ++i) {
         t.x[i] = std::sin(1e-2 * i * i);
         t.y[i] = std::cos(3e-2 * i * i);
     }
-    one.tangential(t, u1);
-    two.tangential(t, u2);
+    one->tangential(t, u1);
+    two->tangential(t, u2);
     EXPECT_EQ(u1.x, u2.x);
     EXPECT_EQ(u1.y, u2.y);
-    one.precondition_tangential(t, u1);
-    two.precondition_tangential(t, u2);
+    one->precondition_tangential(t, u1);
+    two->precondition_tangential(t, u2);
     EXPECT_EQ(u1.x, u2.x);
-    one.normal(t.x, u1.x);
-    two.normal(t.x, u2.x);
+    one->normal(t.x, u1.x);
+    two->normal(t.x, u2.x);
     EXPECT_EQ(u1.x, u2.x);
 }
 

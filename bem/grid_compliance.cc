@@ -1,0 +1,151 @@
+#include "bem/grid_compliance.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "bem/layer_influence.h"
+
+namespace tricontact::bem {
+
+namespace {
+
+using Symbol2 = GridConvolution::Symbol2;
+
+/// Below this many cells a thread costs more than it brings.
+constexpr std::size_t cells_worth_threads = 100000;
+
+constexpr double negligible_beta = 1e-3;
+
+/// Relative positions of i >= 0 cells on a padded grid along one side.
+int positions(int n) {
+    return good_fft_size(2 * n - 1) / 2 + 1;
+}
+
+/// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
+Symbol2 inverse(Symbol2 symbol) {
+    for (std::size_t k = 0; k < symbol.xx.size(); ++k) {
+        double &xx = symbol.xx[k], &xy = symbol.xy[k], &yy = symbol.yy[k];
+        if (xx == 0 && yy == 0) continue;  // padding of the spectrum's rows
+        if (!(xx > 0 && yy > 0 && xx * yy > xy * xy)) {
+            xx = std::abs(xx);
+            yy = std::abs(yy);
+            xy = 0;
+        }
+        const double determinant = xx * yy - xy * xy, old_xx = xx;
+        xx = yy / determinant;
+        yy = old_xx / determinant;
+        xy = -xy / determinant;
+    }
+    return symbol;
+}
+
+}  // namespace
+
+GridCompliance::GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled,
+                               int n_threads)
+    : influence_(std::move(influence)),
+      grid_(std::move(grid)),
+      coupled_(coupled),
+      n_threads_(grid_.size() < cells_worth_threads ? 1 : n_threads),
+      linear_(grid_.n_x, grid_.n_y, good_fft_size(2 * grid_.n_x - 1),
+              good_fft_size(2 * grid_.n_y - 1), n_threads_),
+      periodic_(grid_.n_x, grid_.n_y, good_fft_size(grid_.n_x), good_fft_size(grid_.n_y),
+                n_threads_),
+      columns_(positions(grid_.n_x)),
+      rows_(positions(grid_.n_y)),
+      normal_(symbol(linear_, quadrants({&InfluenceCoefficients::zz})[0], 1, 1)) {}
+
+/// Some coefficients at all relative positions of i, j >= 0 cells, i fastest.
+std::vector<std::vector<double>> GridCompliance::quadrants(
+    const std::vector<Coefficient>& which) const {
+    const std::size_t n = static_cast<std::size_t>(columns_) * rows_;
+    std::vector<std::vector<double>> values(which.size(), std::vector<double>(n));
+#pragma omp parallel for num_threads(n_threads_) if (n_threads_ > 1) schedule(static)
+    for (int j = 0; j < rows_; ++j)
+        for (int i = 0; i < columns_; ++i) {
+            const auto k = influence_(i * grid_.spacing[0], j * grid_.spacing[1]);
+            for (std::size_t c = 0; c < which.size(); ++c)
+                values[c][static_cast<std::size_t>(j) * columns_ + i] = k.*which[c];
+        }
+    return values;
+}
+
+/// `parity_x`, `parity_y`: sign of the coefficient on the other side.
+GridConvolution::Symbol GridCompliance::symbol(const GridConvolution& convolution,
+                                               const std::vector<double>& quadrant, double parity_x,
+                                               double parity_y) const {
+    const auto parity =
+        parity_x * parity_y < 0 ? GridConvolution::Parity::odd : GridConvolution::Parity::even;
+    return convolution.symbol(
+        [&](int i, int j) {
+            const double sign = (i < 0 ? parity_x : 1) * (j < 0 ? parity_y : 1);
+            return sign * quadrant[static_cast<std::size_t>(std::abs(j)) * columns_ + std::abs(i)];
+        },
+        parity);
+}
+
+void GridCompliance::prepare_tangential() const {
+    using K = InfluenceCoefficients;
+    const auto k = quadrants({&K::xx, &K::xy, &K::yy, &K::xz, &K::yz});
+    auto symbol2 = [&](const GridConvolution& convolution) {
+        return Symbol2{symbol(convolution, k[0], 1, 1), symbol(convolution, k[1], -1, -1),
+                       symbol(convolution, k[2], 1, 1)};
+    };
+    tangential_ = symbol2(linear_);
+    inverse_ = inverse(symbol2(periodic_));
+    if (coupled_) from_normal_ = {symbol(linear_, k[3], -1, 1), symbol(linear_, k[4], 1, -1)};
+}
+
+void GridCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
+    linear_.apply(normal_, p, u_z);
+}
+
+void GridCompliance::tangential(const contact::TangentialField& t,
+                                contact::TangentialField& u) const {
+    if (!tangential_) prepare_tangential();
+    linear_.apply(*tangential_, t.x, t.y, u.x, u.y);
+}
+
+void GridCompliance::tangential_from_normal(std::span<const double> p,
+                                            contact::TangentialField& u) const {
+    if (!coupled_) return Compliance::tangential_from_normal(p, u);
+    if (!from_normal_) prepare_tangential();
+    linear_.apply(*from_normal_, p, u.x, u.y);
+}
+
+void GridCompliance::normal_from_tangential(const contact::TangentialField& t,
+                                            std::span<double> u_z) const {
+    if (!coupled_) return Compliance::normal_from_tangential(t, u_z);
+    if (!from_normal_) prepare_tangential();
+    linear_.apply_adjoint(*from_normal_, t.x, t.y, u_z);
+}
+
+double GridCompliance::local_tangential() const {
+    return influence_(0, 0).xx;
+}
+
+void GridCompliance::precondition_tangential(const contact::TangentialField& r,
+                                             contact::TangentialField& z) const {
+    if (!inverse_) prepare_tangential();
+    periodic_.apply(*inverse_, r.x, r.y, z.x, z.y);
+}
+
+std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
+                                                      contact::ContactPoints grid, int n_threads) {
+    const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
+    const bool coupled = std::abs(materials.dundurs_beta()) > negligible_beta;
+    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell.at(x, y); },
+                                            std::move(grid), coupled, n_threads);
+}
+
+std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
+                                                 const std::optional<contact::Material>& indenter,
+                                                 contact::ContactPoints grid, int n_threads) {
+    const auto cell = std::make_shared<const LayerInfluence>(
+        layers, indenter, grid.spacing[0], grid.spacing[1],
+        std::hypot(positions(grid.n_x) * grid.spacing[0], positions(grid.n_y) * grid.spacing[1]));
+    return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
+                                            std::move(grid), true, n_threads);
+}
+
+}  // namespace tricontact::bem

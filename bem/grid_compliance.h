@@ -1,0 +1,70 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bem/grid_convolution.h"
+#include "bem/influence.h"
+#include "contact/compliance.h"
+#include "theory/layer_stack.h"
+
+namespace tricontact::bem {
+
+/// Elastic bodies under piecewise constant tractions on a regular grid, displacements at the cells'
+/// centres, from influence coefficients; zero-padded FFT convolution (Ju & Farris 1996; Liu, Wang &
+/// Liu 2000).
+class GridCompliance final : public contact::Compliance {
+  public:
+    /// The coefficients of one cell at a relative position [m].
+    using Influence = std::function<InfluenceCoefficients(double x, double y)>;
+
+    /// `influence` is asked for x, y >= 0 only; of isotropic bodies the rest follows by symmetry.
+    /// `coupled`: use the coefficients between normal and tangential.
+    GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled, int n_threads);
+
+    const contact::ContactPoints& points() const override { return grid_; }
+    bool is_coupled() const override { return coupled_; }
+    void normal(std::span<const double> p, std::span<double> u_z) const override;
+    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
+    void tangential_from_normal(std::span<const double> p,
+                                contact::TangentialField& u) const override;
+    void normal_from_tangential(const contact::TangentialField& t,
+                                std::span<double> u_z) const override;
+    double local_tangential() const override;
+    void precondition_tangential(const contact::TangentialField& r,
+                                 contact::TangentialField& z) const override;
+
+  private:
+    using Coefficient = double InfluenceCoefficients::*;
+    std::vector<std::vector<double>> quadrants(const std::vector<Coefficient>& which) const;
+    GridConvolution::Symbol symbol(const GridConvolution& convolution,
+                                   const std::vector<double>& quadrant, double parity_x,
+                                   double parity_y) const;
+    void prepare_tangential() const;
+
+    Influence influence_;
+    contact::ContactPoints grid_;
+    bool coupled_;
+    int n_threads_;
+    GridConvolution linear_;    // zero-padded
+    GridConvolution periodic_;  // on the bare grid, for the preconditioner
+    int columns_, rows_;        // of a quadrant of relative positions
+    GridConvolution::Symbol normal_;
+    // Made when first needed: normal contact alone takes half the memory.
+    mutable std::optional<GridConvolution::Symbol2> tangential_, inverse_;
+    mutable std::optional<GridConvolution::OddSymbol2> from_normal_;
+};
+
+/// Two elastic half-spaces, or one and a rigid body; coupled if Dundurs' beta is above what changes
+/// shifts by 1e-3.
+std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
+                                                      contact::ContactPoints grid, int n_threads);
+/// Layers under an elastic half-space, or (`indenter` empty) a rigid body. Throws
+/// contact::InputError.
+std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
+                                                 const std::optional<contact::Material>& indenter,
+                                                 contact::ContactPoints grid, int n_threads);
+
+}  // namespace tricontact::bem

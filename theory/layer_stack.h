@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contact/material.h"
+#include "theory/layer_compliance.h"
+
+namespace tricontact::theory {
+
+/// Elastic layers of infinite width, bonded to each other, on the ground: a rigid plane or an
+/// elastic half-space (to which the lowest layer is bonded).
+struct LayerStack {
+    struct Sheet {
+        contact::Material material{0, 0};
+        double thickness = 0;  ///< [m]
+    };
+    std::vector<Sheet> sheets;  ///< from the top, at least one
+    LayerBase base = LayerBase::bonded;
+    std::optional<contact::Material> half_space;  ///< below, instead of a rigid plane
+
+    double thickness() const;  ///< of all sheets [m]
+};
+
+/// Throws contact::InputError unless there is a layer, every material is valid and every thickness
+/// positive and finite.
+void check(const LayerStack& stack);
+
+/// Surface compliance at the wave number k > 0 [1/m], conventions of layer_compliance.h; k = 0
+/// where that is finite for a single layer on a rigid plane. Throws contact::InputError.
+///
+/// A single layer on a rigid plane: its closed form. Else the displacements and tractions that
+/// satisfy the equations below are carried upwards, in steps of at most one over k, by the exact
+/// propagator of plane strain and antiplane waves, and made orthonormal after each (Godunov 1961):
+/// no exponential overflows at any k b. Absolute accuracy about 1e-14 of the half-space's.
+LayerCompliance surface_compliance(const LayerStack& stack, double wave_number);
+
+}  // namespace tricontact::theory
