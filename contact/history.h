@@ -18,6 +18,8 @@ struct StepRecord {
     double indentation = 0;      ///< d [m]
     Vector2 shift{};             ///< rigid tangential shift U of the indenter since the start [m]
     double dissipation = 0;      ///< frictional, in this step: sum tau . ds dA [J]
+    double material_dissipation = 0;  ///< by the relaxing substrate, in this step [J]
+    double stored_energy = 0;         ///< elastic, at the end of the step [J]
     double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
     int normal_iterations = 0, tangential_iterations = 0;
     double normal_residual = 0, tangential_residual = 0;  ///< as their solvers define them [-]

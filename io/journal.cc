@@ -16,7 +16,7 @@ using contact::StepRecord;
 // these structures does not compile until it is named here.
 template <class Step, class Visit>
 void visit_step(Step& step, const Visit& visit) {
-    auto& [phase, offset, normal, tangential, friction] = step;
+    auto& [phase, offset, normal, tangential, duration, friction] = step;
     visit(phase);
     visit(offset);
     auto& [kind, value] = normal;
@@ -27,14 +27,16 @@ void visit_step(Step& step, const Visit& visit) {
         visit(tangential_kind);
         visit(tangential_value);
     }
+    visit(duration);
     visit(friction);
 }
 
 template <class Record, class Visit>
 void visit_record(Record& record, const Visit& visit) {
     auto& [phase, offset, normal_force, tangential_force, indentation, shift, dissipation,
-           contact_area, stick_area, slip_area, open_area, normal_iterations, tangential_iterations,
-           normal_residual, tangential_residual, force_residual] = record;
+           material_dissipation, stored_energy, contact_area, stick_area, slip_area, open_area,
+           normal_iterations, tangential_iterations, normal_residual, tangential_residual,
+           force_residual] = record;
     visit(phase);
     visit(offset);
     visit(normal_force);
@@ -42,6 +44,8 @@ void visit_record(Record& record, const Visit& visit) {
     visit(indentation);
     visit(shift);
     visit(dissipation);
+    visit(material_dissipation);
+    visit(stored_energy);
     visit(contact_area);
     visit(stick_area);
     visit(slip_area);
