@@ -93,7 +93,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads
         if (covers(*compliance, c, hardest, extent))
             return std::make_unique<contact::SurfaceModel>(
                 body == Body::layer ? "bem-layer" : "bem", std::move(compliance), c.make_indenter(),
-                c.friction_coefficient, c.bem.tolerance, c.contact);
+                c.friction_coefficient, c.bem.tolerance, c.contact, c.relaxation);
     }
 }
 

@@ -11,9 +11,10 @@ namespace tricontact::contact {
 
 /// One row per quasi-static step, values at its end.
 struct StepRecord {
-    double phase = 0;            ///< rolling periods since the start
-    Vector2 offset{};            ///< rolling offset [m]
-    double normal_force = 0;     ///< F_N [N]
+    double phase = 0;         ///< rolling periods since the start
+    double time = 0;          ///< [s] since the first touch; 0 throughout where time plays no part
+    Vector2 offset{};         ///< rolling offset [m]
+    double normal_force = 0;  ///< F_N [N]
     Vector2 tangential_force{};  ///< on the substrate [N]
     double indentation = 0;      ///< d [m]
     Vector2 shift{};             ///< rigid tangential shift U of the indenter since the start [m]

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contact/error.h"
@@ -59,13 +60,15 @@ int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
     return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
 }
 
+/// With friction, or in time, step by step.
 std::vector<LoadStep> pressing_steps(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
-    const int n = friction ? c.load.press_steps : 1;
+    const int n = friction || c.load.press_time > 0 ? c.load.press_steps : 1;
     std::vector<LoadStep> steps(n, press_step(c));
     for (int k = 1; k <= n; ++k) {
         steps[k - 1].normal.value *= static_cast<double>(k) / n;
         steps[k - 1].friction = friction;
+        steps[k - 1].duration = c.load.press_time / n;
     }
     return steps;
 }
@@ -91,8 +94,25 @@ double triangle_wave(double phase) {
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);
+    step.duration = std::numeric_limits<double>::infinity();
     return step;
 }
+
+namespace {
+
+/// Waiting under constant loads: steps that grow as relaxation slows down.
+std::vector<LoadStep> hold_steps(const LoadStep& loaded, double hold) {
+    constexpr int n = 20;
+    std::vector<LoadStep> steps;
+    for (int k = 1; hold > 0 && k <= n; ++k) {
+        const auto reached = [&](int i) { return hold * std::pow(static_cast<double>(i) / n, 3); };
+        steps.push_back(loaded);
+        steps.back().duration = reached(k) - reached(k - 1);
+    }
+    return steps;
+}
+
+}  // namespace
 
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
     const double mean_force =
@@ -115,6 +135,8 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     path.pressing = pressing_steps(c);
     path.loading.resize(1);
     loads_at(path.loading.front());
+    const auto hold = hold_steps(path.loading.front(), c.load.hold);
+    path.loading.insert(path.loading.end(), hold.begin(), hold.end());
     if (!c.rolling) return path;
 
     path.amplitude = rolling_amplitude(*c.rolling, amplitude_reference(c, contact_radius));
@@ -122,11 +144,14 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     path.run_all = c.rolling->run_all;
     const int n = steps_in_quarter(*c.rolling, path.amplitude);
     const Vector2 along = direction(c.rolling->angle);
+    const double duration = c.rolling->speed > 0 ? path.amplitude / n / c.rolling->speed
+                                                 : std::numeric_limits<double>::infinity();
     for (int k = 1; k <= 4 * n; ++k) {
         LoadStep step;
         step.phase = k / (4.0 * n);
         const double distance = path.amplitude * triangle_of_step(k, n);
         step.offset = {distance * along[0], distance * along[1]};
+        step.duration = duration;
         loads_at(step);
         path.period.push_back(step);
     }

@@ -38,14 +38,15 @@ struct LoadStep {
 /// Loading once, then the same period again and again.
 struct LoadPath {
     std::vector<LoadStep> pressing;  ///< from the first touch, with or without friction
-    std::vector<LoadStep> loading;
-    std::vector<LoadStep> period;  ///< phases in (0, 1]; the last step has the roller upright
+    std::vector<LoadStep> loading;   ///< F_T, and the wait after it
+    std::vector<LoadStep> period;    ///< phases in (0, 1]; the last step has the roller upright
     int max_periods = 0;
     bool run_all = false;
     double amplitude = 0;  ///< W [m]
 };
 
-/// The indenter pressed at the mean normal control, upright, without tangential load.
+/// The indenter pressed at the mean normal control, upright, without tangential load, until a
+/// relaxing substrate has relaxed.
 LoadStep press_step(const Case& c);
 
 /// The whole path. `normal_force` [N] and `contact_radius` [m] are the pressed model's

@@ -67,8 +67,9 @@ class Run {
         press.friction = false;
         const StepRecord pressed = model_.advance(press);
         find_path();
-        if (model_.is_coupled()) {
-            // The scales are those of pressing without friction; the path may be another.
+        if (path_matters()) {
+            // The scales are those of pressing without friction and with all the time in the world;
+            // the path may be another.
             model_.release();
             for (const LoadStep& step : path_.pressing) take(step, false);
         } else {
@@ -79,13 +80,16 @@ class Run {
         history_.static_shift = history_.steps.back().shift[0];
     }
 
+    /// How the contact came to be pressed is not forgotten.
+    bool path_matters() const { return model_.is_coupled() || case_.relaxation.has_value(); }
+
     void find_path() {
         history_.scales = model_.scales();
         const Scales& scales = history_.scales;
         path_ = make_load_path(case_, scales.normal_force, scales.contact_radius);
         history_.amplitude = path_.amplitude;
         history_.friction_limit = case_.friction_coefficient * scales.normal_force;
-        const std::size_t pressing = model_.is_coupled() ? path_.pressing.size() : 1;
+        const std::size_t pressing = path_matters() ? path_.pressing.size() : 1;
         n_at_most_ = static_cast<int>(pressing + path_.loading.size()) +
                      path_.max_periods * static_cast<int>(path_.period.size());
     }
@@ -110,7 +114,9 @@ class Run {
     void take(const LoadStep& step, bool quarter) { note(step, model_.advance(step), quarter); }
 
     void note(const LoadStep& step, const StepRecord& record, bool quarter) {
+        if (case_.relaxation) time_ += step.duration;
         history_.steps.push_back(record);
+        history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
         if (quarter && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());
@@ -156,6 +162,7 @@ class Run {
     LoadPath path_;
     SnapshotKeeper snapshots_;
     int n_at_most_ = 2;
+    double time_ = 0;  // [s]
     bool nearly_settled_ = false, perhaps_last_period_ = false;
 };
 

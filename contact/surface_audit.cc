@@ -62,8 +62,7 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
 void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed) {
     double work = facts.normal_work, friction = 0;
     for (std::size_t i = 0; i < facts.area.size(); ++i) {
-        const Vector2 mean = {(facts.traction_before.x[i] + facts.traction.x[i]) / 2,
-                              (facts.traction_before.y[i] + facts.traction.y[i]) / 2};
+        const Vector2 mean = {facts.mean_traction.x[i], facts.mean_traction.y[i]};
         const Vector2 slip = {
             facts.shift_increment[0] - (facts.displacement.x[i] - facts.displacement_before.x[i]),
             facts.shift_increment[1] - (facts.displacement.y[i] - facts.displacement_before.y[i])};

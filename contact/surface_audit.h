@@ -34,14 +34,15 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
 
 struct EnergyFacts {
     const std::vector<double>& area;
-    const TangentialField &traction_before, &displacement_before, &traction, &displacement;
+    const TangentialField& mean_traction;  ///< over the step [Pa]
+    const TangentialField &displacement_before, &displacement;
     Vector2 shift_increment;
-    double normal_work;    ///< of the pressures on the surface, by the trapezoidal rule [J]
-    double energy_change;  ///< of the elastic energy [J]
+    double normal_work;    ///< of the mean pressures on the surface [J]
+    double energy_change;  ///< of the elastic energy, and what the material dissipated [J]
     double unit;           ///< what energies are compared with [J]
 };
-/// Work of normal and tangential force = change of elastic energy + frictional work, all by the
-/// trapezoidal rule, which is exact for a self-adjoint linear compliance.
+/// Work of normal and tangential force = change of elastic energy + what the material dissipates +
+/// frictional work, all by the mean tractions of the step.
 void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed = exact_force);
 
 }  // namespace tricontact::contact

@@ -20,13 +20,15 @@ constexpr int max_turns = 100;
 
 SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
                            std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                           double tolerance, const Case::Contact& options)
+                           double tolerance, const Case::Contact& options,
+                           std::optional<Relaxation> relaxation)
     : name_(std::move(name)),
       compliance_(std::move(compliance)),
       indenter_(std::move(indenter)),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
       coupling_(*compliance_, *indenter_, options),
+      memory_(std::move(relaxation), compliance_->points().size()),
       normal_solver_(*compliance_, 0.1 * tolerance),
       tangential_solver_(*compliance_, tolerance) {
     release();
@@ -34,7 +36,7 @@ SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> c
 
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
     return std::make_unique<SurfaceModel>(name_, compliance_, indenter_, friction_coefficient_,
-                                          tolerance_, options);
+                                          tolerance_, options, memory_.relaxation());
 }
 
 void SurfaceModel::release() {
@@ -48,13 +50,16 @@ void SurfaceModel::release() {
     displacement_z_.assign(n, 0);
     contact_state_.assign(n, ContactState::open);
     least_pressure_.clear();
-    energy_ = 0;
+    energy_ = material_dissipation_ = 0;
+    mean_traction_ = {TangentialField(n), std::vector<double>(n)};
+    memory_.forget();
 }
 
 StepRecord SurfaceModel::advance(const LoadStep& step) {
     const Before before = state_before();
     normal_iterations_ = tangential_iterations_ = 0;
     offset_ = step.offset;
+    memory_.begin(step.duration, {before.displacement, before.displacement_z});
     if (coupling_.absent())
         solve_uncoupled(step, before);
     else
@@ -91,7 +96,7 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
     auto height_now = [&] {
         coupling_.place({offset_, shift_, displacement_});
         coupling_.update_height(normal_->pressure, tangential_.traction);
-        return coupling_.height();
+        return effective_height();
     };
     std::vector<double> height = height_now();
     for (int turn = 1; turn <= max_turns; ++turn) {
@@ -112,7 +117,7 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
         double change = 0;
         for (std::size_t i = 0; i < height.size(); ++i)
             if (normal_->pressure[i] > 0) change = larger(change, std::abs(height[i] - was[i]));
-        gap_residual_ = change / normal_->indentation;
+        gap_residual_ = change / (memory_.stiffness() * normal_->indentation);
         if (gap_residual_ <= tolerance_) return;
     }
     throw NotConverged(fmt::format(
@@ -123,6 +128,12 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
 
 void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     const Key key{step.offset, step.normal.kind, step.normal.value};
+    if (!memory_.absent()) {  // the same position is not the same problem
+        coupling_.place({offset_, shift_, displacement_});
+        coupling_.update_height(normal_->pressure, tangential_.traction);
+        solve_normal(step.normal);
+        return;
+    }
     if (const auto it = normal_cache_.find(key); it != normal_cache_.end()) {
         normal_ = it->second;
         return;
@@ -134,11 +145,24 @@ void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = normal_;
 }
 
-/// Presses against coupling_.height(), starting from the last pressures.
+/// coupling_.height() for the effective displacements.
+std::vector<double> SurfaceModel::effective_height() const {
+    std::vector<double> height = coupling_.height();
+    if (memory_.absent()) return height;
+    for (std::size_t i = 0; i < height.size(); ++i)
+        height[i] = memory_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
+                    memory_.offset().down[i];
+    return height;
+}
+
+/// Presses against the present height, starting from the last pressures.
 void SurfaceModel::solve_normal(NormalControl control) {
     const bool warm = normal_->force > 0 && control.kind == NormalControl::Kind::force;
-    normal_ = std::make_shared<const NormalSolution>(normal_solver_.solve(
-        coupling_.height(), control, warm ? normal_->pressure : std::vector<double>{}));
+    if (control.kind == NormalControl::Kind::indentation) control.value *= memory_.stiffness();
+    NormalSolution solution = normal_solver_.solve(
+        effective_height(), control, warm ? normal_->pressure : std::vector<double>{});
+    solution.indentation /= memory_.stiffness();
+    normal_ = std::make_shared<const NormalSolution>(std::move(solution));
     normal_iterations_ += normal_->iterations;
 }
 
@@ -147,9 +171,11 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
         bound_[i] = friction_coefficient_ * normal_->pressure[i];
     std::array<TangentialControl, 2> control = step.tangential;
     const Vector2 by_pressure = coupling_.tangential_force(normal_->pressure);
+    const double stiffness = memory_.stiffness();
     for (int d = 0; d < 2; ++d)
-        control[d].value -=
-            control[d].kind == TangentialControl::Kind::shift ? before.shift[d] : by_pressure[d];
+        control[d].value = control[d].kind == TangentialControl::Kind::shift
+                               ? stiffness * (control[d].value - before.shift[d])
+                               : control[d].value - by_pressure[d];
     // Both halves of a mirrored contact push against each other: nothing moves it across.
     if (compliance_->points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
@@ -157,14 +183,22 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
     const TangentialField& other = coupling_.displacement();
     double contact_area = 0;
     for (std::size_t i = 0; i < bound_.size(); ++i) {
+        if (!memory_.absent()) {
+            relative.x[i] = stiffness * relative.x[i] + memory_.offset().in_surface.x[i];
+            relative.y[i] = stiffness * relative.y[i] + memory_.offset().in_surface.y[i];
+        }
         relative.x[i] -= other.x[i];
         relative.y[i] -= other.y[i];
         if (bound_[i] > 0) contact_area += compliance_->points().area[i];
     }
-    const double contact_compliance = normal_->indentation * contact_area / normal_->force;
+    const double contact_compliance =
+        stiffness * normal_->indentation * contact_area / normal_->force;
     tangential_solver_.solve({bound_, relative, control, contact_compliance}, tangential_);
     tangential_iterations_ += tangential_.iterations;
-    for (int d = 0; d < 2; ++d) shift_[d] = before.shift[d] + tangential_.shift_increment[d];
+    for (int d = 0; d < 2; ++d) {
+        tangential_.shift_increment[d] /= stiffness;
+        shift_[d] = before.shift[d] + tangential_.shift_increment[d];
+    }
 }
 
 /// Without friction no tangential traction is left, and only a prescribed shift moves the indenter.
@@ -184,12 +218,20 @@ void SurfaceModel::slide_freely(const LoadStep& step) {
 void SurfaceModel::update_totals() {
     displacement_ = tangential_.displacement;
     displacement_z_ = normal_->displacement;
-    if (coupling_.absent()) return;
-    const TangentialField& other = coupling_.displacement();
+    if (!coupling_.absent()) {
+        const TangentialField& other = coupling_.displacement();
+        for (std::size_t i = 0; i < bound_.size(); ++i) {
+            displacement_.x[i] += other.x[i];
+            displacement_.y[i] += other.y[i];
+            displacement_z_[i] += coupling_.lowering()[i];
+        }
+    }
+    if (memory_.absent()) return;
+    const SurfaceField& offset = memory_.offset();
     for (std::size_t i = 0; i < bound_.size(); ++i) {
-        displacement_.x[i] += other.x[i];
-        displacement_.y[i] += other.y[i];
-        displacement_z_[i] += coupling_.lowering()[i];
+        displacement_.x[i] = (displacement_.x[i] - offset.in_surface.x[i]) / memory_.stiffness();
+        displacement_.y[i] = (displacement_.y[i] - offset.in_surface.y[i]) / memory_.stiffness();
+        displacement_z_[i] = (displacement_z_[i] - offset.down[i]) / memory_.stiffness();
     }
 }
 

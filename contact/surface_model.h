@@ -10,6 +10,7 @@
 #include "contact/indenter.h"
 #include "contact/model.h"
 #include "contact/normal_solver.h"
+#include "contact/surface_memory.h"
 #include "contact/tangential_solver.h"
 
 namespace tricontact::contact {
@@ -25,13 +26,18 @@ class ContactAtEdge : public std::runtime_error {
 ///
 /// Coupled normal and tangential contact are solved in turns (Panagiotopoulos 1975) until what the
 /// friction does to the gap no longer changes.
+///
+/// A relaxing substrate (see SurfaceMemory) is stepped as an elastic one whose displacements are
+/// the effective ones, stiffness u + offset: heights, shifts and what was displaced before enter
+/// the solvers in that measure.
 class SurfaceModel final : public Model {
   public:
     /// `tolerance` [-]: of the tangential solver and of the turns, over mu d and d; the normal
     /// solver gets a tenth of it.
     SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
                  std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                 double tolerance, const Case::Contact& options = {});
+                 double tolerance, const Case::Contact& options = {},
+                 std::optional<Relaxation> relaxation = {});
 
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !coupling_.absent(); }
@@ -58,6 +64,7 @@ class SurfaceModel final : public Model {
     };
 
     Before state_before() const;
+    std::vector<double> effective_height() const;
     void solve_uncoupled(const LoadStep& step, const Before& before);
     void solve_coupled(const LoadStep& step, const Before& before);
     void solve_normal(NormalControl control);
@@ -68,7 +75,8 @@ class SurfaceModel final : public Model {
     void update_slip(const Before& before);
     StepRecord record(const LoadStep& step) const;
     void audit_step(const LoadStep& step, const Before& before);
-    void audit_stored_energy(const Before& before, double allowed);
+    void update_energy(const Before& before);
+    void audit_stored_energy(const Before& before, double energy_before, double allowed);
 
     std::string name_;
     std::shared_ptr<const Compliance> compliance_;
@@ -76,6 +84,7 @@ class SurfaceModel final : public Model {
     double friction_coefficient_;
     double tolerance_;
     Coupling coupling_;
+    SurfaceMemory memory_;
     NormalSolver normal_solver_;
     TangentialSolver tangential_solver_;
 
@@ -94,6 +103,8 @@ class SurfaceModel final : public Model {
     std::vector<double> least_pressure_;  // since start_limit()
     double least_pressure_force_ = 0;     // F_N at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]
+    double material_dissipation_ = 0;     // of the last step [J]
+    SurfaceField mean_traction_;          // over the last step [Pa]
     Audit audit_;
 };
 

@@ -37,6 +37,8 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
                 break;
         }
     }
+    r.material_dissipation = material_dissipation_;
+    r.stored_energy = energy_;
     r.contact_area = r.stick_area + r.slip_area;
     r.normal_iterations = normal_iterations_;
     r.tangential_iterations = tangential_iterations_;
@@ -80,34 +82,52 @@ void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
                           .length = friction_coefficient_ * normal_->indentation},
                          tolerance_, audit_, force_allowed);
     }
-    audit_stored_energy(before, force_allowed);
+    const double energy_before = energy_;
+    update_energy(before);
+    audit_stored_energy(before, energy_before, force_allowed);
 }
 
-void SurfaceModel::audit_stored_energy(const Before& before, double allowed) {
+/// Stored and dissipated energy of the substrate, and the mean tractions by which forces work in
+/// the step: by the trapezoidal rule where nothing relaxes, exact for a self-adjoint linear
+/// compliance.
+void SurfaceModel::update_energy(const Before& before) {
     const auto& area = compliance_->points().area;
-    const TangentialField t = coupling_.surface_traction(normal_->pressure, tangential_.traction);
-    const std::vector<double> p =
-        coupling_.downward_traction(normal_->pressure, tangential_.traction);
-    double energy = 0, normal_work = 0;
-    for (std::size_t i = 0; i < area.size(); ++i) {
-        energy +=
-            area[i] / 2 *
-            (p[i] * displacement_z_[i] + t.x[i] * displacement_.x[i] + t.y[i] * displacement_.y[i]);
-        normal_work += area[i] * (before.downward_traction[i] + p[i]) / 2 *
-                       (displacement_z_[i] - before.displacement_z[i]);
+    const SurfaceField t{coupling_.surface_traction(normal_->pressure, tangential_.traction),
+                         coupling_.downward_traction(normal_->pressure, tangential_.traction)};
+    if (!memory_.absent()) {
+        const auto energies = memory_.end(t, {displacement_, displacement_z_}, area);
+        energy_ = energies.stored;
+        material_dissipation_ = energies.dissipated;
+        mean_traction_ = memory_.mean_traction();
+        return;
     }
+    energy_ = 0;
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        energy_ += area[i] / 2 *
+                   (t.down[i] * displacement_z_[i] + t.in_surface.x[i] * displacement_.x[i] +
+                    t.in_surface.y[i] * displacement_.y[i]);
+        mean_traction_.in_surface.x[i] = (before.surface_traction.x[i] + t.in_surface.x[i]) / 2;
+        mean_traction_.in_surface.y[i] = (before.surface_traction.y[i] + t.in_surface.y[i]) / 2;
+        mean_traction_.down[i] = (before.downward_traction[i] + t.down[i]) / 2;
+    }
+}
+
+void SurfaceModel::audit_stored_energy(const Before& before, double energy_before, double allowed) {
+    const auto& area = compliance_->points().area;
+    double normal_work = 0;
+    for (std::size_t i = 0; i < area.size(); ++i)
+        normal_work +=
+            area[i] * mean_traction_.down[i] * (displacement_z_[i] - before.displacement_z[i]);
     audit_energy({.area = area,
-                  .traction_before = before.surface_traction,
+                  .mean_traction = mean_traction_.in_surface,
                   .displacement_before = before.displacement,
-                  .traction = t,
                   .displacement = displacement_,
                   .shift_increment = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]},
                   .normal_work = normal_work,
-                  .energy_change = energy - energy_,
+                  .energy_change = energy_ - energy_before + material_dissipation_,
                   .unit = friction_coefficient_ * friction_coefficient_ * normal_->force *
                           normal_->indentation},
                  audit_, allowed);
-    energy_ = energy;
 }
 
 }  // namespace tricontact::contact

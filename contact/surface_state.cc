@@ -82,6 +82,7 @@ std::string SurfaceModel::write_state() const {
           tangential_.force_residual, gap_residual_, least_pressure_force_, energy_})
         out.add(value);
     out.add(contact_state_);
+    memory_.write(out);
     out.add(audit_.checks().size());
     for (const Audit::Check& check : audit_.checks()) {
         out.add(check.name);
@@ -105,6 +106,7 @@ void SurfaceModel::read_state(std::string_view bytes) {
           &tangential_.force_residual, &gap_residual_, &least_pressure_force_, &energy_})
         in.get(*value);
     in.get(contact_state_);
+    memory_.read(in);
     std::size_t n_checks = 0;
     in.get(n_checks);
     audit_ = {};

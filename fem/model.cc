@@ -90,7 +90,7 @@ std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
                                  : make_fitting(c, plan(c, workshop), workshop);
     return std::make_unique<contact::SurfaceModel>("fem", std::move(compliance), c.make_indenter(),
                                                    c.friction_coefficient, c.fem.tolerance,
-                                                   c.contact);
+                                                   c.contact, c.relaxation);
 }
 
 }  // namespace tricontact::fem

@@ -33,11 +33,12 @@ void visit_step(Step& step, const Visit& visit) {
 
 template <class Record, class Visit>
 void visit_record(Record& record, const Visit& visit) {
-    auto& [phase, offset, normal_force, tangential_force, indentation, shift, dissipation,
+    auto& [phase, time, offset, normal_force, tangential_force, indentation, shift, dissipation,
            material_dissipation, stored_energy, contact_area, stick_area, slip_area, open_area,
            normal_iterations, tangential_iterations, normal_residual, tangential_residual,
            force_residual] = record;
     visit(phase);
+    visit(time);
     visit(offset);
     visit(normal_force);
     visit(tangential_force);

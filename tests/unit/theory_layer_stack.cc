@@ -40,8 +40,9 @@ TEST(TheoryLayerStack, CutLayerIsTheLayer) {
                 const Material m = material(2e6, nu);
                 const LayerStack stack{{{m, 2e-3}, {m, 5e-3}, {m, 1e-3}}, base, {}};
                 const double k = x / 8e-3, unit = 1 / (2e6 * k);
-                expect_near(surface_compliance(stack, k), layer_compliance({m, 8e-3, base}, k),
-                            unit, 1e-13, ::testing::Message() << "nu " << nu << ", x " << x);
+                expect_near(surface_compliance(stack, k),
+                            theory::layer_compliance({m, 8e-3, base}, k), unit, 1e-13,
+                            ::testing::Message() << "nu " << nu << ", x " << x);
             }
 }
 
