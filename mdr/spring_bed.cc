@@ -1,18 +1,15 @@
 #include "mdr/spring_bed.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "contact/error.h"
+#include "mdr/rolling_line.h"
 #include "mdr/tangential_step.h"
 
 namespace tricontact::mdr {
 
-using contact::InputError;
 using contact::LoadStep;
 using contact::NormalControl;
 using contact::TangentialControl;
@@ -21,30 +18,6 @@ namespace {
 
 // Rounding of sums over up to 1e6 springs.
 constexpr double rounding = 1e-12;
-
-const BedData& checked(const BedData& data) {
-    if (!data.profile) throw InputError("mdr: no indenter profile");
-    auto positive = [](const char* name, double value) {
-        if (!(value > 0) || !std::isfinite(value))
-            throw InputError(fmt::format("mdr: {} = {:.6g} must be positive", name, value));
-    };
-    positive("effective modulus E*", data.effective_modulus);
-    positive("effective shear modulus G*", data.effective_shear_modulus);
-    positive("friction coefficient", data.friction_coefficient);
-    positive("half length of the bed", data.half_length);
-    if (data.n_springs < 10)
-        throw InputError(fmt::format("mdr: {} springs are too few, give at least 10 (mdr.springs)",
-                                     data.n_springs));
-    return data;
-}
-
-void check_tangential(const LoadStep& step) {
-    const TangentialControl& across = step.tangential[1];
-    if (across.value != 0)
-        throw InputError(
-            "mdr: a tangential force or shift across the load (y) is not possible in a spring bed, "
-            "which has one direction; set it to zero");
-}
 
 std::span<double> part(std::vector<double>& values, const Window& window) {
     return {values.data() + window.first, static_cast<std::size_t>(window.size())};
@@ -69,11 +42,12 @@ SpringBed::SpringBed(BedData data)
       least_bounds_(data.n_springs) {}
 
 contact::StepRecord SpringBed::advance(const LoadStep& step) {
-    check_tangential(step);
+    check_on_line(name(), step);
     const double force_before = tangential_force_;
     depth_before_ = normal_.depth();
     contact_before_ = normal_.contact();
-    const int normal_iterations = press(line_coordinate(step.offset), step.normal);
+    const int normal_iterations =
+        press(line_coordinate(name(), step.offset, direction_, normal_.spacing()), step.normal);
     update_bounds();
     const ShiftSolution shift = find_shift_increment(step.tangential[0]);
     const SlipSums sums = slide(shift.increment);
@@ -87,23 +61,9 @@ contact::StepRecord SpringBed::advance(const LoadStep& step) {
     return result;
 }
 
-// Signed path length on the line of rolling; an offset off that line has no meaning here.
-double SpringBed::line_coordinate(const contact::Vector2& offset) const {
-    const double along = contact::dot(offset, direction_);
-    const double across = offset[1] * direction_[0] - offset[0] * direction_[1];
-    if (!(std::abs(across) <= 1e-9 * (std::abs(along) + normal_.spacing())))
-        throw InputError(fmt::format(
-            "mdr: the rolling offset ({:.6g}, {:.6g}) m lies off the line of rolling, along which "
-            "alone a spring bed extends",
-            offset[0], offset[1]));
-    return along;
-}
-
 int SpringBed::press(double position, const NormalControl& control) {
     const bool by_force = control.kind == NormalControl::Kind::force;
-    if (!(control.value > 0) || !std::isfinite(control.value))
-        throw InputError(fmt::format("mdr: the {} = {:.6g} must be positive: contact is lost",
-                                     by_force ? "normal force" : "indentation", control.value));
+    check_positive(control);
     const double dk = effective_modulus_ * normal_.spacing();
     int iterations = 0;
     for (;;) {
@@ -149,24 +109,21 @@ void SpringBed::update_bounds() {
     const double* const height = heights.data();
     double* const bound = part(bounds_, normal_.contact()).data();
     const double depth = normal_.depth(), ratio = bound_ratio_;
-    double penetrations = 0;
-#pragma omp simd reduction(+ : penetrations)
+    double penetrations = 0, squares = 0;
+#pragma omp simd reduction(+ : penetrations, squares)
     for (int i = 0; i < n; ++i) {
         const double penetration = depth - height[i];
         penetrations += penetration;
+        squares += penetration * penetration;
         bound[i] = ratio * penetration;
     }
     normal_force_ = effective_modulus_ * normal_.spacing() * penetrations;
+    normal_energy_ = effective_modulus_ * normal_.spacing() * squares / 2;
 }
 
 ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) const {
     if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
-    const double limit = friction_coefficient_ * normal_force_;
-    if (!(std::abs(control.value) < limit))
-        throw InputError(fmt::format(
-            "mdr: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N: the "
-            "indenter slides; lower tangential_force or tangential_ratio",
-            control.value, limit));
+    check_carried(control, friction_coefficient_ * normal_force_);
     const Window& contact = normal_.contact();
     const double target = control.value / (effective_shear_modulus_ * normal_.spacing());
     // Everything slides at the latest after the largest old and the largest new bound.
@@ -260,6 +217,7 @@ contact::StepRecord SpringBed::record(const LoadStep& step, const SlipSums& sums
     r.indentation = normal_.depth();
     r.shift = {shift_, 0};
     r.dissipation = effective_shear_modulus_ * dx * sums.dissipated;
+    r.stored_energy = normal_energy_ + effective_shear_modulus_ * dx * sums.energy;
     r.contact_area = disc(normal_.contact().size());
     r.stick_area = disc(sums.n_stick);
     r.slip_area = r.contact_area - r.stick_area;

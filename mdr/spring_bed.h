@@ -6,23 +6,13 @@
 #include <vector>
 
 #include "contact/model.h"
+#include "mdr/bed_data.h"
 #include "mdr/normal_bed.h"
 
 namespace tricontact::mdr {
 
 struct SlipSums;
 struct ShiftSolution;
-
-/// What a spring bed is made of.
-struct BedData {
-    std::unique_ptr<PlaneProfile> profile;
-    double effective_modulus = 0;        ///< E* [Pa]
-    double effective_shear_modulus = 0;  ///< G* [Pa]
-    double friction_coefficient = 0;     ///< mu [-], > 0
-    int n_springs = 0;                   ///< over the whole bed
-    double half_length = 0;              ///< of the bed about the starting position [m]
-    double rolling_angle = 0;            ///< of the line on which the indenter rolls [rad]
-};
 
 /// Method of dimensionality reduction (Popov and Hess 2015): independent springs of stiffness
 /// E* dx and G* dx at fixed positions on the substrate, pressed by the plane profile, which the
@@ -57,7 +47,6 @@ class SpringBed final : public contact::Model {
     double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
 
   private:
-    double line_coordinate(const contact::Vector2& offset) const;
     int press(double position, const contact::NormalControl& control);
     void grow();
     void update_bounds();
@@ -81,6 +70,7 @@ class SpringBed final : public contact::Model {
     std::vector<double> bounds_;  // mu (E*/G*) (d - g) [m] of the springs in contact
     double depth_before_ = 0;     // [m]
     double normal_force_ = 0, tangential_force_ = 0;  // [N]
+    double normal_energy_ = 0;                        // [J]
     double shift_ = 0, shift_increment_ = 0;          // [m]
 
     std::vector<double> least_bounds_;  // since start_limit

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mdr/back_transform.h"
+#include "mdr/line_surface.h"
 #include "mdr/spring_bed.h"
 
 namespace tricontact::mdr {
@@ -13,54 +14,28 @@ using contact::Surface;
 
 namespace {
 
-// A picture needs no more points; their transforms cost points times pieces.
-constexpr int max_points = 500, max_pieces = 250;
-
 /// Even line loads on 0 = x_0 < x_1 < ... < a, for the back-transformation.
 struct EvenLoads {
     std::vector<double> positions, normal, tangential;
 };
 
-// Value at the fractional index of a spring, linear in between, zero outside of the bed.
-double interpolate(const std::vector<double>& values, double index) {
-    const double below = std::floor(index), part = index - below;
-    auto at = [&](double i) {
-        return i >= 0 && i < static_cast<double>(values.size())
-                   ? values[static_cast<std::size_t>(i)]
-                   : 0.;
-    };
-    return (1 - part) * at(below) + part * at(below + 1);
-}
-
 EvenLoads even_loads(const NormalBed& bed, const std::vector<double>& deflections,
                      double effective_modulus, double effective_shear_modulus) {
     const double a = bed.profile().half_width(bed.depth());
-    const int n = std::clamp(static_cast<int>(a / bed.spacing()), 2, max_pieces);
+    const int n = std::clamp(static_cast<int>(a / bed.spacing()), 2, most_surface_pieces);
+    const PointRow row{bed.spring_position(0), bed.spacing()};
     EvenLoads loads;
     for (int k = 0; k < n; ++k) {
         const double x = a * k / n;
-        auto deflection_at = [&](double position) {
-            return interpolate(deflections, (position - bed.spring_position(0)) / bed.spacing());
-        };
-        const double even =
-            (deflection_at(bed.position() + x) + deflection_at(bed.position() - x)) / 2;
         loads.positions.push_back(x);
         loads.normal.push_back(effective_modulus * (bed.depth() - bed.profile().value(x)));
-        loads.tangential.push_back(effective_shear_modulus * even);
+        loads.tangential.push_back(effective_shear_modulus *
+                                   row.even(deflections, bed.position(), x));
     }
     loads.positions.push_back(a);
     loads.normal.push_back(0);
     loads.tangential.push_back(0);
     return loads;
-}
-
-void resize_fields(Surface& s) {
-    for (auto* field :
-         {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y, &s.friction_bound,
-          &s.displacement_x, &s.displacement_y, &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y,
-          &s.dissipation, &s.normal_line_load, &s.tangential_line_load})
-        field->assign(s.size(), 0);
-    s.contact_state.assign(s.size(), ContactState::open);
 }
 
 }  // namespace
@@ -76,7 +51,7 @@ contact::Scales SpringBed::scales() const {
 }
 
 Surface SpringBed::surface() const {
-    const int stride = (normal_.size() + max_points - 1) / max_points;
+    const int stride = (normal_.size() + most_surface_points - 1) / most_surface_points;
     Surface s;
     s.layout = Surface::Layout::line;
     s.n_x = (normal_.size() - 1) / stride + 1;

@@ -74,8 +74,9 @@ SlipSums take_step(std::span<const double> before, std::span<const double> bound
     const double* const bound = bounds.data();
     double* const u = after.data();
     double deflection = 0, dissipated = 0, trapezoidal = 0, stored = 0, n_stick = 0;
+    double energy = 0;
     double lowest_work = 0, bound_excess = 0;
-#pragma omp simd reduction(+ : deflection, dissipated, trapezoidal, stored, n_stick) \
+#pragma omp simd reduction(+ : deflection, dissipated, trapezoidal, stored, n_stick, energy) \
     reduction(min : lowest_work) reduction(max : bound_excess)
     for (int i = 0; i < n; ++i) {
         const double trial = old[i] + increment;
@@ -86,11 +87,13 @@ SlipSums take_step(std::span<const double> before, std::span<const double> bound
         dissipated += std::abs(work);
         trapezoidal += (work + old[i] * slip) / 2;
         stored += (u[i] * u[i] - old[i] * old[i]) / 2;
+        energy += u[i] * u[i] / 2;
         n_stick += std::abs(slip) <= negligible ? 1. : 0.;
         lowest_work = std::min(lowest_work, work);
         bound_excess = std::max(bound_excess, std::abs(u[i]) - bound[i]);
     }
-    return {deflection, dissipated, trapezoidal, stored, lowest_work, bound_excess, n_stick};
+    return {deflection,  dissipated,   trapezoidal, stored,
+            lowest_work, bound_excess, n_stick,     energy};
 }
 
 }  // namespace tricontact::mdr

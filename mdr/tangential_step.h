@@ -28,6 +28,7 @@ struct SlipSums {
     double lowest_work = 0;   ///< least u s, negative if a slip does not oppose its load [m^2]
     double bound_excess = 0;  ///< greatest |u| - bound [m], or 0
     double n_stick = 0;       ///< springs that slipped by no more than the negligible amount
+    double energy = 0;        ///< sum u^2/2 [m^2]
 };
 
 /// Takes the step: `after` = clamped deflections; slip = increment - change of deflection.

@@ -1,0 +1,269 @@
+#include "mdr/relaxing_bed.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/error.h"
+#include "mdr/rolling_line.h"
+#include "mdr/tangential_step.h"
+
+namespace tricontact::mdr {
+
+using contact::LoadStep;
+using contact::NormalControl;
+using contact::TangentialControl;
+
+namespace {
+
+const contact::Relaxation& relaxation_of(const BedData& data) {
+    if (!data.relaxation) throw contact::InputError("mdr: a relaxing bed needs a relaxation");
+    return *data.relaxation;
+}
+
+std::span<double> part(std::vector<double>& values, const Window& window) {
+    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
+}
+
+Window hull(const Window& a, const Window& b) {
+    if (a.size() == 0) return b;
+    if (b.size() == 0) return a;
+    return {std::min(a.first, b.first), std::max(a.last, b.last)};
+}
+
+}  // namespace
+
+RelaxingBed::RelaxingBed(BedData data)
+    : effective_modulus_(checked(data).effective_modulus),
+      effective_shear_modulus_(data.effective_shear_modulus),
+      friction_coefficient_(data.friction_coefficient),
+      direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
+      bound_ratio_(friction_coefficient_ * effective_modulus_ / effective_shear_modulus_),
+      normal_(relaxation_of(data), data.n_springs),
+      tangential_(relaxation_of(data), data.n_springs) {
+    profile_ = std::move(data.profile);
+    row_.spacing = 2 * data.half_length / data.n_springs;
+    row_.first = row_.spacing / 2 - data.half_length;
+    for (auto* field : {&heights_, &pressed_, &offsets_, &bounds_, &sheared_, &force_,
+                        &shear_before_, &least_load_})
+        field->assign(data.n_springs, 0);
+}
+
+contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
+    check_on_line(name(), step);
+    if (!(step.duration >= 0))
+        throw contact::InputError(
+            fmt::format("mdr: a step of {:.6g} s; time must not go backwards", step.duration));
+    normal_.begin(step.duration, touched_);
+    tangential_.begin(step.duration, touched_);
+    const int normal_iterations =
+        press(line_coordinate(name(), step.offset, direction_, row_.spacing), step.normal);
+    push(normal_.stiffness());
+    friction_ = step.friction;
+    update_offsets();
+    const ShiftSolution shift = find_shift_increment(step.tangential[0]);
+    const SlipSums sums = slide(shift.increment);
+    update_limit();
+    audit_step(step, sums);
+
+    contact::StepRecord result = record(step, sums);
+    result.normal_iterations = normal_iterations;
+    result.tangential_iterations = shift.iterations;
+    result.tangential_residual = shift.residual;
+    return result;
+}
+
+int RelaxingBed::press(double position, const NormalControl& control) {
+    check_positive(control);
+    position_ = position;
+    const double stiffness = effective_modulus_ * row_.spacing * normal_.stiffness();
+    int iterations = 0;
+    for (;;) {
+        sample_heights();
+        if (control.kind == NormalControl::Kind::force)
+            iterations += press_to_sum(control.value / stiffness);
+        else
+            depth_ = control.value;
+        find_contact();
+        if (n_contact_ == 0 || (contact_.first > 0 && contact_.last < size())) break;
+        grow();
+    }
+    if (depth_ > profile_->value(profile_->range()))
+        profile_->half_width(depth_);  // throws: the rim is reached
+    return iterations;
+}
+
+void RelaxingBed::sample_heights() {
+    profile_->sample(row_.first - position_, row_.spacing, heights_);
+    const double* const free = normal_.free_deflection().data();
+    double* const height = heights_.data();
+#pragma omp simd
+    for (int i = touched_.first; i < touched_.last; ++i) height[i] += free[i];
+}
+
+/// The depth at which the springs are pressed by `sum` [m] in all: Newton's method on a convex,
+/// piecewise linear function. Springs below a depth include those below a lesser one, so that the
+/// same number of them means the same springs.
+int RelaxingBed::press_to_sum(double sum) {
+    const int n = size();
+    const double* const height = heights_.data();
+    double n_before = 0;
+    for (int iteration = 1; iteration <= n + 2; ++iteration) {
+        double heights = 0, n_below = 0;
+        const double depth = depth_;
+#pragma omp simd reduction(+ : heights, n_below)
+        for (int i = 0; i < n; ++i) {
+            heights += height[i] < depth ? height[i] : 0.;
+            n_below += height[i] < depth ? 1. : 0.;
+        }
+        if (n_below > 0 && n_below == n_before) return iteration;
+        n_before = n_below;
+        if (n_below > 0)
+            depth_ = (sum + heights) / n_below;
+        else
+            depth_ = 2 * *std::min_element(heights_.begin(), heights_.end()) + sum;
+    }
+    throw contact::NotConverged(fmt::format(
+        "spring bed: normal force not found after {} Newton steps, {} springs in contact", n + 2,
+        n_before));
+}
+
+void RelaxingBed::find_contact() {
+    const double depth = depth_;
+    const double* const height = heights_.data();
+    double* const pressed = pressed_.data();
+    double n_contact = 0;
+    const int n = size();
+#pragma omp simd reduction(+ : n_contact)
+    for (int i = 0; i < n; ++i) {
+        pressed[i] = std::max(depth - height[i], 0.);
+        n_contact += pressed[i] > 0 ? 1. : 0.;
+    }
+    n_contact_ = n_contact;
+    contact_ = {0, 0};
+    if (n_contact == 0) return;
+    contact_.last = n;
+    while (!(pressed[contact_.first] > 0)) ++contact_.first;
+    while (!(pressed[contact_.last - 1] > 0)) --contact_.last;
+}
+
+void RelaxingBed::grow() {
+    const int n = std::max(16, size() / 4);
+    for (auto* field : {&heights_, &pressed_, &offsets_, &bounds_, &sheared_, &force_,
+                        &shear_before_, &least_load_}) {
+        field->insert(field->begin(), n, 0);
+        field->insert(field->end(), n, 0);
+    }
+    normal_.grow(n);
+    tangential_.grow(n);
+    row_.first -= n * row_.spacing;
+    touched_ = {touched_.first + n, touched_.last + n};
+}
+
+/// Ends the springs' normal step.
+void RelaxingBed::push(double stiffness) {
+    touched_ = hull(touched_, contact_);
+    const double* const pressed = pressed_.data();
+    double* const force = force_.data();
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (int i = touched_.first; i < touched_.last; ++i) {
+        force[i] = stiffness * pressed[i];
+        sum += force[i];
+    }
+    normal_force_ = effective_modulus_ * row_.spacing * sum;
+    largest_force_ = std::max(largest_force_, normal_force_);
+    pressing_ = normal_.end(touched_, force_);
+}
+
+// Beside their free ends the springs are an elastic bed of another stiffness, with the same bounds.
+void RelaxingBed::update_offsets() {
+    const double ratio = friction_ ? bound_ratio_ : 0;
+    const double* const u = tangential_.deflection().data();
+    const double* const free = tangential_.free_deflection().data();
+    const double* const pressed = pressed_.data();
+    double* const before = shear_before_.data();
+    double* const offset = offsets_.data();
+    double* const bound = bounds_.data();
+#pragma omp simd
+    for (int i = touched_.first; i < touched_.last; ++i) {
+        before[i] = u[i];
+        offset[i] = u[i] - free[i];
+        bound[i] = ratio * pressed[i];
+    }
+}
+
+ShiftSolution RelaxingBed::find_shift_increment(const TangentialControl& control) {
+    if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
+    if (!friction_ || (n_contact_ == 0 && control.value == 0)) return {};
+    check_carried(control, friction_coefficient_ * normal_force_);
+    const auto offsets = part(offsets_, contact_), bounds = part(bounds_, contact_);
+    double farthest = 0;
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+        farthest = std::max(farthest, std::abs(offsets[i]) + bounds[i]);
+    const double stiffness = effective_shear_modulus_ * row_.spacing * tangential_.stiffness();
+    return find_increment(offsets, bounds, control.value / stiffness, farthest);
+}
+
+SlipSums RelaxingBed::slide(double increment) {
+    const auto all = part(sheared_, touched_);
+    std::fill(all.begin(), all.end(), 0);
+    SlipSums sums = take_step(part(offsets_, contact_), part(bounds_, contact_), increment,
+                              negligible_slip(), part(sheared_, contact_));
+    const double stiffness = tangential_.stiffness();
+    for (int i = touched_.first; i < touched_.last; ++i) force_[i] = stiffness * sheared_[i];
+    shearing_ = tangential_.end(touched_, force_);
+    shift_increment_ = increment;
+    shift_ += increment;
+    tangential_force_ = effective_shear_modulus_ * row_.spacing * stiffness * sums.deflection;
+    if (n_contact_ == contact_.size()) return sums;
+    for (int i = contact_.first; i < contact_.last; ++i)  // gaps inside do not stick
+        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip()) --sums.n_stick;
+    return sums;
+}
+
+double RelaxingBed::slip(int spring) const {
+    return shift_increment_ - (tangential_.deflection()[spring] - shear_before_[spring]);
+}
+
+/// Below it a spring counts as sticking: rounding on the bound [m].
+double RelaxingBed::negligible_slip() const {
+    return 1e-11 * bound_ratio_ * depth_;
+}
+
+void RelaxingBed::release() {
+    normal_.forget();
+    tangential_.forget();
+    touched_ = contact_ = {};
+    for (auto* field : {&pressed_, &bounds_, &sheared_, &offsets_, &shear_before_, &least_load_})
+        std::fill(field->begin(), field->end(), 0);
+    depth_ = position_ = n_contact_ = 0;
+    normal_force_ = tangential_force_ = largest_force_ = 0;
+    shift_ = shift_increment_ = stored_ = 0;
+}
+
+void RelaxingBed::start_limit() {
+    least_load_.assign(size(), std::numeric_limits<double>::infinity());
+    update_limit();
+    limit_normal_force_ = normal_force_;
+}
+
+void RelaxingBed::update_limit() {
+    const double stiffness = normal_.stiffness();
+    const double* const pressed = pressed_.data();
+    double* const least = least_load_.data();
+    const int n = size();
+#pragma omp simd
+    for (int i = 0; i < n; ++i) least[i] = std::min(least[i], stiffness * pressed[i]);
+}
+
+double RelaxingBed::limit_tangential_ratio() const {
+    double sum = 0;
+    for (const double load : least_load_) sum += load;
+    return effective_modulus_ * row_.spacing * sum / limit_normal_force_;
+}
+
+}  // namespace tricontact::mdr
