@@ -1,11 +1,8 @@
 #include "mdr/model.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/spring_bed.h"
 
@@ -13,38 +10,11 @@ namespace tricontact::mdr {
 
 namespace {
 
-// Of the compliance, which all relaxes: the error that a stiff indenter makes then.
-constexpr double largest_elastic_share = 1e-3;
-
-double indenter_share(const contact::Case& c) {
-    const contact::MaterialPair substrate({}, c.substrate);
-    return 1 - c.materials().effective_modulus() / substrate.effective_modulus();
-}
-
 // Half width of the contact [m] under `factor` times the case's normal control.
 double half_width(const contact::Case& c, const PlaneProfile& profile, double factor) {
     if (c.load.indentation) return profile.half_width(factor * *c.load.indentation);
     return profile.half_width_of_area(factor * *c.load.normal_force /
                                       c.materials().effective_modulus());
-}
-
-// Springs share one relaxation function only if all of the compliance relaxes alike.
-std::optional<contact::Relaxation> checked_relaxation(const contact::Case& c) {
-    if (!c.relaxation) return {};
-    if (c.relaxation->bulk == contact::Relaxation::Bulk::elastic && c.substrate.poisson < 0.5)
-        throw contact::InputError(fmt::format(
-            "substrate.relaxation: mdr has one relaxation function, which an elastic bulk at "
-            "Poisson's ratio {:.6g} does not leave; take bulk = \"proportional\", poisson = 0.5 or "
-            "another model",
-            c.substrate.poisson));
-    const double share = indenter_share(c);
-    if (share > largest_elastic_share)
-        throw contact::InputError(fmt::format(
-            "substrate.relaxation: {:.3g} of the compliance is the indenter's, which does not "
-            "relax, "
-            "but mdr lets all of it relax; make the indenter rigid or {:.3g} times stiffer",
-            share, share / largest_elastic_share));
-    return c.relaxation;
 }
 
 double amplitude(const contact::Case& c, const PlaneProfile& profile) {
@@ -71,7 +41,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.
     data.half_length =
         1.01 * (half_width(c, *data.profile, peak_factor) + std::abs(amplitude(c, *data.profile)));
-    data.relaxation = checked_relaxation(c);
+    data.relaxation = common_relaxation("mdr", c);
     if (data.relaxation) return std::make_unique<RelaxingBed>(std::move(data));
     return std::make_unique<SpringBed>(std::move(data));
 }

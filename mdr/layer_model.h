@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "contact/case.h"
+#include "contact/model.h"
+#include "contact/relaxation.h"
+#include "contact/surface_model.h"
+#include "mdr/layer_springs.h"
+#include "mdr/plane_profile.h"
+
+namespace tricontact::mdr {
+
+/// What an MDR of the layer is made of.
+struct LayerData {
+    std::shared_ptr<const LayerSprings> springs;
+    std::shared_ptr<const PlaneProfile> profile;
+    double friction_coefficient = 0;                  ///< mu [-]
+    double rolling_angle = 0;                         ///< [rad]
+    std::optional<contact::Relaxation> relaxation{};  ///< of all the compliance
+};
+
+/// MDR of the layer: a plane profile pressed into springs that the layer couples. The normal
+/// contact of a body of revolution is exact but for the elements' length (theory/layer_equation.h).
+/// The tangential contact is an APPROXIMATION, as is all of MDR once the contact rolls: see
+/// layer_kernel.h for what it leaves out, docs/models.md for what that makes.
+///
+/// One direction, as for a SpringBed: offsets count along the line of rolling, F_T acts along the
+/// elements, areas are those of discs as long as the elements in question together.
+class LayerModel final : public contact::Model {
+  public:
+    explicit LayerModel(LayerData data);
+
+    std::string name() const override { return "mdr-layer"; }
+    /// Throws contact::InputError if the step is none of a line's or the contact reaches the
+    /// indenter's rim, contact::ContactAtEdge if it reaches the last element, NotConverged.
+    contact::StepRecord advance(const contact::LoadStep& step) override;
+    void release() override { model_.release(); }
+    /// Contact radius and peak pressure from the elements' line loads (EvenLoad).
+    contact::Scales scales() const override;
+    /// Line layout, thinned out; tractions transformed back, displacements those of the line.
+    contact::Surface surface() const override;
+    double limit_tangential_ratio() const override { return model_.limit_tangential_ratio(); }
+    void start_limit() override { model_.start_limit(); }
+    std::string write_state() const override { return model_.write_state(); }
+    void read_state(std::string_view bytes) override { model_.read_state(bytes); }
+    const contact::Audit& audit() const override { return model_.audit(); }
+
+  private:
+    void check_ends(const contact::LoadStep& step) const;
+
+    std::shared_ptr<const LayerSprings> springs_;
+    std::shared_ptr<const PlaneProfile> profile_;
+    double friction_coefficient_;
+    contact::Vector2 direction_;  // of rolling
+    contact::SurfaceModel model_;
+};
+
+/// For a case: about `elements_per_radius` elements in the contact radius (more where the layer is
+/// thin), as many as contact and rolling path need. Throws contact::InputError if a value of the
+/// case is out of range: no thickness, a frictionless base (nothing holds the layer), too long a
+/// path.
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c,
+                                                 int elements_per_radius = 100);
+
+}  // namespace tricontact::mdr

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+
+#include "contact/compliance.h"
+#include "contact/material.h"
+#include "mdr/even_load.h"
+#include "theory/layer_stack.h"
+
+namespace tricontact::mdr {
+
+/// The springs of MDR coupled by a layer (theory/layer_equation.h), on a line of equal elements of
+/// length h: with line loads q,
+///   u_i = 1/E* [q_i - sum_j K(x_i - x_j) q_j h],   tangentially 1/G* and K_t (layer_kernel.h).
+/// K varies over the layer's thickness: the midpoint rule is of the order h^2 as long as h is
+/// shorter. An elastic indenter adds its own independent springs.
+///
+/// As a contact::Compliance it has a tributary area of h times 1 m per element, so that tractions
+/// [Pa] are line loads [N/m] over 1 m. The line is the plane of symmetry of a mirrored surface:
+/// nothing moves in y. Normal and tangential contact do not couple.
+class LayerSprings final : public contact::Compliance {
+  public:
+    /// 2 `n_beside` + 1 elements about the origin. `indenter` empty: rigid. Throws
+    /// contact::InputError for layers out of range and for elements longer than a quarter of the
+    /// top layer, which do not resolve K.
+    LayerSprings(const theory::LayerStack& stack, const std::optional<contact::Material>& indenter,
+                 int n_beside, double spacing);
+
+    static constexpr double width = 1;              ///< of the line [m]
+    static constexpr double longest_element = .25;  ///< over the thickness of the top layer
+
+    const contact::ContactPoints& points() const override { return points_; }
+    const PointRow& row() const { return row_; }
+    bool is_coupled() const override { return false; }
+    void normal(std::span<const double> p, std::span<double> u_z) const override;
+    /// Throws contact::InputError on a frictionless base, which gives no hold.
+    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
+    double local_tangential() const override;
+    void precondition_tangential(const contact::TangentialField& r,
+                                 contact::TangentialField& z) const override;
+    const double* dense() const override { return dense_.data(); }
+
+  private:
+    int size() const { return static_cast<int>(points_.size()); }
+    void fill_block(int component, const std::vector<double>& coefficients);
+    void multiply(const std::vector<double>& coefficients, std::span<const double> traction,
+                  std::span<double> u) const;
+
+    contact::ContactPoints points_;
+    PointRow row_;
+    // Displacement over force [m/N] at the distances (1 - n) h, ..., (n - 1) h.
+    std::vector<double> normal_, tangential_;
+    std::vector<double> dense_;
+};
+
+}  // namespace tricontact::mdr
