@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/dma_fit.h"
 #include "contact/indenter.h"
 #include "contact/material.h"
 #include "contact/relaxation.h"
@@ -41,6 +42,16 @@ struct Case {
         std::optional<double> width;      ///< along x [m]; empty: wide enough
         std::optional<double> depth;      ///< along y [m]; empty: wide enough
         std::optional<Lower> lower;       ///< a second elastic layer below
+    };
+
+    /// What `relaxation` comes from. The reader resolves each of the three ways to `moduli` and
+    /// `times`, one per branch and in its order, and empties the others.
+    struct RelaxationInput {
+        std::optional<double> maxwell_modulus;  ///< G2 [Pa] of a standard solid
+        std::optional<double> viscosity;        ///< eta [Pa s] of a standard solid
+        std::vector<double> moduli;             ///< G_i [Pa]
+        std::vector<double> times;              ///< tau_i [s]
+        std::optional<std::string> dma;         ///< file of a DMA table
     };
 
     /// How the contact is treated by models that can.
@@ -114,6 +125,8 @@ struct Case {
     IndenterData indenter;
     Material substrate{0, 0};              ///< of a relaxing one: its relaxed state
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
+    RelaxationInput relaxation_input;
+    std::optional<DmaFit> dma_fit;  ///< table and fit, if `relaxation` comes from one
     Layer layer;
     double friction_coefficient = 0;
     Contact contact;

@@ -7,6 +7,7 @@
 #include "contact/load_path.h"
 #include "io/fem_checks.h"
 #include "io/refusal.h"
+#include "io/relaxation_input.h"
 
 namespace tricontact::io {
 
@@ -204,6 +205,7 @@ void check_case(const Case& c, const Document& document) {
     check_coupling(c, document);
     check_sphere(c, scales, document);
     check_oscillation(c, document);
+    check_relaxation(c, document);
     check_friction_limit(c, document);
     const double steps = check_steps(c, scales, document);
     for (const std::string& model : c.models) {

@@ -157,12 +157,11 @@ bool Range::contains(double value) const {
 }
 
 std::string_view Key::section() const {
-    const auto dot = path.find('.');
-    return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+    return section_of(path);
 }
 
 std::string_view Key::name() const {
-    return path.substr(path.find('.') + 1);
+    return name_of_key(path);
 }
 
 std::span<const Key> case_keys() {
@@ -172,6 +171,7 @@ std::span<const Key> case_keys() {
         add_indenter(all);
         add_substrate(all);
         add_layer_keys(all);
+        add_relaxation_keys(all);
         add_friction(all);
         add_contact_keys(all);
         add_loading_keys(all);
@@ -195,6 +195,16 @@ bool is_section(std::string_view name) {
     const auto keys = case_keys();
     return !name.empty() && std::any_of(keys.begin(), keys.end(),
                                         [&](const Key& key) { return key.section() == name; });
+}
+
+std::string_view section_of(std::string_view path) {
+    const auto dot = path.substr(0, path.find('"')).rfind('.');
+    return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
+}
+
+std::string_view name_of_key(std::string_view path) {
+    const std::string_view section = section_of(path);
+    return section.empty() ? path : path.substr(section.size() + 1);
 }
 
 }  // namespace tricontact::io

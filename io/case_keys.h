@@ -19,7 +19,8 @@ using Field =
                  std::optional<double>*, std::optional<std::string>*, int*, bool*,
                  contact::Case::Shape*, contact::Case::AmplitudeReference*, contact::Case::Steps*,
                  contact::Case::VtkOutput*, contact::Case::VolumeOutput*, contact::Case::Base*,
-                 contact::Case::Sides*, contact::Case::Press*, contact::Case::Kinematics*>;
+                 contact::Case::Sides*, contact::Case::Press*, contact::Case::Kinematics*,
+                 contact::Relaxation::Bulk*, std::vector<double>*>;
 
 /// Admissible numbers, in the key's SI unit.
 struct Range {
@@ -39,17 +40,27 @@ struct Choice {
 
 /// Declaration of one key of the case file: reader, writer and reference all use it.
 struct Key {
-    enum class Kind { text, choice, choice_list, number, integer, boolean, quantity };
+    enum class Kind {
+        text,
+        choice,
+        choice_list,
+        number,
+        integer,
+        boolean,
+        quantity,
+        quantity_list
+    };
 
-    std::string_view path;  ///< "section.key", or "key" at the top
+    std::string_view path;  ///< "section.key", or "key" at the top; sections may have dots
     Kind kind = Kind::text;
-    Dimension dimension = Dimension::none;  ///< of a quantity
+    Dimension dimension = Dimension::none;  ///< of a quantity, or each of a list
     Range range = {};
+    std::string_view reason = {};  ///< for the range, where it does not speak for itself
     std::vector<Choice> choices = {};
     std::string_view default_value = {};  ///< TOML; empty: none
     bool required = false;                ///< in its section, if the section is there
     int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
-    std::string_view needs = {};  ///< key without which this one says nothing
+    std::string_view needs = {};  ///< key or section without which this one says nothing
     std::string_view example;     ///< TOML
     std::string_view text;        ///< what it means, one line
     Field (*field)(contact::Case&) = nullptr;
@@ -62,5 +73,11 @@ struct Key {
 std::span<const Key> case_keys();
 const Key* find_key(std::string_view path);
 bool is_section(std::string_view name);
+/// "a.b" of "a.b.key", "" of "key". A quoted key, as a document shows it, may hold dots.
+std::string_view section_of(std::string_view path);
+/// "key" of both.
+std::string_view name_of_key(std::string_view path);
+/// Most elements of a list of quantities.
+inline constexpr std::size_t longest_list = 50;
 
 }  // namespace tricontact::io

@@ -10,6 +10,7 @@
 #include "io/input_file.h"
 #include "io/messages.h"
 #include "io/overrides.h"
+#include "io/relaxation_input.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {
@@ -35,13 +36,12 @@ std::vector<std::string_view> alternatives(const Key& key) {
 
 // Names that may stand where the unknown one stands, else full paths with the same last word.
 std::string guess(std::string_view path) {
-    const auto dot = path.find('.');
-    const std::string_view section = dot == std::string_view::npos ? "" : path.substr(0, dot);
+    const std::string_view section = section_of(path);
     std::vector<std::string_view> all, siblings;
     for (const Key& key : case_keys()) {
         all.push_back(key.path);
         if (key.section() == section) siblings.push_back(key.path);
-        if (key.name() == path.substr(dot + 1)) return std::string(key.path);
+        if (key.name() == name_of_key(path)) return std::string(key.path);
     }
     const std::string_view near = nearest(path, siblings);
     return std::string(near.empty() ? nearest(path, all) : near);
@@ -64,19 +64,39 @@ void check_sections_known(const Document& document) {
                            std::string(nearest(section.name, names)), join(names));
 }
 
+// A table in a section that is not one of the known ones: perhaps nearly.
+void check_table_known(const Entry& entry) {
+    if (section_of(entry.path).empty() || kind_of(entry.value) != "a table") return;
+    std::set<std::string_view> nested;
+    for (const Key& key : case_keys())
+        if (!section_of(key.section()).empty()) nested.insert(key.section());
+    const std::vector<std::string_view> names(nested.begin(), nested.end());
+    const std::string near(nearest(entry.path, names));
+    if (!near.empty())
+        refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, join(names));
+}
+
 void check_keys_known(const Document& document) {
     for (const Entry& entry : document.entries) {
         if (find_key(entry.path)) continue;
         if (is_section(entry.path))
             fail(entry.place, entry.subject(), "this is the name of a section, not of a key",
                  "write [" + entry.path + "] on its own line and its keys below");
-        const std::string section = entry.path.substr(0, entry.path.find('.'));
+        check_table_known(entry);
+        const std::string_view section = section_of(entry.path);
         std::vector<std::string_view> names;
         for (const Key& key : case_keys())
-            if (key.section() == section || (section == entry.path && key.section().empty()))
-                names.push_back(key.path);
+            if (key.section() == section) names.push_back(key.path);
         refuse_unknown(entry.key_place, "key " + entry.path, guess(entry.path), join(names));
     }
+}
+
+bool is_given(std::string_view needs, const Document& document) {
+    return needs.empty() || document.find(needs) || document.find_section(needs);
+}
+
+std::string shown_need(std::string_view needs) {
+    return is_section(needs) ? '[' + std::string(needs) + ']' : std::string(needs);
 }
 
 // At most one of the keys that exclude each other, and no key without the one it needs.
@@ -88,16 +108,17 @@ void check_combinations(const Document& document) {
                 &entry > document.find(other))  // blame the later one
                 fail(entry.place, entry.subject(), "contradicts " + document.find(other)->subject(),
                      "give one of the two");
-        if (!key.needs.empty() && !document.find(key.needs))
+        if (!is_given(key.needs, document))
             fail(entry.place, entry.subject(),
-                 "says nothing without " + std::string(key.needs) + ", which is missing",
-                 "give " + std::string(key.needs) + " too, or omit this key");
+                 "says nothing without " + shown_need(key.needs) + ", which is missing",
+                 "give " + shown_need(key.needs) + " too, or omit this key");
     }
 }
 
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
+    if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("lower_layer")) c.layer.lower = Case::Layer::Lower{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
@@ -155,6 +176,8 @@ void make_paths_absolute(Case& c, const Document& document) {
     if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
     if (!c.fem.cache.empty() && c.fem.cache != "none")
         c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
+    if (auto& dma = c.relaxation_input.dma)
+        dma = absolute_path(*dma, *document.find("substrate.relaxation.dma"), document);
 }
 
 Case resolve(const Document& document) {
@@ -170,6 +193,7 @@ Case resolve(const Document& document) {
             set_default(c, key, document);
     }
     make_paths_absolute(c, document);
+    resolve_relaxation(c, document);
     check_case(c, document);
     return c;
 }

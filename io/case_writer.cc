@@ -5,13 +5,14 @@
 
 #include "io/case_keys.h"
 #include "io/messages.h"
+#include "io/relaxation_input.h"
 
 namespace tricontact::io {
 
 namespace {
 
 std::string number_text(const Key& key, double value) {
-    if (key.kind != Key::Kind::quantity) return toml_number(value);
+    if (key.dimension == Dimension::none) return toml_number(value);
     return toml_string(shortest(value) + ' ' + std::string(si_unit(key.dimension)));
 }
 
@@ -27,6 +28,11 @@ struct Show {
         return '[' + out + ']';
     }
     std::string operator()(const double* v) const { return number_text(key, *v); }
+    std::string operator()(const std::vector<double>* v) const {
+        std::string out;
+        for (const double value : *v) out += (out.empty() ? "" : ", ") + number_text(key, value);
+        return out.empty() ? out : '[' + out + ']';
+    }
     std::string operator()(const std::optional<double>* v) const {
         return *v ? number_text(key, **v) : std::string();
     }
@@ -48,6 +54,7 @@ struct Show {
 
 std::string write_case(const contact::Case& c) {
     contact::Case copy = c;  // fields are mutable places; the writer reads a copy
+    state_relaxation(copy);
     std::string out;
     std::string_view section;
     for (const Key& key : case_keys()) {

@@ -20,17 +20,20 @@ namespace {
 std::string range_rule(const Key& key) {
     const auto bound = [&](double value) {
         std::string text = shortest(value);
-        if (key.kind == Key::Kind::quantity) text.append(" ").append(si_unit(key.dimension));
+        if (key.dimension != Dimension::none) text.append(" ").append(si_unit(key.dimension));
         return text;
     };
     const Range& r = key.range;
-    return "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
-           " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
+    const std::string rule =
+        "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
+        " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
+    return key.reason.empty() ? rule : rule + ": " + std::string(key.reason);
 }
 
-double in_range(double value, const Key& key, const Entry& entry) {
-    if (!std::isfinite(value)) refuse(key, entry, "must be a finite number");
-    if (!key.range.contains(value)) refuse(key, entry, range_rule(key));
+// `which`: of several values the one at hand.
+double in_range(double value, const Key& key, const Entry& entry, const std::string& which = {}) {
+    if (!std::isfinite(value)) refuse(key, entry, which + "must be a finite number");
+    if (!key.range.contains(value)) refuse(key, entry, which + range_rule(key));
     return value;
 }
 
@@ -51,6 +54,16 @@ int integer_of(const Key& key, const Entry& entry) {
     return static_cast<int>(in_range(static_cast<double>(*v), key, entry));
 }
 
+double quantity_of(const std::string& text, const Key& key, const Entry& entry,
+                   const std::string& which = {}) {
+    try {
+        return in_range(parse_quantity(text, key.dimension), key, entry, which);
+    } catch (const QuantityError& error) {
+        refuse(key, entry, which.empty() ? error.rule : which + "is refused: " + error.rule,
+               error.remedy);
+    }
+}
+
 double quantity_of(const Key& key, const Entry& entry) {
     const auto* text = std::get_if<std::string>(&entry.value);
     const std::string what(name_of(key.dimension));
@@ -59,11 +72,20 @@ double quantity_of(const Key& key, const Entry& entry) {
         if (bare) refuse(key, entry, "must be " + what + ", but has no unit");
         refuse_kind(key, entry, what + " with its unit in quotes");
     }
-    try {
-        return in_range(parse_quantity(*text, key.dimension), key, entry);
-    } catch (const QuantityError& error) {
-        refuse(key, entry, error.rule, error.remedy);
-    }
+    return quantity_of(*text, key, entry);
+}
+
+std::vector<double> quantities_of(const Key& key, const Entry& entry) {
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of quantities, each with its unit in quotes");
+    if (list->empty() || list->size() > longest_list)
+        refuse(key, entry,
+               "the list must have 1 to " + std::to_string(longest_list) + " elements, but has " +
+                   std::to_string(list->size()));
+    std::vector<double> values;
+    for (const std::string& text : *list)
+        values.push_back(quantity_of(text, key, entry, toml_string(shortened(text, 40)) + ' '));
+    return values;
 }
 
 std::string words_of(const Key& key) {
@@ -108,7 +130,8 @@ bool boolean_of(const Key& key, const Entry& entry) {
     return *value;
 }
 
-using Parsed = std::variant<std::string, std::vector<std::string>, double, int, bool, Choice>;
+using Parsed = std::variant<std::string, std::vector<std::string>, double, std::vector<double>, int,
+                            bool, Choice>;
 
 Parsed parsed(const Key& key, const Entry& entry) {
     switch (key.kind) {
@@ -124,6 +147,8 @@ Parsed parsed(const Key& key, const Entry& entry) {
             return boolean_of(key, entry);
         case Key::Kind::quantity:
             return quantity_of(key, entry);
+        case Key::Kind::quantity_list:
+            return quantities_of(key, entry);
         case Key::Kind::text:
             break;
     }

@@ -30,39 +30,42 @@ class Descriptor {
     int fd_;
 };
 
-[[noreturn]] void refuse(const std::string& path, int error) {
-    const char* remedy = error == ENOENT   ? "check the path; `tricontact list` names the cases"
-                         : error == EACCES ? "give yourself the permission to read it"
-                                           : "name a readable case file";
+[[noreturn]] void refuse(const std::string& path, int error, const std::string& kind) {
+    const std::string remedy = error == ENOENT && kind == "case file"
+                                   ? "check the path; `tricontact list` names the cases"
+                               : error == ENOENT ? "check the path"
+                               : error == EACCES ? "give yourself the permission to read it"
+                                                 : "name a readable " + kind;
     fail(path, "", "the file cannot be read (" + std::generic_category().message(error) + ")",
          remedy);
 }
 
-void check_kind(const std::string& path, const struct stat& status) {
-    if (S_ISDIR(status.st_mode)) fail(path, "", "is a directory", "name a case file inside it");
-    if (!S_ISREG(status.st_mode)) fail(path, "", "is not a regular file", "name a case file");
+void check_kind(const std::string& path, const struct stat& status, const std::string& kind) {
+    if (S_ISDIR(status.st_mode)) fail(path, "", "is a directory", "name a " + kind + " inside it");
+    if (!S_ISREG(status.st_mode)) fail(path, "", "is not a regular file", "name a " + kind);
     if (static_cast<std::size_t>(status.st_size) > largest)
-        fail(path, "", "is larger than 1 MB: no case file", "name a case file");
+        fail(path, "", "is larger than 1 MB: no " + kind, "name a " + kind);
 }
 
 }  // namespace
 
-std::string read_input_file(const std::string& path) {
+std::string read_input_file(const std::string& path, std::string_view what) {
+    const std::string kind(what);
     // O_NONBLOCK: opening a named pipe must not wait for its writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
-    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, errno);
-    check_kind(path, status);
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, errno, kind);
+    check_kind(path, status, kind);
     std::string text;
     std::array<char, 65536> buffer{};
     while (text.size() <= largest) {
         const ssize_t n = ::read(file.get(), buffer.data(), buffer.size());
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) refuse(path, errno);
+        if (n < 0) refuse(path, errno, kind);
         if (n == 0) return text;
         text.append(buffer.data(), static_cast<std::size_t>(n));
     }
-    fail(path, "", "is larger than 1 MB: no case file", "name a case file");
+    fail(path, "", "is larger than 1 MB: no " + kind, "name a " + kind);
 }
 
 }  // namespace tricontact::io

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace tricontact::io {
 
-/// Text of a regular file of at most 1 MB. Throws contact::InputError naming path, reason, remedy.
-std::string read_input_file(const std::string& path);
+/// Text of a regular file of at most 1 MB. Throws contact::InputError naming path, reason, remedy;
+/// `kind` is what the file should be.
+std::string read_input_file(const std::string& path, std::string_view kind = "case file");
 
 }  // namespace tricontact::io

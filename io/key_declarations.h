@@ -14,7 +14,8 @@ enum KeyGroup {
     amplitude,
     steps,
     cell_size,
-    element_size
+    element_size,
+    relaxation
 };
 
 constexpr Range above_zero(double high) {
@@ -39,6 +40,8 @@ Field in(std::optional<Part>& part, Member Part::*member) {
 void add_loading_keys(std::vector<Key>& keys);
 /// Declarations of the substrate's finite size, in [substrate] and [lower_layer].
 void add_layer_keys(std::vector<Key>& keys);
+/// Declarations of the section [substrate.relaxation].
+void add_relaxation_keys(std::vector<Key>& keys);
 /// Declarations of the section [contact].
 void add_contact_keys(std::vector<Key>& keys);
 /// Declarations of the section [fem].

@@ -105,6 +105,26 @@ void add_press(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.load.press_steps; }});
 }
 
+void add_time(std::vector<Key>& keys) {
+    const auto waiting = [&](std::string_view path, std::string_view example, std::string_view text,
+                             Field (*field)(Case&)) {
+        keys.push_back({.path = path,
+                        .kind = Kind::quantity,
+                        .dimension = Dimension::time,
+                        .range = from_zero(1e9),
+                        .reason = "time does not go backwards",
+                        .default_value = R"("0 s")",
+                        .needs = "substrate.relaxation",
+                        .example = example,
+                        .text = text,
+                        .field = field});
+    };
+    waiting("load.press_time", R"("1 s")", "time in which F_N rises from 0, or d",
+            [](Case& c) { return c.relaxation ? Field(&c.load.press_time) : Field(); });
+    waiting("load.hold", R"("60 s")", "wait under F_N and F_T before the rolling begins",
+            [](Case& c) { return c.relaxation ? Field(&c.load.hold) : Field(); });
+}
+
 void add_rolling_path(std::vector<Key>& keys) {
     using Rolling = Case::Rolling;
     using Reference = Case::AmplitudeReference;
@@ -188,6 +208,16 @@ void add_rolling_steps(std::vector<Key>& keys) {
          .example = R"("turning-points")",
          .text = "step from one turning point to the next only",
          .field = [](Case& c) { return in_steps(c, Steps::turning_points, &Rolling::steps); }});
+    keys.push_back(
+        {.path = "rolling.speed",
+         .kind = Kind::quantity,
+         .dimension = Dimension::velocity,
+         .range = above_zero(1e9),
+         .required = true,
+         .needs = "substrate.relaxation",
+         .example = R"("1 mm/s")",
+         .text = "speed of the drive, the same all along the path",
+         .field = [](Case& c) { return c.relaxation ? in(c.rolling, &Rolling::speed) : Field(); }});
 }
 
 }  // namespace
@@ -196,6 +226,7 @@ void add_loading_keys(std::vector<Key>& keys) {
     add_load(keys);
     add_oscillation(keys);
     add_press(keys);
+    add_time(keys);
     add_rolling_path(keys);
     add_rolling_steps(keys);
 }

@@ -52,9 +52,8 @@ void put(Document& document, Entry entry) {
         fail(entry.place, entry.subject(), "is set twice", "keep one of the two --set");
     erase_from_file(document, entry.path);
     if (const Key* key = find_key(entry.path)) erase_alternatives(document, *key);
-    const auto dot = entry.path.find('.');
-    const std::string section = entry.path.substr(0, dot);
-    if (dot != std::string::npos && !document.find_section(section))
+    const std::string section(section_of(entry.path));
+    if (!section.empty() && !document.find_section(section))
         document.sections.push_back({section, entry.place});
     document.entries.push_back(std::move(entry));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "io/case_keys.h"
 #include "io/disguise.h"
 #include "io/messages.h"
 
@@ -48,17 +49,42 @@ std::string path_of(const std::string& prefix, std::string_view key) {
 struct Positioned {
     toml::source_position at;
     Entry entry;
+    const toml::table* table;  // null: the entry is none
 };
 
-void collect(const toml::table& table, const std::string& prefix, const std::string& name,
-             const Disguise& disguise, std::vector<Positioned>& out) {
+using Items = std::vector<Positioned>;
+
+void sort(Items& items) {
+    std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+}
+
+Items items_of(const toml::table& table, const std::string& prefix, const std::string& name,
+               const Disguise& disguise) {
+    Items out;
     for (const auto& [key, node] : table) {
         const auto& at = key.source().begin;
         out.push_back({at,
                        {.path = path_of(prefix, disguise.take_off(key.str())),
                         .value = value_of(node, disguise),
                         .place = place(name, node.source().begin),
-                        .key_place = place(name, at)}});
+                        .key_place = place(name, at)},
+                       node.as_table()});
+    }
+    sort(out);
+    return out;
+}
+
+// Sections go to the document, keys to `keys`. Goes as deep as known sections are.
+void flatten(const toml::table& table, const std::string& prefix, const Disguise& disguise,
+             Document& document, Items& keys) {
+    for (auto& item : items_of(table, prefix, document.name, disguise)) {
+        const std::string path = item.entry.path;
+        if (item.table && (prefix.empty() || is_section(path))) {
+            document.sections.push_back({path, item.entry.place});
+            flatten(*item.table, path + '.', disguise, document, keys);
+        } else {
+            keys.push_back(std::move(item));
+        }
     }
 }
 
@@ -163,28 +189,18 @@ const Document::Section* Document::find_section(std::string_view section) const 
 
 std::string Document::place_of(std::string_view path) const {
     if (const Entry* entry = find(path)) return entry->place;
-    const Section* section = find_section(path.substr(0, path.find('.')));
+    const Section* section = find_section(section_of(path));
     return section ? section->place : name + ":1:1";
 }
 
 Document parse_document(std::string_view text, const std::string& name) {
     Disguise disguise;
     const toml::table root = parse_toml(text, name, disguise);
-    std::vector<Positioned> top, all;
-    collect(root, "", name, disguise, top);
-    std::sort(top.begin(), top.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
     Document document{.name = name, .sections = {}, .entries = {}};
-    for (auto& item : top) {
-        const toml::table* section = root.get_as<toml::table>(item.entry.path);
-        if (!section) {
-            all.push_back(std::move(item));
-            continue;
-        }
-        document.sections.push_back({item.entry.path, item.entry.place});
-        collect(*section, item.entry.path + '.', name, disguise, all);
-    }
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-    for (auto& item : all) document.entries.push_back(std::move(item.entry));
+    Items keys;
+    flatten(root, "", disguise, document, keys);
+    sort(keys);
+    for (auto& item : keys) document.entries.push_back(std::move(item.entry));
     return document;
 }
 

@@ -33,7 +33,8 @@ struct Entry {
     std::string subject() const { return path + " = " + shown(value); }
 };
 
-/// A TOML text flattened to two levels, sections and keys, in the order of the text.
+/// A TOML text flattened to sections and keys, in the order of the text. Tables at the top are
+/// sections, and those in them that are known as such ("substrate.relaxation").
 struct Document {
     struct Section {
         std::string name;

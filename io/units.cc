@@ -21,11 +21,17 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 5> all{{{"pure number", "a pure number", "1", "0.5"},
-                                                {"length", "a length", "m", "40 mm"},
-                                                {"pressure", "a pressure", "Pa", "5.2 MPa"},
-                                                {"force", "a force", "N", "21.1 N"},
-                                                {"angle", "an angle", "rad", "90 deg"}}};
+    static constexpr std::array<Traits, 10> all{
+        {{"pure number", "a pure number", "1", "0.5"},
+         {"length", "a length", "m", "40 mm"},
+         {"pressure", "a pressure", "Pa", "5.2 MPa"},
+         {"force", "a force", "N", "21.1 N"},
+         {"angle", "an angle", "rad", "90 deg"},
+         {"time", "a time", "s", "60 s"},
+         {"velocity", "a velocity", "m/s", "1 mm/s"},
+         {"viscosity", "a viscosity", "Pa s", "40 Pa s"},
+         {"frequency", "a frequency", "Hz", "0.21 Hz"},
+         {"angular frequency", "an angular frequency", "rad/s", "1.3 rad/s"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 
@@ -65,22 +71,28 @@ class UnitDatabase {
         return Owned<ut_unit>(ut_parse(system_.get(), text.c_str(), UT_ASCII));
     }
 
-    // The radian is dimensionless: convertibility alone takes "50 percent" for an angle and
-    // "40 mm deg" for a length. The definition in basic units shows the radian.
+    // Convertibility alone takes "50 percent" for an angle and "40 mm deg" for a length, since the
+    // radian is dimensionless, and "5 s" for a frequency, since UDUNITS-2 takes reciprocals. The
+    // definition in basic units shows it: a factor and the definition of the SI unit.
     bool has_dimension(const ut_unit* unit, Dimension dimension) const {
         const auto si = parse(std::string(traits(dimension).si_unit));
         if (!ut_are_convertible(unit, si.get())) return false;
-        std::array<char, 256> buffer{};
-        const int length = ut_format(unit, buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
-        if (length < 0 || length >= static_cast<int>(buffer.size())) return false;
-        const std::string_view definition(buffer.data(), static_cast<std::size_t>(length));
-        if (dimension == Dimension::angle) return definition.ends_with("rad");
-        return definition.find("rad") == std::string_view::npos;
+        const std::string definition = definition_of(unit);
+        const bool logarithmic = definition.ends_with(')');  // refused as no multiple, later
+        return logarithmic || definition.ends_with(definition_of(si.get()));
     }
 
     std::mutex mutex;
 
   private:
+    // In basic units; empty if it is too long for any of ours.
+    static std::string definition_of(const ut_unit* unit) {
+        std::array<char, 256> buffer{};
+        const int length = ut_format(unit, buffer.data(), buffer.size(), UT_ASCII | UT_DEFINITION);
+        if (length < 0 || length >= static_cast<int>(buffer.size())) return {};
+        return {buffer.data(), static_cast<std::size_t>(length)};
+    }
+
     UnitDatabase() {
         ut_set_error_message_handler(ut_ignore);
         system_.reset(ut_read_xml(nullptr));
@@ -166,7 +178,9 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
         refuse(shown + " is not a unit that UDUNITS-2 knows (case matters: MPa, mm)", dimension);
     if (!database.has_dimension(unit.get(), dimension)) {
         for (const auto other :
-             {Dimension::length, Dimension::pressure, Dimension::force, Dimension::angle})
+             {Dimension::length, Dimension::pressure, Dimension::force, Dimension::angle,
+              Dimension::time, Dimension::velocity, Dimension::viscosity, Dimension::frequency,
+              Dimension::angular_frequency})
             if (other != dimension && database.has_dimension(unit.get(), other))
                 refuse(shown + " is a unit of " + std::string(traits(other).name) +
                            ", but this is " + std::string(name_of(dimension)),

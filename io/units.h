@@ -6,7 +6,18 @@
 namespace tricontact::io {
 
 /// Physical dimensions of case files.
-enum class Dimension { none, length, pressure, force, angle };
+enum class Dimension {
+    none,
+    length,
+    pressure,
+    force,
+    angle,
+    time,
+    velocity,
+    viscosity,
+    frequency,
+    angular_frequency
+};
 
 std::string_view name_of(Dimension dimension);     ///< "a length"
 std::string_view si_unit(Dimension dimension);     ///< "m", "Pa", "N", "rad"

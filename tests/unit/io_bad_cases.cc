@@ -76,7 +76,7 @@ periods = 12
 
 TEST(BadCases, DifferFromAGoodOne) {
     EXPECT_NO_THROW(parse_case(good, "good.toml"));
-    EXPECT_GE(bad_files().size(), 120U);
+    EXPECT_GE(bad_files().size(), 140U);
 }
 
 struct BadOverride {

@@ -316,6 +316,10 @@ TEST(CaseReader, ThreadsMayReadAtOnce) {
     EXPECT_EQ(equal, std::vector<int>(4, 50));
 }
 
+bool relaxes(const Key& key) {
+    return key.section() == "substrate.relaxation" || key.needs == "substrate.relaxation";
+}
+
 // The key, what it needs, and what its section needs unless the case has that section anyway.
 std::vector<const Key*> with_companions(const Key& key) {
     std::vector<const Key*> keys{&key};
@@ -323,7 +327,10 @@ std::vector<const Key*> with_companions(const Key& key) {
         if (std::find(keys.begin(), keys.end(), one) == keys.end()) keys.push_back(one);
     };
     for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (!keys[i]->needs.empty()) add(find_key(keys[i]->needs));
+        if (const Key* needed = find_key(keys[i]->needs)) add(needed);
+        const bool said = key.alternative > 0 || find_key(key.needs);
+        if (relaxes(*keys[i]) && !said) add(find_key("substrate.relaxation.G2"));
+        if (relaxes(*keys[i])) add(find_key("rolling.speed"));
         for (const Key& other : case_keys())
             if (other.required && other.section() == "lower_layer" &&
                 keys[i]->section() == "lower_layer")
@@ -335,6 +342,7 @@ std::vector<const Key*> with_companions(const Key& key) {
 TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
     for (const Key& key : case_keys()) {
         EXPECT_FALSE(key.text.empty()) << key.path;
+        if (key.path == "substrate.relaxation.dma") continue;  // a file: io_relaxation.cc
         std::vector<std::string> overrides;
         for (const Key* one : with_companions(key))
             overrides.push_back(std::string(one->path) + "=" + std::string(one->example));

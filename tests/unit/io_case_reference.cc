@@ -49,6 +49,9 @@ std::string admissible(const Key& key) {
             return "number " + limits(key);
         case Key::Kind::quantity:
             return std::string(name_of(key.dimension)) + ' ' + limits(key);
+        case Key::Kind::quantity_list:
+            return "list of up to " + std::to_string(longest_list) + ", each " +
+                   std::string(name_of(key.dimension)) + ' ' + limits(key);
     }
     return {};
 }
@@ -64,7 +67,9 @@ std::string default_of(const Key& key) {
 
 std::string row(const Key& key) {
     std::string meaning(key.text);
-    if (!key.needs.empty()) {
+    if (is_section(key.needs)) {
+        meaning += "; only with " + code('[' + std::string(key.needs) + ']');
+    } else if (!key.needs.empty()) {
         const Key& other = *find_key(key.needs);
         meaning +=
             "; only with " + code(other.section() == key.section() ? other.name() : other.path);

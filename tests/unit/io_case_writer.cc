@@ -112,6 +112,25 @@ Case::Fem any_fem(double contact_radius, bool used) {
     return fem;
 }
 
+// One of three, with times that differ.
+void relax(Case& c) {
+    c.relaxation = contact::Relaxation{};
+    if (c.substrate.poisson == 0.5)
+        c.relaxation->bulk =
+            one_of({contact::Relaxation::Bulk::proportional, contact::Relaxation::Bulk::elastic});
+    const int n = *rc::gen::inRange(1, 6);
+    for (int i = 0; i < n; ++i) {
+        c.relaxation_input.moduli.push_back(of_magnitude(2, 11));
+        c.relaxation_input.times.push_back(of_magnitude(i - 4, i - 3));
+        c.relaxation->branches.push_back(
+            {c.relaxation_input.moduli.back() / c.substrate.shear_modulus(),
+             c.relaxation_input.times.back()});
+    }
+    c.load.press_time = between(0, 10);
+    c.load.hold = between(0, 1000);
+    if (c.rolling) c.rolling->speed = of_magnitude(-6, 3);
+}
+
 // A case that the reader accepts; scales spread over many decades.
 Case any_case() {
     Case c;
@@ -144,6 +163,9 @@ Case any_case() {
     const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
     if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w);
     if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
+    const bool between_turning_points =
+        c.rolling && c.rolling->steps == Case::Steps::turning_points;
+    if (!between_turning_points && *rc::gen::arbitrary<bool>()) relax(c);
     c.contact = {.coupling = *rc::gen::arbitrary<bool>(),
                  .kinematics = one_of({Case::Kinematics::linear, Case::Kinematics::deformed})};
     c.fem = any_fem(a, fem);
@@ -174,6 +196,8 @@ void same(const Case::Load& a, const Case::Load& b) {
     same(a.tangential_phase, b.tangential_phase);
     RC_ASSERT(a.press == b.press);
     RC_ASSERT(a.press_steps == b.press_steps);
+    same(a.press_time, b.press_time);
+    same(a.hold, b.hold);
 }
 
 void same(const Case::Layer& a, const Case::Layer& b) {
@@ -208,6 +232,19 @@ void same(const Case::Rolling& a, const Case::Rolling& b) {
     RC_ASSERT(a.steps == b.steps);
     same(a.increment, b.increment);
     RC_ASSERT(a.steps_per_quarter == b.steps_per_quarter);
+    same(a.speed, b.speed);
+}
+
+void same(const std::optional<contact::Relaxation>& a,
+          const std::optional<contact::Relaxation>& b) {
+    RC_ASSERT(a.has_value() == b.has_value());
+    if (!a) return;
+    RC_ASSERT(a->bulk == b->bulk);
+    RC_ASSERT(a->branches.size() == b->branches.size());
+    for (std::size_t i = 0; i < a->branches.size(); ++i) {
+        same(a->branches[i].ratio, b->branches[i].ratio);
+        same(a->branches[i].time, b->branches[i].time);
+    }
 }
 
 void same(const Case& a, const Case& b) {
@@ -218,6 +255,7 @@ void same(const Case& a, const Case& b) {
     RC_ASSERT(a.indenter.material.has_value() == b.indenter.material.has_value());
     if (a.indenter.material) same(*a.indenter.material, *b.indenter.material);
     same(a.substrate, b.substrate);
+    same(a.relaxation, b.relaxation);
     same(a.friction_coefficient, b.friction_coefficient);
     same(a.load, b.load);
     RC_ASSERT(a.rolling.has_value() == b.rolling.has_value());

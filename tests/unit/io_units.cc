@@ -39,7 +39,15 @@ INSTANTIATE_TEST_SUITE_P(
         Good{"90 deg", Dimension::angle, 90 * degree},
         Good{"90 degrees", Dimension::angle, 90 * degree},
         Good{"90\u00b0", Dimension::angle, 90 * degree}, Good{"-0.5 rad", Dimension::angle, -0.5},
-        Good{"200 mrad", Dimension::angle, 0.2}));
+        Good{"200 mrad", Dimension::angle, 0.2}, Good{"60 s", Dimension::time, 60},
+        Good{"2 min", Dimension::time, 120}, Good{"250 ms", Dimension::time, 0.25},
+        Good{"1 mm/s", Dimension::velocity, 1e-3}, Good{"6 m/min", Dimension::velocity, 0.1},
+        Good{"40 Pa s", Dimension::viscosity, 40}, Good{"40 mPa.s", Dimension::viscosity, 0.04},
+        Good{"2 N s/m^2", Dimension::viscosity, 2}, Good{"4 poise", Dimension::viscosity, 0.4},
+        Good{"0.21 Hz", Dimension::frequency, 0.21}, Good{"3 kHz", Dimension::frequency, 3000},
+        Good{"2 rad/s", Dimension::angular_frequency, 2},
+        Good{"2 rad s-1", Dimension::angular_frequency, 2},
+        Good{"180 deg/s", Dimension::angular_frequency, std::numbers::pi}));
 
 TEST(Quantities, DecimalTextsGiveTheNearestDouble) {
     EXPECT_EQ(parse_quantity("1.1 mm", Dimension::length), 0.0011);
@@ -82,7 +90,19 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"40 mm", Dimension::pressure, "\"mm\" is a unit of length, but this is a pressure"},
         Bad{"40 deg", Dimension::length, "\"deg\" is a unit of angle, but this is a length"},
         Bad{"40 mm", Dimension::angle, "\"mm\" is a unit of length, but this is an angle"},
-        Bad{"40 s", Dimension::length, "\"s\" is not a unit of length"},
+        Bad{"40 s", Dimension::length, "\"s\" is a unit of time, but this is a length"},
+        Bad{"40 K", Dimension::length, "\"K\" is not a unit of length"},
+        Bad{"5 s", Dimension::frequency, "\"s\" is a unit of time, but this is a frequency"},
+        Bad{"5 Hz", Dimension::time, "\"Hz\" is a unit of frequency, but this is a time"},
+        Bad{"5 rad/s", Dimension::frequency,
+            "\"rad/s\" is a unit of angular frequency, but this is a frequency"},
+        Bad{"5 Hz", Dimension::angular_frequency,
+            "\"Hz\" is a unit of frequency, but this is an angular frequency"},
+        Bad{"5 rad2/s", Dimension::angular_frequency,
+            "\"rad2/s\" is not a unit of angular frequency"},
+        Bad{"5 mm", Dimension::velocity, "\"mm\" is a unit of length, but this is a velocity"},
+        Bad{"5 MPa", Dimension::viscosity,
+            "\"MPa\" is a unit of pressure, but this is a viscosity"},
         Bad{"40 mm2", Dimension::length, "\"mm2\" is not a unit of length"},
         Bad{"40 mm deg", Dimension::length, "\"mm deg\" is not a unit of length"},
         Bad{"40 percent", Dimension::angle, "\"percent\" is not a unit of angle"},

@@ -1,0 +1,137 @@
+#include "io/relaxation_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "contact/error.h"
+#include "io/case_keys.h"
+#include "io/dma_table.h"
+#include "io/messages.h"
+#include "io/refusal.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::Relaxation;
+using Input = Case::RelaxationInput;
+
+const std::string section = "substrate.relaxation.";
+
+void resolve_standard_solid(Input& input) {
+    input.moduli = {*input.maxwell_modulus};
+    input.times = {*input.viscosity / *input.maxwell_modulus};
+    input.maxwell_modulus = input.viscosity = std::nullopt;
+}
+
+// The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
+void resolve_dma(Case& c, const Document& document) {
+    Input& input = c.relaxation_input;
+    const std::string key = section + "dma";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(*input.dma, error))
+        refuse(document, key, "there is no such file: " + *input.dma,
+               "name a table; a relative name is meant from the folder of the case file");
+    try {
+        c.dma_fit = contact::fit_prony(read_dma_table(*input.dma));
+    } catch (const contact::InputError& refused) {
+        const Entry& entry = *document.find(key);
+        fail(entry.place, entry.subject(), refused.what(), {});
+    }
+    for (const auto& [ratio, time] : c.dma_fit->relaxation.branches) {
+        input.moduli.push_back(ratio * c.substrate.shear_modulus());
+        input.times.push_back(time);
+    }
+    input.dma.reset();
+}
+
+void check_lists(const Input& input, const Document& document) {
+    const std::size_t n = input.moduli.size();
+    if (input.times.size() != n)
+        refuse(document, section + "times",
+               "has " + std::to_string(input.times.size()) + " elements, but moduli has " +
+                   std::to_string(n),
+               "give one relaxation time for each modulus");
+    for (auto it = input.times.begin(); it != input.times.end(); ++it)
+        if (std::find(input.times.begin(), it, *it) != it)
+            refuse(document, section + "times", "the time " + rounded(*it) + " s stands twice",
+                   "make one term of the two, with the sum of their moduli");
+}
+
+// Quotients of extreme numbers leave what the keys admit and double precision can hold.
+void check_branches(const Case& c, const std::string& key, const Document& document) {
+    const Range& times = find_key("substrate.relaxation.times")->range;
+    const Range& moduli = find_key("substrate.relaxation.moduli")->range;
+    for (std::size_t i = 0; i < c.relaxation_input.moduli.size(); ++i) {
+        const auto [ratio, time] = c.relaxation->branches[i];
+        if (!times.contains(time))
+            refuse(document, key, "the relaxation time " + rounded(time) + " s is out of range",
+                   "check the units of moduli, viscosity and times");
+        if (!moduli.contains(c.relaxation_input.moduli[i]) || !(ratio > 0) || !std::isfinite(ratio))
+            refuse(document, key,
+                   "the modulus " + rounded(c.relaxation_input.moduli[i]) +
+                       " Pa is out of range or out of proportion to the relaxed shear modulus " +
+                       rounded(c.substrate.shear_modulus()) + " Pa",
+                   "check the units of the moduli and of substrate.young");
+    }
+}
+
+Relaxation::Branch branch(const Case& c, std::size_t i) {
+    return {c.relaxation_input.moduli[i] / c.substrate.shear_modulus(),
+            c.relaxation_input.times[i]};
+}
+
+bool says(const Input& input, const Case& c) {
+    const auto& branches = c.relaxation->branches;
+    if (input.moduli.size() != branches.size() || input.times.size() != branches.size())
+        return false;
+    for (std::size_t i = 0; i < branches.size(); ++i)
+        if (branch(c, i).ratio != branches[i].ratio || branch(c, i).time != branches[i].time)
+            return false;
+    return true;
+}
+
+}  // namespace
+
+void resolve_relaxation(Case& c, const Document& document) {
+    if (!c.relaxation) return;
+    Input& input = c.relaxation_input;
+    std::string key = section + "moduli";
+    if (input.maxwell_modulus) {
+        key = section + "eta";
+        resolve_standard_solid(input);
+    } else if (input.dma) {
+        key = section + "dma";
+        resolve_dma(c, document);
+    }
+    check_lists(input, document);
+    for (std::size_t i = 0; i < input.moduli.size(); ++i)
+        c.relaxation->branches.push_back(branch(c, i));
+    check_branches(c, key, document);
+}
+
+void state_relaxation(Case& c) {
+    if (!c.relaxation || says(c.relaxation_input, c)) return;
+    c.relaxation_input = {};
+    for (const auto& [ratio, time] : c.relaxation->branches) {
+        c.relaxation_input.moduli.push_back(ratio * c.substrate.shear_modulus());
+        c.relaxation_input.times.push_back(time);
+    }
+}
+
+void check_relaxation(const Case& c, const Document& document) {
+    if (!c.relaxation) return;
+    if (c.rolling && c.rolling->steps == Case::Steps::turning_points)
+        refuse(document, "rolling.steps",
+               "a relaxing substrate feels the path between the turning points",
+               "give rolling.steps_per_quarter or rolling.increment instead of rolling.steps");
+    if (c.relaxation->bulk == Relaxation::Bulk::elastic && c.substrate.poisson < 0.5)
+        refuse(document, section + "bulk",
+               "below poisson = 0.5 shear then relaxes without the bulk, and no model of this "
+               "program can do that",
+               "use bulk = \"proportional\", or poisson = 0.5, where both are the same");
+}
+
+}  // namespace tricontact::io
