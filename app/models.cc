@@ -2,6 +2,7 @@
 
 #include "bem/model.h"
 #include "contact/error.h"
+#include "mdr/layer_model.h"
 #include "mdr/model.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
@@ -13,6 +14,8 @@ const std::vector<ModelDescription>& known_models() {
     static const std::vector<ModelDescription> models = {
         {"mdr",
          "method of dimensionality reduction: a bed of independent springs, stepped exactly"},
+        {"mdr-layer",
+         "method of dimensionality reduction of the elastic layer: springs coupled by the layer"},
         {"bem", "boundary elements on the elastic half-space, FFT convolution"},
         {"bem-layer", "boundary elements on the elastic layer, FFT convolution"},
 #ifdef TRICONTACT_WITH_FEM
@@ -25,6 +28,7 @@ const std::vector<ModelDescription>& known_models() {
 std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
                                            int n_threads, [[maybe_unused]] const Say& say) {
     if (name == "mdr") return mdr::make_model(c);
+    if (name == "mdr-layer") return mdr::make_layer_model(c);
     if (name == "bem") return bem::make_model(c, n_threads);
     if (name == "bem-layer") return bem::make_model(c, n_threads, bem::Body::layer);
 #ifdef TRICONTACT_WITH_FEM
