@@ -23,7 +23,7 @@ may_include() {
 may_include contact
 may_include theory contact
 may_include meshes contact
-may_include mdr contact
+may_include mdr contact theory
 may_include bem contact
 may_include fem contact meshes
 may_include fem/distributed contact meshes fem
