@@ -231,6 +231,16 @@ TEST(MdrViscoelastic, OscillatingRolling) {
     EXPECT_GT(material, 0);
     EXPECT_NEAR(rig.shift_per_period.back() / elastic.shift_per_period.back(), 1, .02);
     EXPECT_GT(std::abs(rig.shift_per_period.back() / elastic.shift_per_period.back() - 1), 1e-5);
+
+    // Thesis, eq. 5.1.17: eta = 40 Pa s, omega eta/G1 = 3e-5: elastic if F_T waits for the
+    // pressing.
+    c.load.press_time = 1;
+    const double shear = c.substrate.shear_modulus();
+    c.relaxation = Relaxation{{{1., 40 / shear}}, {}};
+    const auto thesis = settled(c);
+    EXPECT_NEAR(thesis.static_shift / elastic.static_shift, 1, 1e-4);
+    EXPECT_NEAR(thesis.shift_per_period.back() / elastic.shift_per_period.back(), 1, 1e-4);
+    EXPECT_NE(thesis.shift_per_period.back(), elastic.shift_per_period.back());
 }
 
 }  // namespace
