@@ -41,7 +41,7 @@ PronySeries spread_out(const DmaTable& table, std::size_t n) {
     return out;
 }
 
-// One term more, at the end of the window (0, 1) or in its middle (1/2).
+// One term more, at the fast (0) or the slow end (1) of the window.
 PronySeries with_one_more(PronySeries series, const DmaTable& table, double where) {
     const double span = std::log(table.omega.back() / table.omega.front());
     const double omega = table.omega.back() * std::exp(-span * where);
@@ -55,7 +55,7 @@ std::optional<PronyDescent> best_of(const DmaTable& table, std::size_t n,
                                     const std::optional<PronyDescent>& fewer) {
     std::vector<PronySeries> guesses{spread_out(table, n)};
     if (fewer)
-        for (const double where : {0., 0.5, 1.})
+        for (const double where : {0., 1.})
             guesses.push_back(with_one_more(fewer->series, table, where));
     std::optional<PronyDescent> best;
     for (const PronySeries& guess : guesses) {

@@ -16,7 +16,7 @@ namespace tricontact::io {
 
 namespace {
 
-constexpr std::size_t most_rows = 10000;
+constexpr std::size_t most_rows = 1000;  // an analysis has dozens
 constexpr std::array<std::string_view, 3> names{"frequency", "G'", "G''"};
 constexpr const char* header_remedy = "write for example frequency [Hz], G' [MPa], G'' [MPa]";
 

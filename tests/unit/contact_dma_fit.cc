@@ -122,6 +122,44 @@ TEST(DmaFit, QualityIsThatOfTheSeriesItReturns) {
     EXPECT_NEAR(fit.worst.residual, 1 / 1.3 - 1, 0.05);  // noise of 1 %, and the fit gives way
 }
 
+// Sum of the squared relative residuals of G_inf (1 + sum g_i ...), the table's rows all counted.
+double squares(const DmaTable& table, double relaxed, const Relaxation& relaxation) {
+    double sum = 0;
+    for (std::size_t k = 0; k < table.size(); ++k) {
+        const auto modulus = relaxed * relaxation.dynamic_ratio(table.omega[k]);
+        sum += std::pow(modulus.real() / table.storage[k] - 1, 2) +
+               std::pow(modulus.imag() / table.loss[k] - 1, 2);
+    }
+    return sum;
+}
+
+// Newton's step of a function of one variable from its values at -h, 0, h.
+double newton_step(double below, double here, double above, double h) {
+    return -(above - below) / (above + below - 2 * here) * h / 2;
+}
+
+TEST(DmaFit, IsTheMinimumOfTheSquares) {
+    const DmaTable table = table_of(2e6, {{0.5, 0.05}, {0.3, 2}}, 41, 0.05, 200, 0.03);
+    const DmaFit fit = fit_prony(table);
+    const double h = 1e-4, here = squares(table, fit.relaxed_modulus, fit.relaxation);
+    // Of the differences h^2 and rounding, 1e-16 N/(h rms^2), are left: below 1e-7. With a wrong
+    // derivative the descent ends a good part of the parameters' uncertainty off, 1e-5 to 1e-3.
+    const double allowed = 1e-6;
+    EXPECT_NEAR(newton_step(squares(table, fit.relaxed_modulus * (1 - h), fit.relaxation), here,
+                            squares(table, fit.relaxed_modulus * (1 + h), fit.relaxation), h),
+                0, allowed);
+    for (std::size_t i = 0; i < fit.relaxation.branches.size(); ++i)
+        for (double Relaxation::Branch::*const member :
+             {&Relaxation::Branch::ratio, &Relaxation::Branch::time}) {
+            const auto moved = [&](double factor) {
+                Relaxation other = fit.relaxation;
+                other.branches[i].*member *= factor;
+                return squares(table, fit.relaxed_modulus, other);
+            };
+            EXPECT_NEAR(newton_step(moved(1 - h), here, moved(1 + h), h), 0, allowed) << i;
+        }
+}
+
 // A power law, the spectrum of which has no gaps: G' = S w^m cos(m pi/2), G'' = S w^m sin(m pi/2)
 // above a plateau.
 TEST(DmaFit, OneTermPerDecadeFollowsAPowerLaw) {

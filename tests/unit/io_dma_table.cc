@@ -121,11 +121,11 @@ TEST(DmaTable, RemediesShowTheHeader) {
     }
 }
 
-TEST(DmaTable, HasAtMostTenThousandRows) {
+TEST(DmaTable, HasAtMostAThousandRows) {
     std::string text = "frequency [Hz], G' [MPa], G'' [MPa]\n";
-    for (int k = 1; k <= 10000; ++k) text += std::to_string(k) + ",2,3\n";
-    EXPECT_EQ(parse_dma_table(text, "dma.csv").size(), 10000U);
-    EXPECT_THROW(parse_dma_table(text + "10001,2,3\n", "dma.csv"), contact::InputError);
+    for (int k = 1; k <= 1000; ++k) text += std::to_string(k) + ",2,3\n";
+    EXPECT_EQ(parse_dma_table(text, "dma.csv").size(), 1000U);
+    EXPECT_THROW(parse_dma_table(text + "1001,2,3\n", "dma.csv"), contact::InputError);
 }
 
 TEST(DmaTable, OfAFileIsNamedByTheFile) {
