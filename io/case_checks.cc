@@ -55,17 +55,15 @@ void check_sphere(const Case& c, const HertzScales& s, const Document& document)
 }
 
 void check_coupling(const Case& c, const Document& document) {
-    const bool half_space = std::any_of(c.models.begin(), c.models.end(), [](const auto& model) {
-        return model == "mdr" || model == "bem";
-    });
+    const bool mdr = std::find(c.models.begin(), c.models.end(), "mdr") != c.models.end();
     const double beta = c.materials().dundurs_beta();
-    if (!half_space || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
+    if (!mdr || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
     refuse(document, "substrate.poisson",
            "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
-               " in magnitude: normal and tangential contact are coupled, which mdr and bem do not "
-               "model",
+               " in magnitude: normal and tangential contact are coupled, which mdr does not model",
            "take an incompressible substrate (poisson = 0.5) under a stiff indenter, or two bodies "
-           "of the same young and poisson; or set contact.coupling = false: the coupling is then "
+           "of the same young and poisson; or leave out mdr; or set contact.coupling = false: the "
+           "coupling is then "
            "left out, and the report says so");
 }
 
@@ -209,7 +207,8 @@ void check_case(const Case& c, const Document& document) {
     check_friction_limit(c, document);
     const double steps = check_steps(c, scales, document);
     for (const std::string& model : c.models) {
-        if (model == "bem") check_bem(c, scales, steps, document);
+        if (model == "bem-layer") check_layer(model, c, document);
+        if (model == "bem" || model == "bem-layer") check_bem(c, scales, steps, document);
         if (model == "mdr") check_mdr(c, scales, steps, document);
         if (model == "fem") check_fem(c, steps, document);
     }

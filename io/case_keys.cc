@@ -20,7 +20,7 @@ void add_top(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.title; }});
     keys.push_back({.path = "models",
                     .kind = Kind::choice_list,
-                    .choices = {{"mdr"}, {"mdr-layer"}, {"bem"}, {"fem"}},
+                    .choices = {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}},
                     .required = true,
                     .example = R"(["mdr", "bem"])",
                     .text = "models that compute the case",

@@ -25,12 +25,6 @@ double plane_compliance(const Material& body) {
     return (1 - body.poisson * body.poisson) / body.young;
 }
 
-void check_layer(const Case& c, const Document& document) {
-    if (c.layer.thickness) return;
-    refuse(document, "models", "fem models a layer, but the case has no substrate.thickness",
-           "add thickness = \"8 mm\" or the like to [substrate], or leave out fem");
-}
-
 void check_indenter(const Case& c, const Document& document) {
     if (!c.indenter.material) return;
     const double ratio = plane_compliance(*c.indenter.material) / plane_compliance(c.substrate);
@@ -165,8 +159,14 @@ RadiusBounds contact_radius_bounds(const Case& c) {
     return {softer > 1 ? 0 : hertz, 2 * hertz};
 }
 
+void check_layer(const std::string& model, const Case& c, const Document& document) {
+    if (c.layer.thickness) return;
+    refuse(document, "models", model + " models a layer, but the case has no substrate.thickness",
+           "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+}
+
 void check_fem(const Case& c, double steps, const Document& document) {
-    check_layer(c, document);
+    check_layer("fem", c, document);
     check_indenter(c, document);
     const RadiusBounds a = contact_radius_bounds(c);
     const Patch patch = patch_of(c, a.low);
