@@ -190,6 +190,12 @@ class Iteration {
     std::size_t n_contact_ = 0;
 };
 
+NormalSolution out_of_contact(std::size_t n, double indentation) {
+    return {.pressure = std::vector<double>(n),
+            .displacement = std::vector<double>(n),
+            .indentation = indentation};
+}
+
 }  // namespace
 
 NormalSolver::NormalSolver(const Compliance& compliance, double tolerance)
@@ -202,6 +208,9 @@ NormalSolution NormalSolver::solve(const std::vector<double>& height, const Norm
     if (!(control.value > 0))
         throw InputError("normal contact: the prescribed force or indentation must be positive");
     NormalSolution solution;
+    if (control.kind == NormalControl::Kind::indentation &&
+        std::ranges::none_of(height, [&](double h) { return h < control.value; }))
+        return out_of_contact(height.size(), control.value);
     if (active_set_ && active_set_->solve(height, control, start, solution) &&
         solution.residual <= tolerance_)
         return solution;

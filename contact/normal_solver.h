@@ -30,7 +30,8 @@ class NormalSolver {
     NormalSolver(const Compliance& compliance, double tolerance);
 
     /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
-    /// a similar problem, or empty. Throws NotConverged.
+    /// a similar problem, or empty. A height that the indentation nowhere reaches gives no force.
+    /// Throws NotConverged.
     NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
                          const std::vector<double>& start = {}) const;
 

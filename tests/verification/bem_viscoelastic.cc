@@ -1,0 +1,187 @@
+// A relaxing half-space under a rigid paraboloid, frictionless: Lee and Radok (1960) while the
+// contact grows, Ting (1966) when it shrinks.
+
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <vector>
+
+#include "bem/model.h"
+#include "contact/load_path.h"
+
+namespace tricontact {
+namespace {
+
+using contact::Case;
+using contact::LoadStep;
+using contact::NormalControl;
+using contact::StepRecord;
+
+constexpr double radius = .04, shear = 1.5e6, ratio = 1.7, tau = .3;
+
+Case rubber(double cells_per_radius = 15) {
+    Case c;
+    c.indenter.radius = radius;
+    c.substrate = {3 * shear, .5};
+    c.relaxation = contact::Relaxation{{{ratio, tau}}, contact::Relaxation::Bulk::proportional};
+    c.friction_coefficient = .5;
+    c.load.indentation = 4e-4;
+    c.load.tangential_force = 0;
+    c.bem.cells_per_radius = cells_per_radius;
+    return c;
+}
+
+double relaxation(double t) {
+    return shear * (1 + ratio * std::exp(-t / tau));
+}
+double creep(double t) {
+    return (1 - ratio / (1 + ratio) * std::exp(-t / (tau * (1 + ratio)))) / shear;
+}
+
+LoadStep step(NormalControl::Kind kind, double value, double duration) {
+    LoadStep s;
+    s.normal = {kind, value};
+    s.duration = duration;
+    s.friction = false;
+    return s;
+}
+
+// F = 16/3 sqrt(R) G d^(3/2) of the elastic incompressible half-space.
+double hertz_force(double g, double d) {
+    return 16. / 3 * std::sqrt(radius) * g * std::pow(d, 1.5);
+}
+
+/// Indentations while a force that is applied at once stays: d^(3/2) ~ F J(t).
+struct Creep {
+    double worst = 0;  ///< relative error
+    double end = 0;    ///< d [m] after the last step
+};
+Creep creep_in(int n_steps) {
+    const Case c = rubber();
+    const auto model = bem::make_model(c, 1);
+    const double force = hertz_force(shear, 3e-4), end = 3 * tau;
+    Creep result;
+    model->advance(step(NormalControl::Kind::force, force, 0));
+    for (int k = 1; k <= n_steps; ++k) {
+        result.end =
+            model->advance(step(NormalControl::Kind::force, force, end / n_steps)).indentation;
+        const double exact = 3e-4 * std::pow(creep(k * end / n_steps) * shear, 2. / 3);
+        result.worst = std::max(result.worst, std::abs(result.end / exact - 1));
+    }
+    EXPECT_TRUE(model->audit().passed());
+    return result;
+}
+
+TEST(BemViscoelastic, LeeAndRadokUnderConstantForce) {
+    // 15 cells in a: 5e-4 of d without relaxation.
+    EXPECT_LT(creep_in(24).worst, .001);
+    // Second order in the step, on the same grid.
+    const double coarse = creep_in(1).end, middle = creep_in(2).end, fine = creep_in(4).end;
+    EXPECT_NEAR(std::log2((coarse - middle) / (middle - fine)), 2, .3);
+}
+
+/// d rises to `highest` at a constant rate, and falls again.
+struct Triangle {
+    double highest = 3e-4, turn = .5;
+    double at(double t) const { return highest / turn * (t <= turn ? t : 2 * turn - t); }
+    /// Lee and Radok; with an end before now Ting, who leaves out what has come after it.
+    double force(double now, double end) const {
+        const double rate = highest / turn;
+        const auto integrand = [&](double s) {
+            return relaxation(now - s) * 1.5 * std::sqrt(rate * s) * rate;
+        };
+        return 16. / 3 * std::sqrt(radius) *
+               boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, 0., end, 15,
+                                                                             1e-12);
+    }
+    /// When the contact was last as large as now: the surface it leaves has not moved since.
+    double same_contact_before(double now) const {
+        const auto g = [](double from, double to) {  // integral of G(s) over the age s
+            return shear * (to - from) +
+                   shear * ratio * tau * (std::exp(-from / tau) - std::exp(-to / tau));
+        };
+        const auto balance = [&](double t) { return g(now - turn, now - t) - g(0, now - turn); };
+        boost::math::tools::eps_tolerance<double> tolerance(40);
+        std::uintmax_t iterations = 100;
+        const auto [low, high] =
+            boost::math::tools::toms748_solve(balance, 0., turn, tolerance, iterations);
+        return (low + high) / 2;
+    }
+};
+
+TEST(BemViscoelastic, LeeAndRadokAndTing) {
+    const Case c = rubber();
+    const auto model = bem::make_model(c, 1);
+    const Triangle path;
+    const double peak = path.force(path.turn, path.turn);
+    const int n = 60;
+    double last_force = 1;
+    for (int k = 1; k <= 2 * n - 1; ++k) {
+        const double t = k * path.turn / n;
+        const StepRecord r =
+            model->advance(step(NormalControl::Kind::indentation, path.at(t), path.turn / n));
+        if (k < n / 6) continue;  // few cells in contact yet
+        if (k <= n) {
+            EXPECT_NEAR(r.normal_force / path.force(t, t), 1, .005) << k;  // the cells
+            continue;
+        }
+        // The contact is lost before the indenter is back.
+        const auto since = [](double a) {
+            return shear * a + shear * ratio * tau * (1 - std::exp(-a / tau));
+        };
+        if (since(t) - since(t - path.turn) <= since(t - path.turn)) {
+            last_force = r.normal_force;
+            break;
+        }
+        EXPECT_NEAR(r.normal_force / peak, path.force(t, path.same_contact_before(t)) / peak, .005)
+            << k;
+    }
+    EXPECT_NEAR(last_force / peak, 0, .005);
+    EXPECT_TRUE(model->audit().passed());
+}
+
+TEST(BemViscoelastic, HeldIndentationRelaxes) {
+    const Case c = rubber();
+    const auto model = bem::make_model(c, 1);
+    const double at_once =
+        model->advance(step(NormalControl::Kind::indentation, 3e-4, 0)).normal_force;
+    double t = 0, stored = 0, dissipated = 0;
+    for (const double duration : {.05, .1, .4, 1., 30.}) {
+        t += duration;
+        const auto r = model->advance(step(NormalControl::Kind::indentation, 3e-4, duration));
+        // The contact stays as it is; the strain is constant: exact in any step.
+        EXPECT_NEAR(r.normal_force / at_once, relaxation(t) / relaxation(0), 1e-6) << t;
+        stored = r.stored_energy;
+        dissipated += r.material_dissipation;
+    }
+    // The branch's spring has lost all it had: g of the relaxed spring's energy.
+    EXPECT_NEAR(dissipated / stored, ratio, 1e-6);
+    EXPECT_TRUE(model->audit().passed());
+}
+
+// No second spring, no dashpot, a dashpot that blocks; the latter two to their small parameter.
+TEST(BemViscoelastic, ElasticLimits) {
+    const auto force = [](const std::optional<contact::Relaxation>& relaxation, double young) {
+        Case c = rubber(8);
+        c.relaxation = relaxation;
+        c.substrate.young = young;
+        const auto model = bem::make_model(c, 1);
+        double last = 0;
+        for (int k = 1; k <= 5; ++k)
+            last =
+                model->advance(step(NormalControl::Kind::indentation, k * 6e-5, .1)).normal_force;
+        return last;
+    };
+    const auto solid = [](double g, double t) {
+        return contact::Relaxation{{{g, t}}, contact::Relaxation::Bulk::proportional};
+    };
+    const double relaxed = force({}, 3 * shear), glassy = force({}, 3 * shear * (1 + ratio));
+    EXPECT_NEAR(force(solid(1e-9, tau), 3 * shear) / relaxed, 1, 1e-8);
+    EXPECT_NEAR(force(solid(ratio, 1e-9), 3 * shear) / relaxed, 1, 1e-7);
+    EXPECT_NEAR(force(solid(ratio, 1e9), 3 * shear) / glassy, 1, 1e-8);
+}
+
+}  // namespace
+}  // namespace tricontact
