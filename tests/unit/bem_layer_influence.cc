@@ -94,7 +94,7 @@ TEST(BemLayerInfluence, IsTheFourierTransformOfTheCompliance) {
     expect_fourier({{{{2.3, .5}, 1}, {{8, .2}, .5}}, LayerBase::bonded, {}}, .15, .1);
 }
 
-// The force of a far cell is that of a point; a bonded layer hardly feels it.
+// A bonded layer hardly feels a far force, where the half-space's 1/r is 2e-3 of the nearest.
 TEST(BemLayerInfluence, FallsFasterThanTheHalfSpace) {
     const LayerStack stack{{{{2.3, .5}, 1}}, LayerBase::bonded, {}};
     const LayerInfluence layer(stack, {}, .1, .1, 20);
@@ -102,7 +102,7 @@ TEST(BemLayerInfluence, FallsFasterThanTheHalfSpace) {
     for (const double r : {12., 16., 19.}) {
         const auto k = layer.at(r, 0);
         for (const double value : {k.zz, k.xx, k.yy, k.xz})
-            EXPECT_LT(std::abs(value), 1e-6 * near) << r;
+            EXPECT_LT(std::abs(value), 1e-5 * near) << r;
     }
 }
 
