@@ -20,6 +20,7 @@ constexpr double across_45 = 22.5;
 contact::Case static_case(double cells_per_radius) {
     contact::Case c = rig_case(.2, .5, 1);
     c.rolling.reset();
+    c.contact.coupling = false;  // no friction in Hertz' theory
     c.bem.spacing.reset();
     c.bem.cells_per_radius = cells_per_radius;
     return c;

@@ -75,7 +75,8 @@ Case in_other_units(Case c, double length, double stress) {
 }
 
 void unitless(const std::string& model) {
-    const Case c = random_richer_case();
+    Case c = random_richer_case();
+    c.contact.coupling = false;  // whose turns end at another digit in other units
     const double length = drawn_scale(1e-6, 1e6), stress = drawn_scale(1e-6, 1e6);
     const auto a = run(model, c), b = run(model, in_other_units(c, length, stress));
     check_equal(model, a, b, {1, 1});
@@ -94,7 +95,8 @@ RC_GTEST_PROP(PropertiesScaling, UnitsDoNotMatterMdr, ()) {
 
 // A paraboloid under constant loads: u depends on w, f_T, nu (and the angle) alone.
 void scaleless(const std::string& model) {
-    const Case c = random_case();
+    Case c = random_case();
+    c.contact.coupling = false;  // else the friction coefficient matters, over Dundurs' beta
     Case other = c;
     draw_scales(other);
     if (model == "mdr") other.substrate.poisson = drawn(0, .5);  // not even nu
