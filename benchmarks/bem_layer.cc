@@ -1,0 +1,63 @@
+// What the layer without a mesh costs, and what a relaxing substrate adds.
+
+#include <benchmark/benchmark.h>
+
+#include "bem/grid_compliance.h"
+#include "bem/model.h"
+#include "benchmarks/rig.h"
+#include "contact/run.h"
+
+namespace tricontact::benchmarks {
+namespace {
+
+contact::Case layer() {
+    contact::Case c = rig(0.24, 0.56);
+    c.indenter.material.reset();
+    c.layer.thickness = 8e-3;
+    return c;
+}
+
+/// All coefficients of the rig's grid, and their transforms.
+void layer_coefficients(benchmark::State& state) {
+    const contact::Case c = layer();
+    const auto grid = contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4});
+    contact::TangentialField t(grid.size()), u(grid.size());
+    for (auto _ : state) {
+        const auto compliance = bem::layer_compliance(bem::layers_of(c), {}, grid, 1);
+        compliance->tangential(t, u);
+    }
+}
+BENCHMARK(layer_coefficients)->Unit(benchmark::kSecond);
+
+/// Coupled, by turning points until nothing moves, 0.2 mm cells, pressed in 20 steps.
+void coupled_shakedown_point(benchmark::State& state) {
+    contact::Case c = layer();
+    c.rolling->steps = contact::Case::Steps::turning_points;
+    c.rolling->periods = 100;
+    double steps = 0;
+    for (auto _ : state)
+        steps += static_cast<double>(
+            contact::run(c, *bem::make_model(c, 1, bem::Body::layer)).steps.size());
+    state.counters["steps"] = steps / static_cast<double>(state.iterations());
+}
+BENCHMARK(coupled_shakedown_point)->Unit(benchmark::kSecond);
+
+/// 12 periods of 60 steps per quarter on the half-space; argument: branches of the substrate.
+void rolling_with_branches(benchmark::State& state) {
+    contact::Case c = rig(0.24, 0.56);
+    c.rolling->steps = contact::Case::Steps::per_quarter;
+    c.rolling->steps_per_quarter = 60;
+    c.rolling->run_all = true;
+    if (state.range(0) > 0) {
+        c.rolling->speed = 1e-3;
+        c.relaxation.emplace();
+        for (int b = 0; b < state.range(0); ++b)
+            c.relaxation->branches.push_back({.3, std::pow(10., b - 1)});
+    }
+    for (auto _ : state)
+        benchmark::DoNotOptimize(contact::run(c, *bem::make_model(c, 1)).static_shift);
+}
+BENCHMARK(rolling_with_branches)->Arg(0)->Arg(1)->Arg(3)->Unit(benchmark::kSecond)->Iterations(1);
+
+}  // namespace
+}  // namespace tricontact::benchmarks
