@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/fixed_point.h"
 #include "contact/largest.h"
 #include "contact/placement.h"
 
@@ -99,11 +100,12 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
         return effective_height();
     };
     std::vector<double> height = height_now();
+    FixedPoint turns;
     for (int turn = 1; turn <= max_turns; ++turn) {
         NormalControl control = step.normal;
         if (control.kind == NormalControl::Kind::force)
             control.value -= coupling_.normal_force(tangential_.traction);
-        solve_normal(control);
+        solve_normal(control, height);
         coupling_.update_displacement(normal_->pressure, tangential_.traction);
         if (step.friction)
             solve_tangential(step, before);
@@ -112,13 +114,13 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
         update_totals();
 
         // What the turn changed under the indenter is how far the pressures are from right.
-        const std::vector<double> was = std::move(height);
-        height = height_now();
+        const std::vector<double> now = height_now();
         double change = 0;
         for (std::size_t i = 0; i < height.size(); ++i)
-            if (normal_->pressure[i] > 0) change = larger(change, std::abs(height[i] - was[i]));
+            if (normal_->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
         gap_residual_ = change / (memory_.stiffness() * normal_->indentation);
         if (gap_residual_ <= tolerance_) return;
+        height = turns.next(height, now, gap_residual_);
     }
     throw NotConverged(fmt::format(
         "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
@@ -131,7 +133,7 @@ void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     if (!memory_.absent()) {  // the same position is not the same problem
         coupling_.place({offset_, shift_, displacement_});
         coupling_.update_height(normal_->pressure, tangential_.traction);
-        solve_normal(step.normal);
+        solve_normal(step.normal, effective_height());
         return;
     }
     if (const auto it = normal_cache_.find(key); it != normal_cache_.end()) {
@@ -140,7 +142,7 @@ void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     }
     coupling_.place({offset_, shift_, displacement_});
     coupling_.update_height(normal_->pressure, tangential_.traction);
-    solve_normal(step.normal);
+    solve_normal(step.normal, effective_height());
     const std::size_t bytes = 2 * sizeof(double) * bound_.size();
     if ((normal_cache_.size() + 1) * bytes <= normal_cache_bytes) normal_cache_[key] = normal_;
 }
@@ -155,12 +157,12 @@ std::vector<double> SurfaceModel::effective_height() const {
     return height;
 }
 
-/// Presses against the present height, starting from the last pressures.
-void SurfaceModel::solve_normal(NormalControl control) {
+/// Presses against `height`, starting from the last pressures.
+void SurfaceModel::solve_normal(NormalControl control, const std::vector<double>& height) {
     const bool warm = normal_->force > 0 && control.kind == NormalControl::Kind::force;
     if (control.kind == NormalControl::Kind::indentation) control.value *= memory_.stiffness();
-    NormalSolution solution = normal_solver_.solve(
-        effective_height(), control, warm ? normal_->pressure : std::vector<double>{});
+    NormalSolution solution =
+        normal_solver_.solve(height, control, warm ? normal_->pressure : std::vector<double>{});
     solution.indentation /= memory_.stiffness();
     normal_ = std::make_shared<const NormalSolution>(std::move(solution));
     normal_iterations_ += normal_->iterations;

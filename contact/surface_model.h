@@ -24,8 +24,8 @@ class ContactAtEdge : public std::runtime_error {
 /// Contact of an indenter over any compliance, with Coulomb friction, in world-fixed coordinates:
 /// surface points keep their displacement when the indenter rolls away from them.
 ///
-/// Coupled normal and tangential contact are solved in turns (Panagiotopoulos 1975) until what the
-/// friction does to the gap no longer changes.
+/// Coupled normal and tangential contact are solved in turns (Panagiotopoulos 1975), accelerated
+/// (see FixedPoint), until what the friction does to the gap no longer changes.
 ///
 /// A relaxing substrate (see SurfaceMemory) is stepped as an elastic one whose displacements are
 /// the effective ones, stiffness u + offset: heights, shifts and what was displaced before enter
@@ -67,7 +67,7 @@ class SurfaceModel final : public Model {
     std::vector<double> effective_height() const;
     void solve_uncoupled(const LoadStep& step, const Before& before);
     void solve_coupled(const LoadStep& step, const Before& before);
-    void solve_normal(NormalControl control);
+    void solve_normal(NormalControl control, const std::vector<double>& height);
     void reuse_or_solve_normal(const LoadStep& step);
     void solve_tangential(const LoadStep& step, const Before& before);
     void slide_freely(const LoadStep& step);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <deque>
+#include <vector>
+
+namespace tricontact::contact {
+
+/// Acceleration of a fixed-point iteration x = g(x) by what the last iterates tell of g (Anderson
+/// 1965; Walker and Ni 2011): the next x is the combination of the last g whose residuals g - x
+/// nearly cancel. A linear contraction is solved in as many steps as it has independent modes, and
+/// many an iteration that diverges by itself converges.
+class FixedPoint {
+  public:
+    /// The next iterate, after `g` was found at `x`; entries that are not finite are left out and
+    /// taken from `g`. `residual` >= 0 measures g - x: where it has grown much, the past is
+    /// forgotten and the next step is half as long.
+    std::vector<double> next(const std::vector<double>& x, const std::vector<double>& g,
+                             double residual);
+
+  private:
+    struct Change {
+        Eigen::VectorXd residual, image;  // of the last step: in g - x, in g
+    };
+    std::deque<Change> changes_;
+    Eigen::VectorXd last_residual_, last_image_;
+    double least_ = 0, damping_ = 1;
+};
+
+}  // namespace tricontact::contact
