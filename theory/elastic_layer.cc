@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "contact/error.h"
+#include "theory/contact_search.h"
 #include "theory/layer_equation.h"
 #include "theory/plane_profile.h"
 
@@ -20,6 +20,8 @@ namespace tricontact::theory {
 namespace {
 
 using contact::NormalControl;
+
+constexpr const char* kinks_remedy = "declare the kinks of the indenter's profile";
 
 double effective_modulus(const ElasticLayer& layer) {
     return 2 * layer.material.shear_modulus() / (1 - layer.material.poisson);
@@ -40,13 +42,6 @@ void check_radius(const ElasticLayer& layer, double radius) {
             "layer contact: a contact radius of {:.6g} m exceeds {} thicknesses; use the "
             "asymptotic theory of thin layers, a thicker layer or a smaller load",
             radius, largest_radius_over_thickness));
-}
-
-// The kernel is analytic up to 2b off the real axis: n points per radius leave exp(-2 n
-// asinh(4b/a)) (Bernstein's ellipse), full precision from n = 18.5/asinh(4b/a) on; the rest is
-// margin.
-int points_for(double radius_over_thickness) {
-    return static_cast<int>(std::ceil(12 + 24 / std::asinh(4 / radius_over_thickness)));
 }
 
 // Line loads over E* for unit indentation and for the profile alone; their difference, weighted
@@ -95,50 +90,8 @@ LayerContact make_contact(const ElasticLayer& layer, const Parts& parts, double 
     return c;
 }
 
-// Contact with q(a) = 0 (free) or given d or F: adds points until the result stands still.
-template <typename Solve>
-LayerContact converged(Solve solve, double radius_over_thickness) {
-    const int fewest = points_for(radius_over_thickness);
-    LayerContact coarse = solve(fewest);
-    double change = 0;
-    for (int n = fewest + fewest / 2; n <= 4 * fewest; n += n / 2) {
-        LayerContact fine = solve(n);
-        change = std::max({std::abs(fine.indentation / coarse.indentation - 1),
-                           std::abs(fine.normal_force / coarse.normal_force - 1),
-                           std::abs(fine.normal_stiffness / coarse.normal_stiffness - 1)});
-        if (change <= 1e-10) return fine;
-        coarse = std::move(fine);
-    }
-    throw contact::NotConverged(fmt::format(
-        "layer contact: with {} points on a = {:.6g} m the result still changes by {:.3g}; declare "
-        "the kinks of the indenter's profile",
-        4 * fewest, coarse.contact_radius, change));
-}
-
-// Contact radius at which `excess`, increasing in it, vanishes.
-template <typename Function>
-double find_radius(Function excess, double start, double largest, double thickness) {
-    double low = std::min(start, largest / 2), high = low;
-    if (excess(low) < 0) {
-        do {
-            if (high >= largest) return std::numeric_limits<double>::infinity();
-            low = high;
-            high = std::min(2 * high, largest);
-        } while (excess(high) < 0);
-    } else {
-        do {
-            high = low;
-            low /= 4;
-            if (low < 1e-12 * thickness)
-                throw contact::NotConverged(
-                    "layer contact: no contact radius found above 1e-12 of the thickness; use the "
-                    "half-space");
-        } while (excess(low) >= 0);
-    }
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        excess, low, high, boost::math::tools::eps_tolerance<double>(50), evaluations);
-    return std::midpoint(left, right);
+std::array<double, 3> key_values(const LayerContact& c) {
+    return {c.indentation, c.normal_force, c.normal_stiffness};
 }
 
 }  // namespace
@@ -172,7 +125,7 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
         const Parts parts = parts_at(radius, n);
         return make_contact(layer, parts, parts.indentation());
     };
-    LayerContact result = converged(solve, radius / b);
+    LayerContact result = converged(solve, points_for(radius / b), key_values, kinks_remedy);
     if (indenter.profile_slope(0) > 0)
         result.centre_pressure = std::numeric_limits<double>::infinity();
     return result;
@@ -192,7 +145,7 @@ LayerContact solve_layer_punch(const ElasticLayer& layer, double radius,
         const double stiffness = 2 * effective_modulus(layer) * parts.unit.integral;
         return make_contact(layer, parts, force ? control.value / stiffness : control.value);
     };
-    return converged(solve, radius / layer.thickness);
+    return converged(solve, points_for(radius / layer.thickness), key_values, kinks_remedy);
 }
 
 }  // namespace tricontact::theory

@@ -6,34 +6,16 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include "contact/error.h"
+#include "theory/wave_numbers.h"
 
 namespace tricontact::theory {
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double end_of_deficit = 24;  // in k b, see the header
-
-// 30 Gauss points per panel. The poles of the deficit lie at |Im x| >= 0.739 (cos y = y): a panel
-// of width 2 leaves 3^-60 or less; cos(kx) cos(kt) turns by 2 a/b per unit of x: a panel may hold a
-// phase of 48, the last at which 30 points keep full precision.
-std::pair<Eigen::VectorXd, Eigen::VectorXd> wave_number_rule(double radius_over_thickness) {
-    const auto rule = gauss_legendre(30);
-    const double widest = std::min(2., 24 / radius_over_thickness);
-    const int n_panels = static_cast<int>(std::ceil(end_of_deficit / widest));
-    const double width = end_of_deficit / n_panels;
-    Eigen::VectorXd x(30 * n_panels), weights(30 * n_panels);
-    for (int i = 0; i < x.size(); ++i) {
-        x[i] = width * (i / 30 + rule.points[i % 30]);
-        weights[i] = width * rule.weights[i % 30];
-    }
-    return {x, weights};
-}
-
 Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& v) {
     return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
@@ -43,7 +25,9 @@ Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& v) {
 LayerEquation::LayerEquation(const ElasticLayer& layer, LineMesh mesh)
     : layer_(layer), mesh_(std::move(mesh)) {
     check(layer);
-    std::tie(wave_, wave_weights_) = wave_number_rule(mesh_.radius() / layer.thickness);
+    const QuadratureRule waves = wave_number_rule(mesh_.radius() / layer.thickness);
+    wave_ = vector(waves.points);
+    wave_weights_ = vector(waves.weights);
     kernel_.resize(wave_.size());
     for (int m = 0; m < wave_.size(); ++m)
         kernel_[m] = 2 / (pi * layer.thickness) * wave_weights_[m] *
