@@ -76,9 +76,10 @@ struct Case {
         Press press = Press::friction;
         int press_steps = 20;
         /// Time, which only a relaxing substrate feels: of the pressing (in press_steps equal
-        /// parts), then, F_T having been applied at once, of the wait before rolling begins.
-        double press_time = 0;  ///< [s]
-        double hold = 0;        ///< [s]
+        /// parts; empty: slow, all relaxes), then, F_T having been applied at once, of the wait
+        /// before rolling begins.
+        std::optional<double> press_time;  ///< [s]
+        double hold = 0;                   ///< [s]
     };
 
     struct Rolling {

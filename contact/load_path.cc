@@ -63,12 +63,13 @@ int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
 /// With friction, or in time, step by step.
 std::vector<LoadStep> pressing_steps(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
-    const int n = friction || c.load.press_time > 0 ? c.load.press_steps : 1;
+    const bool in_time = c.load.press_time && *c.load.press_time > 0;
+    const int n = friction || in_time ? c.load.press_steps : 1;
     std::vector<LoadStep> steps(n, press_step(c));
     for (int k = 1; k <= n; ++k) {
         steps[k - 1].normal.value *= static_cast<double>(k) / n;
         steps[k - 1].friction = friction;
-        steps[k - 1].duration = c.load.press_time / n;
+        if (c.load.press_time) steps[k - 1].duration = *c.load.press_time / n;
     }
     return steps;
 }

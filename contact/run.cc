@@ -114,7 +114,8 @@ class Run {
     void take(const LoadStep& step, bool quarter) { note(step, model_.advance(step), quarter); }
 
     void note(const LoadStep& step, const StepRecord& record, bool quarter) {
-        if (case_.relaxation) time_ += step.duration;
+        // Slow pressing takes no time that could be told.
+        if (case_.relaxation && std::isfinite(step.duration)) time_ += step.duration;
         history_.steps.push_back(record);
         history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));

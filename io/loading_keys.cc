@@ -106,22 +106,25 @@ void add_press(std::vector<Key>& keys) {
 }
 
 void add_time(std::vector<Key>& keys) {
-    const auto waiting = [&](std::string_view path, std::string_view example, std::string_view text,
+    const auto waiting = [&](std::string_view path, std::string_view default_value,
+                             std::string_view example, std::string_view text,
                              Field (*field)(Case&)) {
         keys.push_back({.path = path,
                         .kind = Kind::quantity,
                         .dimension = Dimension::time,
                         .range = from_zero(1e9),
                         .reason = "time does not go backwards",
-                        .default_value = R"("0 s")",
+                        .default_value = default_value,
                         .needs = "substrate.relaxation",
                         .example = example,
                         .text = text,
                         .field = field});
     };
-    waiting("load.press_time", R"("1 s")", "time in which F_N rises from 0, or d",
+    waiting("load.press_time", {}, R"("1 s")",
+            "time in which F_N rises from 0, or d; without it slow enough for all to relax",
             [](Case& c) { return c.relaxation ? Field(&c.load.press_time) : Field(); });
-    waiting("load.hold", R"("60 s")", "wait under F_N and F_T before the rolling begins",
+    waiting("load.hold", R"("0 s")", R"("60 s")",
+            "wait under F_N and F_T before the rolling begins",
             [](Case& c) { return c.relaxation ? Field(&c.load.hold) : Field(); });
 }
 

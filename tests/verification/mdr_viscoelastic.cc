@@ -234,7 +234,7 @@ TEST(MdrViscoelastic, OscillatingRolling) {
 
     // Thesis, eq. 5.1.17: eta = 40 Pa s, omega eta/G1 = 3e-5: elastic if F_T waits for the
     // pressing.
-    c.load.press_time = 1;
+    c.load.press_time.reset();
     const double shear = c.substrate.shear_modulus();
     c.relaxation = Relaxation{{{1., 40 / shear}}, {}};
     const auto thesis = settled(c);
