@@ -16,8 +16,9 @@ struct Column {
     double (*value)(const StepRecord&);
 };
 
-constexpr std::array<Column, 19> columns{{
+constexpr std::array<Column, 22> columns{{
     {"phase", [](const StepRecord& s) { return s.phase; }},
+    {"time_s", [](const StepRecord& s) { return s.time; }},
     {"offset_x_m", [](const StepRecord& s) { return s.offset[0]; }},
     {"offset_y_m", [](const StepRecord& s) { return s.offset[1]; }},
     {"normal_force_N", [](const StepRecord& s) { return s.normal_force; }},
@@ -27,6 +28,8 @@ constexpr std::array<Column, 19> columns{{
     {"shift_x_m", [](const StepRecord& s) { return s.shift[0]; }},
     {"shift_y_m", [](const StepRecord& s) { return s.shift[1]; }},
     {"dissipation_J", [](const StepRecord& s) { return s.dissipation; }},
+    {"material_dissipation_J", [](const StepRecord& s) { return s.material_dissipation; }},
+    {"stored_energy_J", [](const StepRecord& s) { return s.stored_energy; }},
     {"contact_area_m2", [](const StepRecord& s) { return s.contact_area; }},
     {"stick_area_m2", [](const StepRecord& s) { return s.stick_area; }},
     {"slip_area_m2", [](const StepRecord& s) { return s.slip_area; }},

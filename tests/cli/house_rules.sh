@@ -24,7 +24,7 @@ may_include contact
 may_include theory contact
 may_include meshes contact
 may_include mdr contact theory
-may_include bem contact
+may_include bem contact theory
 may_include fem contact meshes
 may_include fem/distributed contact meshes fem
 may_include io contact
@@ -41,6 +41,7 @@ only_in() {
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in io '#include <vtk'
+only_in contact '#include <gsl'
 
 while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"

@@ -22,8 +22,9 @@ holds() {
 cd "$source_dir"
 text=$("$program" list)
 holds "$text" '^models$'
-holds "$text" '^  mdr +[a-z]'
-holds "$text" '^  bem +[a-z]'
+for model in mdr mdr-layer bem bem-layer; do
+    holds "$text" "^  $model +[a-z]"
+done
 n=0
 for file in cases/*.toml; do
     holds "$text" "^  $file: [A-Z]"
@@ -35,7 +36,7 @@ done
     complain "list FOLDER differs from list"
 
 mkdir "$work/empty"
-[ "$(cd "$work/empty" && "$program" list | tail -n +2)" = "$(grep '^  [a-z]* \+[a-z]' <<<"$text")" ] ||
+[ "$(cd "$work/empty" && "$program" list | tail -n +2)" = "$(grep '^  [a-z-]* \+[a-z]' <<<"$text")" ] ||
     complain "list without a folder of cases"
 code=0
 message=$("$program" list "$work/missing" 2>&1 >/dev/null) || code=$?

@@ -32,12 +32,15 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
     contact::History history;
     contact::StepRecord s;  // all different, none short in decimal
     s.phase = 1. / 3;
+    s.time = 61. / 3;
     s.offset = {0.1 + 0.2, -1e-300 / 3};
     s.normal_force = 21.1 / 7;
     s.tangential_force = {6.7 / 3, 1e22 / 3};
     s.indentation = 5e-4 / 3;
     s.shift = {1e-5 / 3, -1e-6 / 3};
     s.dissipation = 1e-9 / 7;
+    s.material_dissipation = 1e-9 / 11;
+    s.stored_energy = 1e-3 / 7;
     s.contact_area = 1. / 11;
     s.stick_area = 1. / 13;
     s.slip_area = 1. / 17;
@@ -52,6 +55,7 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
     const auto columns = parsed(history_csv(history));
     const std::map<std::string, double> expected{{"step", 1},
                                                  {"phase", s.phase},
+                                                 {"time_s", s.time},
                                                  {"offset_x_m", s.offset[0]},
                                                  {"offset_y_m", s.offset[1]},
                                                  {"normal_force_N", s.normal_force},
@@ -61,6 +65,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
                                                  {"shift_x_m", s.shift[0]},
                                                  {"shift_y_m", s.shift[1]},
                                                  {"dissipation_J", s.dissipation},
+                                                 {"material_dissipation_J", s.material_dissipation},
+                                                 {"stored_energy_J", s.stored_energy},
                                                  {"contact_area_m2", s.contact_area},
                                                  {"stick_area_m2", s.stick_area},
                                                  {"slip_area_m2", s.slip_area},
@@ -79,7 +85,7 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
 
 TEST(HistoryCsv, AnEmptyHistoryHasTheHeadOnly) {
     const std::string csv = history_csv({});
-    EXPECT_EQ(csv.rfind("step,phase,offset_x_m,", 0), 0U);
+    EXPECT_EQ(csv.rfind("step,phase,time_s,offset_x_m,", 0), 0U);
     EXPECT_EQ(csv.find('\n'), csv.size() - 1);
 }
 
