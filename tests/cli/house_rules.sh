@@ -41,7 +41,7 @@ only_in() {
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in io '#include <vtk'
-only_in contact '#include <gsl'
+only_in contact '#include <gsl/gsl_multifit'
 
 while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
