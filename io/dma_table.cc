@@ -141,7 +141,8 @@ contact::DmaTable parse_dma_table(std::string_view text, const std::string& name
 }
 
 contact::DmaTable read_dma_table(const std::string& path) {
-    return parse_dma_table(read_input_file(path, "DMA table"), std::filesystem::path(path).filename().string());
+    return parse_dma_table(read_input_file(path, "DMA table"),
+                           std::filesystem::path(path).filename().string());
 }
 
 }  // namespace tricontact::io
