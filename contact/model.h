@@ -38,7 +38,7 @@ class Model {
     /// null where there are no such options.
     virtual std::unique_ptr<Model> sibling(const Case::Contact&) const { return nullptr; }
     /// The present state as bytes, for a run that is to go on after a kill; empty: not supported.
-    /// `read_state` of the same bytes puts the same model into the same state.
+    /// A model that reads all states of a run in their order goes on as that run would have.
     virtual std::string write_state() const { return {}; }
     virtual void read_state(std::string_view) {}
     /// Checks of all solutions so far.

@@ -43,6 +43,7 @@ std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const
 void SurfaceModel::release() {
     const std::size_t n = compliance_->points().size();
     offset_ = shift_ = {};
+    starts_.clear();
     normal_ = std::make_shared<NormalSolution>(
         NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
     bound_.assign(n, 0);
@@ -59,6 +60,7 @@ void SurfaceModel::release() {
 StepRecord SurfaceModel::advance(const LoadStep& step) {
     const Before before = state_before();
     normal_iterations_ = tangential_iterations_ = 0;
+    phase_ = step.phase;
     offset_ = step.offset;
     memory_.begin(step.duration, {before.displacement, before.displacement_z});
     if (coupling_.absent())
@@ -71,6 +73,7 @@ StepRecord SurfaceModel::advance(const LoadStep& step) {
             step.phase));
     update_totals();
     update_slip(before);
+    keep_start();
     audit_step(step, before);
     for (std::size_t i = 0; i < least_pressure_.size(); ++i)
         least_pressure_[i] = std::min(least_pressure_[i], normal_->pressure[i]);
@@ -86,14 +89,31 @@ SurfaceModel::Before SurfaceModel::state_before() const {
 
 void SurfaceModel::solve_uncoupled(const LoadStep& step, const Before& before) {
     reuse_or_solve_normal(step);
+    tangential_.shift_increment = {};
     if (step.friction)
         solve_tangential(step, before);
     else
         slide_freely(step);
 }
 
+/// Turns begin where the same phase ended one period ago, if there was one.
+void SurfaceModel::recall_start() {
+    tangential_.shift_increment = {};
+    const PeriodStarts::Start* start = starts_.find(phase_);
+    if (!start || !(start->normal->force > 0)) return;
+    normal_ = start->normal;
+    tangential_.traction = start->traction;
+    tangential_.shift_increment = start->shift_increment;
+}
+
+void SurfaceModel::keep_start() {
+    if (!coupling_.absent())
+        starts_.keep(phase_, {normal_, tangential_.traction, tangential_.shift_increment});
+}
+
 /// Turns of normal and tangential contact; the geometry of a displaced surface follows behind.
 void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
+    recall_start();
     auto height_now = [&] {
         coupling_.place({offset_, shift_, displacement_});
         coupling_.update_height(normal_->pressure, tangential_.traction);
@@ -195,6 +215,7 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
     }
     const double contact_compliance =
         stiffness * normal_->indentation * contact_area / normal_->force;
+    for (double& increment : tangential_.shift_increment) increment *= stiffness;
     tangential_solver_.solve({bound_, relative, control, contact_compliance}, tangential_);
     tangential_iterations_ += tangential_.iterations;
     for (int d = 0; d < 2; ++d) {

@@ -10,6 +10,7 @@
 #include "contact/indenter.h"
 #include "contact/model.h"
 #include "contact/normal_solver.h"
+#include "contact/period_starts.h"
 #include "contact/surface_memory.h"
 #include "contact/tangential_solver.h"
 
@@ -65,6 +66,8 @@ class SurfaceModel final : public Model {
 
     Before state_before() const;
     std::vector<double> effective_height() const;
+    void recall_start();
+    void keep_start();
     void solve_uncoupled(const LoadStep& step, const Before& before);
     void solve_coupled(const LoadStep& step, const Before& before);
     void solve_normal(NormalControl control, const std::vector<double>& height);
@@ -88,10 +91,12 @@ class SurfaceModel final : public Model {
     NormalSolver normal_solver_;
     TangentialSolver tangential_solver_;
 
+    double phase_ = 0;
     Vector2 offset_{};
     Vector2 shift_{};
     std::shared_ptr<const NormalSolution> normal_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
+    PeriodStarts starts_;        // of coupled contact
     std::vector<double> bound_;  // mu p [Pa]
     TangentialSolution tangential_;
     TangentialField displacement_;        // by all tractions [m]

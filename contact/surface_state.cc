@@ -78,7 +78,7 @@ std::string SurfaceModel::write_state() const {
           &least_pressure_})
         out.add(*field);
     for (const double value :
-         {normal_->indentation, normal_->force, normal_->residual, tangential_.residual,
+         {phase_, normal_->indentation, normal_->force, normal_->residual, tangential_.residual,
           tangential_.force_residual, gap_residual_, least_pressure_force_, energy_})
         out.add(value);
     out.add(contact_state_);
@@ -102,7 +102,7 @@ void SurfaceModel::read_state(std::string_view bytes) {
                         &displacement_z_, &slip_.x, &slip_.y, &least_pressure_})
         in.get(*field);
     for (double* value :
-         {&normal.indentation, &normal.force, &normal.residual, &tangential_.residual,
+         {&phase_, &normal.indentation, &normal.force, &normal.residual, &tangential_.residual,
           &tangential_.force_residual, &gap_residual_, &least_pressure_force_, &energy_})
         in.get(*value);
     in.get(contact_state_);
@@ -118,6 +118,7 @@ void SurfaceModel::read_state(std::string_view bytes) {
         audit_.record(check.name, check.worst, check.allowed);
     }
     normal_ = std::make_shared<const NormalSolution>(std::move(normal));
+    keep_start();
     // Heights and slopes follow from the rest.
     coupling_.place({offset_, shift_, displacement_});
     coupling_.update_height(normal_->pressure, tangential_.traction);

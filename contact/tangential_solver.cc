@@ -100,7 +100,8 @@ class Newton {
                 norm(force), total_bound_));
     }
 
-    /// Starts from the given traction; points that it loads to the bound slip at first.
+    /// Starts from the given traction; points that it loads to the bound slip at first. A given
+    /// shift increment tells better which do.
     void start() {
         const std::size_t n = area_.size();
         if (traction().size() != n) traction() = TangentialField(n);
@@ -118,8 +119,15 @@ class Newton {
             slipping_[next++] = norm(t) >= problem_.bound[i] * (1 - 1e-12);
             set_traction(i, project_on_disc(t, problem_.bound[i]));
         }
+        bool shift_is_given = false;
         for (int d = 0; d < 2; ++d)
-            solution_.shift_increment[d] = force_controlled_[d] ? 0 : problem_.control[d].value;
+            if (force_controlled_[d])
+                shift_is_given |= solution_.shift_increment[d] != 0;
+            else
+                solution_.shift_increment[d] = problem_.control[d].value;
+        if (!shift_is_given) return;
+        update_slip();
+        classify();
     }
 
     void update_slip() {

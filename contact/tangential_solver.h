@@ -44,7 +44,8 @@ class TangentialSolver {
   public:
     TangentialSolver(const Compliance& compliance, double tolerance);
 
-    /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound).
+    /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound), and its
+    /// shift increment too where a force is prescribed (zero: unknown).
     /// Throws NotConverged; InputError when the force exceeds what friction carries.
     void solve(const TangentialProblem& problem, TangentialSolution& solution);
 

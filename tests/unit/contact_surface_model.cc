@@ -1,0 +1,85 @@
+#include <gtest/gtest.h>
+
+#include "bem/model.h"
+#include "contact/load_path.h"
+
+namespace tricontact {
+namespace {
+
+using contact::Case;
+using contact::LoadStep;
+
+/// A coupled contact on a bonded layer, cells of 0.6 mm.
+Case layer_case() {
+    Case c;
+    c.indenter.radius = .04;
+    c.substrate = {5.2e6, .5};
+    c.layer.thickness = 8e-3;
+    c.friction_coefficient = .57;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = .56;
+    c.rolling = Case::Rolling{};
+    c.rolling->amplitude_ratio = .24;
+    c.rolling->steps = Case::Steps::turning_points;
+    c.bem.spacing = 6e-4;
+    return c;
+}
+
+constexpr int n_periods = 8;
+
+/// Pressed, loaded, and rolled.
+std::vector<LoadStep> steps_of(const Case& c) {
+    const auto path = contact::make_load_path(c, *c.load.normal_force, 4.4e-3);
+    std::vector<LoadStep> steps = {contact::press_step(c), path.loading.front()};
+    for (int n = 0; n < n_periods; ++n)
+        for (LoadStep step : path.period) {
+            step.phase += n;
+            steps.push_back(step);
+        }
+    return steps;
+}
+
+std::unique_ptr<contact::Model> make_layer(const Case& c) {
+    return bem::make_model(c, 1, bem::Body::layer);
+}
+
+// The starts of earlier periods save iterations and change nothing else.
+TEST(SurfaceModel, StartsOfTheLastPeriodSaveIterations) {
+    const Case c = layer_case();
+    const auto model = make_layer(c), without = make_layer(c);
+    int spent = 0, spent_without = 0;
+    double unknown_phase = 0;
+    const auto steps = steps_of(c);
+    for (LoadStep step : steps) {
+        const auto record = model->advance(step);
+        const bool last_period = step.phase > n_periods - 1;
+        step.phase = unknown_phase += .013;  // another one each time: no start is found
+        const auto other = without->advance(step);
+        EXPECT_NEAR(record.shift[0] / other.shift[0], 1, 1e-5);  // tolerance 1e-7 of d, added up
+        EXPECT_NEAR(record.indentation / other.indentation, 1, 1e-6);
+        if (!last_period) continue;
+        spent += record.normal_iterations + record.tangential_iterations;
+        spent_without += other.normal_iterations + other.tangential_iterations;
+    }
+    EXPECT_LT(spent, .5 * spent_without);
+    EXPECT_TRUE(model->audit().passed());
+}
+
+// A run that goes on after a kill reads the states in their order and has the bits of one that was
+// not killed.
+TEST(SurfaceModel, GoesOnFromItsBytes) {
+    const Case c = layer_case();
+    const auto model = make_layer(c), resumed = make_layer(c);
+    const auto steps = steps_of(c);
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+        model->advance(steps[k]);
+        if (k < steps.size() / 2)
+            resumed->read_state(model->write_state());
+        else
+            resumed->advance(steps[k]);
+        ASSERT_EQ(resumed->write_state(), model->write_state()) << k;
+    }
+}
+
+}  // namespace
+}  // namespace tricontact
