@@ -14,6 +14,7 @@ struct RunOptions {
     int threads = 1;
     bool quiet = false;
     bool report = true;
+    bool studies = true;  ///< what needs further runs: other ways of loading, the elastic substrate
 };
 
 /// Runs the case's models and writes everything. Throws InputError, NotConverged.

@@ -54,6 +54,8 @@ int run_program(int argc, char** argv) {
     run->add_option("--threads", options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
     run->add_flag("--quiet", options.quiet, "No progress, no closing lines");
+    run->add_flag("!--no-studies", options.studies,
+                  "The case alone, no runs beside it for comparison");
     run->add_flag("!--no-report", options.report, "Leave out report.html and the plots");
 
     std::string check_file;

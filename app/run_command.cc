@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "app/relaxation_study.h"
 #include "app/run_model.h"
 #include "comparisons/layer.h"
+#include "comparisons/relaxation_report.h"
 #include "comparisons/report.h"
 #include "comparisons/summary.h"
 #include "contact/error.h"
@@ -60,18 +62,26 @@ void run_command(const RunOptions& given) {
 
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_case_name, resolved);
+    const Say say = [&](const std::string& line) {
+        if (!options.quiet) std::cerr << line << '\n';
+    };
     std::vector<contact::History> histories;
     std::vector<comparisons::ModelSummary> summaries;
     comparisons::ReportExtras extras;
     for (const std::string& name : c.models) {
-        histories.push_back(run_model(name, c, resolved, options, &extras.study));
+        histories.push_back(
+            run_model(name, c, resolved, options, options.studies ? &extras.study : nullptr));
         summaries.push_back(comparisons::summarise(c, histories.back()));
+        if (options.studies)
+            study_relaxation(c, histories.back(), options.threads, say, extras.relaxation);
     }
     const auto layer = comparisons::compare_with_layer(c, histories, extras.study);
+    using json = nlohmann::ordered_json;
     io::write_file(options.output + "/summary.json",
                    comparisons::summary_json(
                        version, as_json(resolved), summaries,
-                       layer ? comparisons::layer_json(c, *layer) : nlohmann::ordered_json()));
+                       layer ? comparisons::layer_json(c, *layer) : json(),
+                       c.relaxation ? comparisons::relaxation_json(c, extras.relaxation) : json()));
     io::write_file(options.output + "/" + io::paraview_macro_name,
                    std::string(io::paraview_macro()));
     if (options.report) {

@@ -12,6 +12,7 @@
 #include "comparisons/plots.h"
 #include "comparisons/reading.h"
 #include "comparisons/refinement_report.h"
+#include "comparisons/relaxation_report.h"
 #include "comparisons/report_tables.h"
 #include "comparisons/report_template.h"
 #include "comparisons/resample.h"
@@ -141,6 +142,14 @@ void set_layer(const contact::Case& c, const std::vector<contact::History>& hist
     page.set("variants_table", to_data(variants_table(study.variants)));
 }
 
+void set_relaxation(const contact::Case& c, const RelaxationStudy& study, data& page) {
+    page.set("has_relaxation", c.relaxation.has_value());
+    if (!c.relaxation) return;
+    page.set("relaxation_sentences", typeset_list(relaxation_sentences(c, study)));
+    page.set("has_twins", !study.twins.empty());
+    page.set("relaxation_table", to_data(relaxation_table(c, study)));
+}
+
 void set_refinement(const std::optional<Refinement>& refinement, data& page) {
     page.set("has_refinement", refinement.has_value());
     if (!refinement) return;
@@ -148,7 +157,7 @@ void set_refinement(const std::optional<Refinement>& refinement, data& page) {
     page.set("refinement_table", to_data(refinement_table(*refinement)));
 }
 
-/// Everything but figures, layer and refinement.
+/// Everything but figures, layer, relaxation and refinement.
 data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
           const std::vector<ModelSummary>& summaries, const std::vector<StaticVariant>& variants) {
     data settings{data::type::list};
@@ -195,11 +204,13 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
     std::vector<ModelSummary> summaries;
     summaries.reserve(histories.size());
     for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
-    const std::vector<Plot> plots =
+    std::vector<Plot> plots =
         are_on_grids(histories) ? make_plots(c, histories) : make_plots(c, on_grids(histories));
+    if (c.relaxation) plots.push_back(modulus_plot(c, extras.relaxation));
     const std::vector<Drawing> drawings = draw_all(plots);
     data content = page(c, resolved_case, version, summaries, extras.study.variants);
     set_layer(c, histories, extras.study, content);
+    set_relaxation(c, extras.relaxation, content);
     set_refinement(extras.refinement, content);
     content.set("figures", figures(plots, drawings));
 

@@ -6,6 +6,7 @@
 
 #include "comparisons/loading_study.h"
 #include "comparisons/refinement.h"
+#include "comparisons/relaxation_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -21,6 +22,7 @@ struct ReportFile {
 struct ReportExtras {
     LoadingStudy study;
     std::optional<Refinement> refinement;  ///< of which the histories are the finest level
+    RelaxationStudy relaxation;            ///< of cases with a relaxing substrate
 };
 
 /// report.html, which needs no other file and no network, and plots/*.svg, plots/*.png.

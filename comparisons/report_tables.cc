@@ -53,6 +53,22 @@ void add_layer(const Case& c, std::vector<Row>& rows) {
         rows.push_back(side ? given_row(name, *side, "m") : text_row(name, "wide enough"));
 }
 
+void add_relaxation(const Case& c, std::vector<Row>& rows) {
+    if (!c.relaxation) return;
+    rows.push_back(
+        given_row("<i>G</i> at once over relaxed", c.relaxation->instantaneous_ratio(), ""));
+    rows.push_back(text_row("relaxation terms", std::to_string(c.relaxation->branches.size())));
+}
+
+/// Times that only a relaxing substrate feels.
+void add_times(const Case& c, std::vector<Row>& rows) {
+    if (!c.relaxation) return;
+    rows.push_back(c.load.press_time ? given_row("pressing time", *c.load.press_time, "s")
+                                     : text_row("pressing time", "slow"));
+    rows.push_back(given_row("wait under <i>F</i><sub>T</sub>", c.load.hold, "s"));
+    if (c.rolling) rows.push_back(given_row("drive speed <i>v</i>", c.rolling->speed, "m/s"));
+}
+
 /// How models that can treat coupled contact do it.
 void add_treatment(const Case& c, std::vector<Row>& rows) {
     if (!c.layer.thickness) return;
@@ -78,6 +94,7 @@ Table bodies_table(const Case& c) {
     }
     rows.push_back(given_row("substrate <i>E</i><sub>2</sub>", c.substrate.young, "Pa"));
     rows.push_back(given_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson, ""));
+    add_relaxation(c, rows);
     add_layer(c, rows);
     rows.push_back(given_row("friction coefficient <i>μ</i>", c.friction_coefficient, ""));
     return {"Bodies", {"value"}, {{"Bodies", rows}}};
@@ -118,6 +135,7 @@ Table load_table(const Case& c) {
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     rows);
     add_treatment(c, rows);
+    add_times(c, rows);
     if (!c.rolling) {
         rows.push_back(text_row("rolling", "none"));
         return {"Load", {"value"}, {{"Load", rows}}};

@@ -95,7 +95,7 @@ for command in run check list; do
     "$program" "$command" --help | grep -q -- --help || complain "$command --help"
 done
 text=$("$program" run --help)
-for option in --set --output --models --threads --quiet --no-report; do
+for option in --set --output --models --threads --quiet --no-report --no-studies; do
     holds "$text" "^  $option"
 done
 version=$(sed -n 's/^project(Tricontact VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

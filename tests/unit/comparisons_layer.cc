@@ -284,7 +284,7 @@ TEST(LayerJson, IsNotThereWithoutALayer) {
 
 TEST(LayerReport, HasItsSectionsAndTables) {
     const Case c = rig();
-    ReportExtras extras{study(), Refinement{}};
+    ReportExtras extras{study(), Refinement{}, {}};
     extras.refinement->key = "fem.size";
     extras.refinement->sizes = {1e-3, 7e-4, 5e-4};
     const std::string with = make_report(c, "case", "1", histories_of(c), extras).front().content;
@@ -299,7 +299,7 @@ TEST(LayerReport, HasItsSectionsAndTables) {
         EXPECT_EQ(without.find(part), std::string::npos) << part;
     // Without that section the reading carries what loading once more found.
     const std::string studied =
-        make_report(without_layer, "case", "1", histories_of(c), {study(), {}}).front().content;
+        make_report(without_layer, "case", "1", histories_of(c), {study(), {}, {}}).front().content;
     expect_parts(studied, {"153.0\u00a0µm instead of"});
 }
 

@@ -1,0 +1,74 @@
+#include "app/relaxation_study.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "comparisons/relaxation_report.h"
+#include "contact/run.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::ShiftValues;
+using comparisons::SpeedLimit;
+using comparisons::TwinComparison;
+using contact::Case;
+
+ShiftValues run_once(const Case& c, const std::string& model, int n_threads) {
+    const auto silent = [](const std::string&) {};
+    const auto made = make_model(model, c, n_threads, silent);
+    return comparisons::shift_values(contact::run(c, *made));
+}
+
+void run_twin(const Case& c, int n_threads, TwinComparison& comparison) {
+    try {
+        comparison.elastic = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
+    } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
+        comparison.why_none = error.what();
+    }
+}
+
+SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads) {
+    const auto error = [&](double speed) -> std::optional<double> {
+        Case other = c;
+        other.rolling->speed = speed;
+        const auto found =
+            comparisons::twin_error(*known.elastic, run_once(other, known.model, n_threads));
+        return found ? std::optional(std::abs(*found)) : std::nullopt;
+    };
+    SpeedLimit limit = comparisons::find_speed_limit(*c.relaxation, known.drive->amplitude, error);
+    limit.model = known.model;
+    limit.of_increment = comparisons::judged_by_increment(*known.elastic);
+    return limit;
+}
+
+}  // namespace
+
+void study_relaxation(const Case& c, const contact::History& history, int n_threads, const Say& say,
+                      comparisons::RelaxationStudy& study) {
+    if (!c.relaxation) return;
+    TwinComparison comparison;
+    comparison.model = history.model;
+    comparison.drive = comparisons::drive_values(c, history.amplitude);
+    comparison.relaxing = comparisons::shift_values(history);
+    if (history.model == "fem") {
+        comparison.why_none = "finite elements run once only; another model beside them tells";
+        study.twins.push_back(comparison);
+        return;
+    }
+    say(fmt::format("{}: once more on the relaxed, elastic substrate", history.model));
+    run_twin(c, n_threads, comparison);
+    study.twins.push_back(comparison);
+    const std::string found = comparisons::twin_sentence(comparison);
+    if (!found.empty()) say(found);
+    if (!comparison.elastic || !comparison.drive || study.limit) return;
+    say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
+                    history.model));
+    study.limit = speed_limit(c, comparison, n_threads);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,95 @@
+// The relaxing substrate's section of summary.json.
+
+#include <cmath>
+#include <numbers>
+
+#include "comparisons/relaxation_report.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using json = nlohmann::ordered_json;
+
+json number(std::optional<double> value) {
+    if (!value || !std::isfinite(*value)) return nullptr;
+    return *value;
+}
+
+json branches_json(const Case& c) {
+    json result = json::array();
+    for (const auto& branch : c.relaxation->branches)
+        result.push_back({{"shear_modulus_Pa", c.substrate.shear_modulus() * branch.ratio},
+                          {"time_s", branch.time}});
+    return result;
+}
+
+json drive_json(const std::optional<DriveValues>& drive) {
+    if (!drive) return nullptr;
+    return {{"amplitude_m", drive->amplitude},       {"frequency_Hz", drive->frequency},
+            {"storage_modulus_Pa", drive->storage},  {"loss_modulus_Pa", drive->loss},
+            {"loss_tangent", drive->loss_tangent()}, {"deborah_numbers", drive->deborah}};
+}
+
+json elastic_json(const std::optional<ShiftValues>& elastic) {
+    if (!elastic) return nullptr;
+    return {{"elastic_state", elastic->state ? json(contact::name_of(*elastic->state)) : json()},
+            {"elastic_static_shift_m", number(elastic->static_shift)},
+            {"elastic_final_shift_m", number(elastic->final_shift)},
+            {"elastic_shift_increment_m", number(elastic->increment)}};
+}
+
+json twin_json(const TwinComparison& twin) {
+    return {{"drive", drive_json(twin.drive)},
+            {"elastic_twin", elastic_json(twin.elastic)},
+            {"why_no_twin", twin.elastic ? json() : json(twin.why_none)},
+            {"static_shift_error", number(twin.static_error())},
+            {"final_shift_error", number(twin.final_error())},
+            {"settled_shift_error", number(twin.settled_error())},
+            {"increment_error", number(twin.increment_error())}};
+}
+
+json limit_json(const std::optional<SpeedLimit>& limit) {
+    if (!limit) return nullptr;
+    return {{"model", limit->model},
+            {"quantity", limit->of_increment ? "shift_increment" : "final_shift"},
+            {"error", SpeedLimit::limit},
+            {"speed_m_per_s", number(limit->speed)},
+            {"limit_frequency_Hz", number(limit->frequency)},
+            {"resolution", SpeedLimit::resolution},
+            {"slowest_m_per_s", number(limit->slowest)},
+            {"fastest_m_per_s", number(limit->fastest)},
+            {"runs", limit->runs},
+            {"why_none", limit->speed ? json() : json(limit->why_none)}};
+}
+
+json fit_json(const Case& c) {
+    const auto& fit = c.dma_fit;
+    if (!fit) return nullptr;
+    return {{"table", fit->table.name},
+            {"rows", fit->table.size()},
+            {"relaxed_shear_modulus_Pa", fit->relaxed_modulus},
+            {"storage_residual_rms", fit->storage_rms},
+            {"loss_residual_rms", fit->loss_rms},
+            {"worst_residual", fit->worst.residual},
+            {"worst_frequency_Hz", fit->worst.omega / (2 * std::numbers::pi)},
+            {"worst_of", fit->worst.loss ? "loss" : "storage"},
+            {"remarks", contact::remarks(*fit, c.substrate.shear_modulus())}};
+}
+
+}  // namespace
+
+json relaxation_json(const Case& c, const RelaxationStudy& study) {
+    json models = json::object();
+    for (const TwinComparison& twin : study.twins) models[twin.model] = twin_json(twin);
+    const double relaxed = c.substrate.shear_modulus();
+    return {{"relaxed_shear_modulus_Pa", relaxed},
+            {"instantaneous_shear_modulus_Pa", relaxed * c.relaxation->instantaneous_ratio()},
+            {"branches", branches_json(c)},
+            {"models", models},
+            {"elastic_up_to", limit_json(study.limit)},
+            {"dma_fit", fit_json(c)}};
+}
+
+}  // namespace tricontact::comparisons
