@@ -29,10 +29,10 @@ struct Wave {
 
 /// Ends of panels over k b: finer towards zero, where what lies deep is seen, and never wider than
 /// the oscillation of J(kr) allows.
-std::vector<double> panels(double deepest, double farthest) {
+std::vector<double> panels(double first, double farthest) {
     const double widest = std::min(0.5, phase_per_panel / farthest);
     std::vector<double> ends{0};
-    for (double width = std::min(widest, 1e-4 / deepest); ends.back() < last_kb;
+    for (double width = std::min(widest, first); ends.back() < last_kb;
          width = std::min(widest, 2 * width))
         ends.push_back(ends.back() + width);
     return ends;
@@ -47,7 +47,7 @@ std::vector<Wave> waves_of(const LayerStack& stack, double farthest) {
     using Rule = boost::math::quadrature::gauss<double, points_per_panel>;
     const auto& top = stack.sheets.front();
     const double b = top.thickness;
-    const auto ends = panels(stack.thickness() / b, farthest / b);
+    const auto ends = panels(theory::softest_wave_number(stack) * b, farthest / b);
     std::vector<Wave> waves;
     auto add = [&](double k, double weight) {
         const LayerCompliance c = theory::surface_compliance(stack, k),

@@ -10,6 +10,7 @@
 #include "contact/load_path.h"
 #include "contact/placement.h"
 #include "contact/surface_model.h"
+#include "theory/case_layers.h"
 
 namespace tricontact::bem {
 
@@ -39,9 +40,9 @@ contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
 
 std::unique_ptr<GridCompliance> compliance_of(const contact::Case& c, Body body,
                                               contact::ContactPoints grid, int n_threads) {
-    return body == Body::layer
-               ? layer_compliance(layers_of(c), c.indenter.material, std::move(grid), n_threads)
-               : half_space_compliance(c.materials(), std::move(grid), n_threads);
+    return body == Body::layer ? layer_compliance(theory::layers_of("bem-layer", c),
+                                                  c.indenter.material, std::move(grid), n_threads)
+                               : half_space_compliance(c.materials(), std::move(grid), n_threads);
 }
 
 /// Half sides of the region that the contact centre sweeps [m].
@@ -61,18 +62,6 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
 }
 
 }  // namespace
-
-theory::LayerStack layers_of(const contact::Case& c) {
-    if (!c.layer.thickness)
-        throw contact::InputError(
-            "bem-layer: substrate.thickness is missing; give the thickness of the layer");
-    theory::LayerStack stack;
-    stack.sheets.push_back({c.substrate, *c.layer.thickness});
-    if (c.layer.lower) stack.sheets.push_back({c.layer.lower->material, c.layer.lower->thickness});
-    stack.base = c.layer.base == contact::Case::Base::bonded ? theory::LayerBase::bonded
-                                                             : theory::LayerBase::frictionless;
-    return stack;
-}
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     const contact::HertzScales hertz = hertz_scales(c);

@@ -4,15 +4,11 @@
 
 #include "contact/case.h"
 #include "contact/model.h"
-#include "theory/layer_stack.h"
 
 namespace tricontact::bem {
 
 /// What the boundary elements take the substrate for.
 enum class Body { half_space, layer };
-
-/// The layers of a case. Throws contact::InputError if it names no thickness.
-theory::LayerStack layers_of(const contact::Case& c);
 
 /// Boundary elements for a case: the grid covers the contact along its whole rolling
 /// path and is enlarged until it does. `n_threads`: for the transforms; results do not depend on

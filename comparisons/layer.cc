@@ -32,7 +32,9 @@ double plane_compliance(const contact::Material& body) {
 
 /// Empty where theory covers the case.
 std::string why_theory_is_silent(const Case& c) {
-    if (c.layer.lower) return "the exact theory knows one layer, the case has two";
+    if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
+    if (c.layer.base == Case::Base::half_space)
+        return "the exact theory knows a rigid ground, that of the case is elastic";
     if (c.indenter.material && plane_compliance(*c.indenter.material) >
                                    negligible_compliance * plane_compliance(c.substrate))
         return "the exact theory takes the indenter as rigid, that of the case is not";
@@ -138,7 +140,7 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     for (const History& history : histories)
         result.models.push_back(
             {history.model, is_half_space(history.model), values_of(c, history, study)});
-    const double total = result.thickness + (c.layer.lower ? c.layer.lower->thickness : 0);
+    const double total = c.layer.total_thickness();
     if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
     if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
     result.variants = study.variants;

@@ -28,15 +28,26 @@ std::string larger(double ratio) {
                        ratio > 1 ? "larger" : "smaller");
 }
 
+std::string ground_phrase(const Case::Layer& layer) {
+    if (layer.lower.size() > 1)
+        return fmt::format("and rests on {} further layers of {} together", layer.lower.size(),
+                           given_quantity(layer.total_thickness() - *layer.thickness, "m"));
+    if (!layer.lower.empty())
+        return fmt::format("and rests on a second layer of {} and E = {}",
+                           given_quantity(layer.lower.front().thickness, "m"),
+                           given_quantity(layer.lower.front().material.young, "Pa"));
+    if (layer.base == Case::Base::half_space)
+        return fmt::format("and bonded to a half-space of E = {}",
+                           given_quantity(layer.ground->young, "Pa"));
+    return layer.base == Case::Base::bonded ? "and bonded to its rigid ground"
+                                            : "and glides on its rigid ground";
+}
+
 std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
     std::string text =
         fmt::format("The layer is {} thick, {} times the diameter of Hertz' contact, {}.",
                     given_quantity(layer.thickness, "m"), significant(layer.thickness_ratio, 3),
-                    c.layer.lower ? fmt::format("and rests on a second layer of {} and E = {}",
-                                                given_quantity(c.layer.lower->thickness, "m"),
-                                                given_quantity(c.layer.lower->material.young, "Pa"))
-                    : c.layer.base == Case::Base::bonded ? "and bonded to its rigid ground"
-                                                         : "and glides on its rigid ground");
+                    ground_phrase(c.layer));
     if (!layer.exact) text += " It is compared with no exact solution: " + layer.why_not + ".";
     return text;
 }

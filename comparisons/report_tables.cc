@@ -43,12 +43,18 @@ void add_layer(const Case& c, std::vector<Row>& rows) {
     const Case::Layer& layer = c.layer;
     if (!layer.thickness) return;
     rows.push_back(given_row("layer thickness <i>b</i>", *layer.thickness, "m"));
-    if (layer.lower) {
-        rows.push_back(given_row("lower layer’s thickness", layer.lower->thickness, "m"));
-        rows.push_back(given_row("lower layer’s <i>E</i>", layer.lower->material.young, "Pa"));
-        rows.push_back(given_row("lower layer’s <i>ν</i>", layer.lower->material.poisson, ""));
+    for (const auto& lower : layer.lower) {
+        rows.push_back(given_row("lower layer’s thickness", lower.thickness, "m"));
+        rows.push_back(given_row("lower layer’s <i>E</i>", lower.material.young, "Pa"));
+        rows.push_back(given_row("lower layer’s <i>ν</i>", lower.material.poisson, ""));
     }
-    rows.push_back(text_row("base", layer.base == Case::Base::bonded ? "bonded" : "frictionless"));
+    rows.push_back(text_row("base", layer.base == Case::Base::half_space ? "elastic half-space"
+                                    : layer.base == Case::Base::bonded   ? "bonded"
+                                                                         : "frictionless"));
+    if (layer.base == Case::Base::half_space) {
+        rows.push_back(given_row("ground’s <i>E</i>", layer.ground->young, "Pa"));
+        rows.push_back(given_row("ground’s <i>ν</i>", layer.ground->poisson, ""));
+    }
     for (const auto& [name, side] : {std::pair("width", layer.width), {"depth", layer.depth}})
         rows.push_back(side ? given_row(name, *side, "m") : text_row(name, "wide enough"));
 }

@@ -10,6 +10,12 @@ std::unique_ptr<AxisymmetricIndenter> Case::make_indenter() const {
     return std::make_unique<Paraboloid>(indenter.radius);
 }
 
+double Case::Layer::total_thickness() const {
+    double sum = *thickness;
+    for (const Lower& one : lower) sum += one.thickness;
+    return sum;
+}
+
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
 HertzScales hertz_scales(const Case& c) {
     const MaterialPair materials = c.materials();

@@ -20,7 +20,7 @@ struct Case {
     enum class Steps { increment, per_quarter, turning_points };
     enum class VtkOutput { none, quarters, all };
     enum class VolumeOutput { none, last, quarters };
-    enum class Base { bonded, frictionless };
+    enum class Base { bonded, frictionless, half_space };
     enum class Sides { free, fixed };
     enum class Press { friction, frictionless };
     enum class Kinematics { linear, deformed };
@@ -38,10 +38,20 @@ struct Case {
             Material material{0, 0};
         };
         std::optional<double> thickness;  ///< b [m]
-        Base base = Base::bonded;         ///< how the lowest layer rests on the rigid ground
+        Base base = Base::bonded;         ///< what the lowest layer rests on
         std::optional<double> width;      ///< along x [m]; empty: wide enough
         std::optional<double> depth;      ///< along y [m]; empty: wide enough
-        std::optional<Lower> lower;       ///< a second elastic layer below
+        std::vector<Lower> lower;         ///< further elastic layers below, from the top down
+        std::optional<Material> ground;   ///< the half-space of Base::half_space
+
+        double total_thickness() const;  ///< of all layers; `thickness` must be there [m]
+    };
+
+    /// What `layer.lower` is made of, one element per layer from the top down.
+    struct LowerLayersInput {
+        std::vector<double> thickness;  ///< [m]
+        std::vector<double> young;      ///< [Pa]
+        std::vector<double> poisson;    ///< [-]
     };
 
     /// What `relaxation` comes from. The reader resolves each of the three ways to `moduli` and
@@ -129,6 +139,7 @@ struct Case {
     RelaxationInput relaxation_input;
     std::optional<DmaFit> dma_fit;  ///< table and fit, if `relaxation` comes from one
     Layer layer;
+    std::optional<LowerLayersInput> lower_layers_input;  ///< while the case is read
     double friction_coefficient = 0;
     Contact contact;
     Load load;

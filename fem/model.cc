@@ -25,6 +25,10 @@ void require_layer(const Case& c) {
     if (!c.layer.thickness && !c.fem.mesh)
         throw contact::InputError(
             "fem: the finite element layer needs substrate.thickness (or a fem.mesh)");
+    if (c.layer.base == Case::Base::half_space || c.layer.lower.size() > 1)
+        throw contact::InputError(
+            "fem: at most two layers on a rigid ground are meshed; take bem-layer for more, or for "
+            "an elastic ground");
 }
 
 void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
@@ -66,7 +70,7 @@ meshes::HexMesh read_users_mesh(const Case& c) {
                                   "is not in it; mesh the whole body or set rolling.angle to 0");
     const bool has_lower =
         std::count(mesh.regions.begin(), mesh.regions.end(), meshes::Region::lower_layer) > 0;
-    if (has_lower && !c.layer.lower)
+    if (has_lower && c.layer.lower.empty())
         throw contact::InputError(*c.fem.mesh +
                                   ": the mesh has a lower layer, the case no [lower_layer] that "
                                   "tells its material; add one");
@@ -85,6 +89,7 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 }
 
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
+    require_layer(c);
     Workshop workshop(c, say);
     auto compliance = c.fem.mesh ? workshop.make(read_users_mesh(c))
                                  : make_fitting(c, plan(c, workshop), workshop);

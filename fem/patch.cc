@@ -71,7 +71,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     spec.size = size;
     spec.growth = c.fem.growth;
     spec.thickness = *c.layer.thickness;
-    spec.lower_thickness = c.layer.lower ? c.layer.lower->thickness : 0;
+    spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
     spec.half_model = is_symmetric(c);
     spec.patch_x = whole_elements(contact_radius + extent[0], size);
     spec.patch_y = whole_elements(contact_radius + extent[1], size);

@@ -11,7 +11,8 @@ using contact::Case;
 LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
     LayerProblem problem;
     problem.mesh = std::move(mesh);
-    problem.materials = {c.substrate, c.layer.lower ? c.layer.lower->material : c.substrate};
+    problem.materials = {c.substrate,
+                         c.layer.lower.empty() ? c.substrate : c.layer.lower.front().material};
     problem.base = c.layer.base;
     // On a frictionless base only the sides can hold a layer that is pulled sideways.
     problem.sides = c.layer.base == Case::Base::frictionless ? Case::Sides::fixed : c.fem.sides;

@@ -6,6 +6,7 @@
 
 #include "contact/load_path.h"
 #include "io/fem_checks.h"
+#include "io/layer_checks.h"
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
 
@@ -55,16 +56,20 @@ void check_sphere(const Case& c, const HertzScales& s, const Document& document)
 }
 
 void check_coupling(const Case& c, const Document& document) {
-    const bool mdr = std::find(c.models.begin(), c.models.end(), "mdr") != c.models.end();
+    const auto mdr = std::find_if(c.models.begin(), c.models.end(), [](const auto& model) {
+        return model == "mdr" || model == "mdr-layer";
+    });
     const double beta = c.materials().dundurs_beta();
-    if (!mdr || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
+    if (mdr == c.models.end() || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
     refuse(document, "substrate.poisson",
            "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
-               " in magnitude: normal and tangential contact are coupled, which mdr does not model",
+               " in magnitude: normal and tangential contact are coupled, which " + *mdr +
+               " does not model",
            "take an incompressible substrate (poisson = 0.5) under a stiff indenter, or two bodies "
-           "of the same young and poisson; or leave out mdr; or set contact.coupling = false: the "
-           "coupling is then "
-           "left out, and the report says so");
+           "of the same young and poisson; or leave out " +
+               *mdr +
+               "; or set contact.coupling = false: the coupling is then left out, and the report "
+               "says so");
 }
 
 // Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
@@ -204,10 +209,11 @@ void check_case(const Case& c, const Document& document) {
     check_sphere(c, scales, document);
     check_oscillation(c, document);
     check_relaxation(c, document);
+    check_ground(c, document);
     check_friction_limit(c, document);
     const double steps = check_steps(c, scales, document);
     for (const std::string& model : c.models) {
-        if (model == "bem-layer") check_layer(model, c, document);
+        if (model == "bem-layer" || model == "mdr-layer") check_layer(model, c, document);
         if (model == "bem" || model == "bem-layer") check_bem(c, scales, steps, document);
         if (model == "mdr") check_mdr(c, scales, steps, document);
         if (model == "fem") check_fem(c, steps, document);

@@ -48,12 +48,14 @@ struct Key {
         integer,
         boolean,
         quantity,
-        quantity_list
+        quantity_list,
+        number_list
     };
 
     std::string_view path;  ///< "section.key", or "key" at the top; sections may have dots
     Kind kind = Kind::text;
     Dimension dimension = Dimension::none;  ///< of a quantity, or each of a list
+    bool bare = false;  ///< a list of one may stand, and is written, without brackets
     Range range = {};
     std::string_view reason = {};  ///< for the range, where it does not speak for itself
     std::vector<Choice> choices = {};
@@ -77,7 +79,7 @@ bool is_section(std::string_view name);
 std::string_view section_of(std::string_view path);
 /// "key" of both.
 std::string_view name_of_key(std::string_view path);
-/// Most elements of a list of quantities.
+/// Most elements of a list of quantities or numbers.
 inline constexpr std::size_t longest_list = 50;
 
 }  // namespace tricontact::io

@@ -8,6 +8,7 @@
 #include "io/case_keys.h"
 #include "io/field_reader.h"
 #include "io/input_file.h"
+#include "io/layer_checks.h"
 #include "io/messages.h"
 #include "io/overrides.h"
 #include "io/relaxation_input.h"
@@ -119,7 +120,8 @@ void check_combinations(const Document& document) {
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
-    if (document.find_section("lower_layer")) c.layer.lower = Case::Layer::Lower{};
+    if (document.find_section("lower_layer")) c.lower_layers_input = Case::LowerLayersInput{};
+    if (document.find_section("ground")) c.layer.ground = contact::Material{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;
@@ -193,6 +195,7 @@ Case resolve(const Document& document) {
             set_default(c, key, document);
     }
     make_paths_absolute(c, document);
+    resolve_lower_layers(c, document);
     resolve_relaxation(c, document);
     check_case(c, document);
     return c;

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "io/case_keys.h"
+#include "io/layer_checks.h"
 #include "io/messages.h"
 #include "io/relaxation_input.h"
 
@@ -31,6 +32,7 @@ struct Show {
     std::string operator()(const std::vector<double>* v) const {
         std::string out;
         for (const double value : *v) out += (out.empty() ? "" : ", ") + number_text(key, value);
+        if (key.bare && v->size() == 1) return out;
         return out.empty() ? out : '[' + out + ']';
     }
     std::string operator()(const std::optional<double>* v) const {
@@ -55,6 +57,7 @@ struct Show {
 std::string write_case(const contact::Case& c) {
     contact::Case copy = c;  // fields are mutable places; the writer reads a copy
     state_relaxation(copy);
+    state_lower_layers(copy);
     std::string out;
     std::string_view section;
     for (const Key& key : case_keys()) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "io/layer_checks.h"
 #include "io/refusal.h"
 
 namespace tricontact::io {
@@ -67,7 +68,7 @@ void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
 }
 
 void check_indentation(const Case& c, const Document& document) {
-    const double thickness = *c.layer.thickness + (c.layer.lower ? c.layer.lower->thickness : 0.);
+    const double thickness = c.layer.total_thickness();
     if (!c.load.indentation || *c.load.indentation < thickness) return;
     refuse(document, "load.indentation",
            "must be less than the thickness of " + rounded(thickness) + " m",
@@ -81,7 +82,7 @@ double n_graded(double length, double h, double growth) {
 
 // Of the block that the patch, its elements and their growth ask for; not narrower than 6 b.
 double n_elements(const Case& c, const Patch& patch, double h) {
-    const double b = *c.layer.thickness + (c.layer.lower ? c.layer.lower->thickness : 0.);
+    const double b = c.layer.total_thickness();
     const auto across = [&](double half, const std::optional<double>& side) {
         const double outside = (side ? *side / 2 : std::max(6 * b, half)) - half;
         return 2 * (std::ceil(half / h) + n_graded(outside, h, c.fem.growth));
@@ -145,9 +146,9 @@ double growth_at_crest(const Case& c) {
 RadiusBounds contact_radius_bounds(const Case& c) {
     const double hertz = contact::hertz_scales(c).contact_radius * growth_at_crest(c);
     const double b = *c.layer.thickness;
-    const bool lower = c.layer.lower.has_value();
-    const double softer =
-        lower ? plane_compliance(c.layer.lower->material) / plane_compliance(c.substrate) : 0.;
+    double softer = 0;
+    for (const auto& below : c.layer.lower)
+        softer = std::max(softer, plane_compliance(below.material) / plane_compliance(c.substrate));
     if (c.load.normal_force) {
         // Lubrication theory of a thin incompressible layer: a^6 = 32 R b^3 F/(pi G); with Hertz'
         // a_H^3 = 3 F R/(16 G): a^2 = 1.946^2 b a_H.
@@ -157,12 +158,6 @@ RadiusBounds contact_radius_bounds(const Case& c) {
     // Under a stiff skin on a soft layer the contact is smaller than Hertz'. The volume displaced
     // below a thin incompressible layer's contact vanishes: a^2 = 4 R d.
     return {softer > 1 ? 0 : hertz, 2 * hertz};
-}
-
-void check_layer(const std::string& model, const Case& c, const Document& document) {
-    if (c.layer.thickness) return;
-    refuse(document, "models", model + " models a layer, but the case has no substrate.thickness",
-           "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
 }
 
 void check_fem(const Case& c, double steps, const Document& document) {

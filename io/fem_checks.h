@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "contact/case.h"
 #include "io/toml_document.h"
 
@@ -15,9 +13,6 @@ struct RadiusBounds {
     double low, high;
 };
 RadiusBounds contact_radius_bounds(const contact::Case& c);
-
-/// The case has a layer for this model. Throws contact::InputError.
-void check_layer(const std::string& model, const contact::Case& c, const Document& document);
 
 /// Rules for the finite element layer: there is a layer, the indenter is as good as rigid, contact
 /// and rolling path have elements enough and not too many and fit on the block. `steps` [-]: of the

@@ -75,17 +75,39 @@ double quantity_of(const Key& key, const Entry& entry) {
     return quantity_of(*text, key, entry);
 }
 
-std::vector<double> quantities_of(const Key& key, const Entry& entry) {
-    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
-    if (!list) refuse_kind(key, entry, "a list of quantities, each with its unit in quotes");
-    if (list->empty() || list->size() > longest_list)
+void check_length(std::size_t n, const Key& key, const Entry& entry) {
+    if (n == 0 || n > longest_list)
         refuse(key, entry,
                "the list must have 1 to " + std::to_string(longest_list) + " elements, but has " +
-                   std::to_string(list->size()));
+                   std::to_string(n));
+}
+
+bool is_list(const Entry& entry) {
+    return std::holds_alternative<std::vector<std::string>>(entry.value) ||
+           std::holds_alternative<std::vector<double>>(entry.value) ||
+           std::holds_alternative<OtherValue>(entry.value);
+}
+
+std::vector<double> quantities_of(const Key& key, const Entry& entry) {
+    if (key.bare && !is_list(entry)) return {quantity_of(key, entry)};
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of quantities, each with its unit in quotes");
+    check_length(list->size(), key, entry);
     std::vector<double> values;
     for (const std::string& text : *list)
         values.push_back(quantity_of(text, key, entry, toml_string(shortened(text, 40)) + ' '));
     return values;
+}
+
+std::vector<double> numbers_of(const Key& key, const Entry& entry) {
+    if (key.bare && !is_list(entry)) return {number_of(key, entry)};
+    const auto* empty = std::get_if<std::vector<std::string>>(&entry.value);
+    if (empty && empty->empty()) check_length(0, key, entry);
+    const auto* list = std::get_if<std::vector<double>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of pure numbers without units and quotes");
+    check_length(list->size(), key, entry);
+    for (const double value : *list) in_range(value, key, entry, toml_number(value) + ' ');
+    return *list;
 }
 
 std::string words_of(const Key& key) {
@@ -149,6 +171,8 @@ Parsed parsed(const Key& key, const Entry& entry) {
             return quantity_of(key, entry);
         case Key::Kind::quantity_list:
             return quantities_of(key, entry);
+        case Key::Kind::number_list:
+            return numbers_of(key, entry);
         case Key::Kind::text:
             break;
     }

@@ -38,7 +38,7 @@ Field in(std::optional<Part>& part, Member Part::*member) {
 
 /// Declarations of the sections [load] and [rolling].
 void add_loading_keys(std::vector<Key>& keys);
-/// Declarations of the substrate's finite size, in [substrate] and [lower_layer].
+/// Declarations of the substrate's finite size, in [substrate], [lower_layer] and [ground].
 void add_layer_keys(std::vector<Key>& keys);
 /// Declarations of the section [substrate.relaxation].
 void add_relaxation_keys(std::vector<Key>& keys);

@@ -7,7 +7,6 @@ namespace {
 using contact::Case;
 using contact::Material;
 using Kind = Key::Kind;
-using Layer = Case::Layer;
 
 void add_extent(std::vector<Key>& keys) {
     keys.push_back({.path = "substrate.thickness",
@@ -21,11 +20,14 @@ void add_extent(std::vector<Key>& keys) {
         {.path = "substrate.base",
          .kind = Kind::choice,
          .choices = {choice("bonded", Case::Base::bonded),
-                     choice("frictionless", Case::Base::frictionless)},
+                     choice("frictionless", Case::Base::frictionless),
+                     choice("half-space", Case::Base::half_space)},
          .default_value = R"("bonded")",
          .needs = "substrate.thickness",
          .example = R"("bonded")",
-         .text = "how the lowest layer rests on the rigid ground",
+         .text =
+             "what the lowest layer rests on: rigid ground, to which it is bonded or on which it "
+             "glides, or the elastic half-space of `[ground]`, to which it is bonded",
          .field = [](Case& c) { return c.layer.thickness ? Field(&c.layer.base) : Field(); }});
     keys.push_back({.path = "substrate.width",
                     .kind = Kind::quantity,
@@ -45,42 +47,63 @@ void add_extent(std::vector<Key>& keys) {
                     .field = [](Case& c) -> Field { return &c.layer.depth; }});
 }
 
-Field in_lower(Case& c, double Material::*member) {
-    return c.layer.lower ? Field(&(c.layer.lower->material.*member)) : Field();
-}
-
-void add_lower_layer(std::vector<Key>& keys) {
+void add_lower_layers(std::vector<Key>& keys) {
+    using Input = Case::LowerLayersInput;
     keys.push_back({.path = "lower_layer.thickness",
-                    .kind = Kind::quantity,
+                    .kind = Kind::quantity_list,
                     .dimension = Dimension::length,
+                    .bare = true,
                     .range = above_zero(1e6),
                     .required = true,
                     .needs = "substrate.thickness",
                     .example = R"("2 mm")",
-                    .text = "thickness of a second elastic layer below the substrate's",
-                    .field = [](Case& c) { return in(c.layer.lower, &Layer::Lower::thickness); }});
+                    .text = "thickness of a second elastic layer below the substrate's, or of "
+                            "several from the top down",
+                    .field = [](Case& c) { return in(c.lower_layers_input, &Input::thickness); }});
     keys.push_back({.path = "lower_layer.young",
+                    .kind = Kind::quantity_list,
+                    .dimension = Dimension::pressure,
+                    .bare = true,
+                    .range = above_zero(1e15),
+                    .required = true,
+                    .example = R"("70 GPa")",
+                    .text = "Young's modulus, one for each of them",
+                    .field = [](Case& c) { return in(c.lower_layers_input, &Input::young); }});
+    keys.push_back({.path = "lower_layer.poisson",
+                    .kind = Kind::number_list,
+                    .bare = true,
+                    .range = {-1, 0.5, false, true},
+                    .required = true,
+                    .example = "0.33",
+                    .text = "Poisson's ratio, one for each of them; 0.5 is incompressible",
+                    .field = [](Case& c) { return in(c.lower_layers_input, &Input::poisson); }});
+}
+
+void add_ground(std::vector<Key>& keys) {
+    keys.push_back({.path = "ground.young",
                     .kind = Kind::quantity,
                     .dimension = Dimension::pressure,
                     .range = above_zero(1e15),
                     .required = true,
+                    .needs = "substrate.base",
                     .example = R"("70 GPa")",
-                    .text = "Young's modulus",
-                    .field = [](Case& c) { return in_lower(c, &Material::young); }});
-    keys.push_back({.path = "lower_layer.poisson",
+                    .text = "Young's modulus of the half-space below all layers",
+                    .field = [](Case& c) { return in(c.layer.ground, &Material::young); }});
+    keys.push_back({.path = "ground.poisson",
                     .kind = Kind::number,
                     .range = {-1, 0.5, false, true},
                     .required = true,
                     .example = "0.33",
                     .text = "Poisson's ratio; 0.5 is incompressible",
-                    .field = [](Case& c) { return in_lower(c, &Material::poisson); }});
+                    .field = [](Case& c) { return in(c.layer.ground, &Material::poisson); }});
 }
 
 }  // namespace
 
 void add_layer_keys(std::vector<Key>& keys) {
     add_extent(keys);
-    add_lower_layer(keys);
+    add_lower_layers(keys);
+    add_ground(keys);
 }
 
 void add_contact_keys(std::vector<Key>& keys) {

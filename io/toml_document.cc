@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "io/case_keys.h"
@@ -20,11 +21,21 @@ std::string place(const std::string& name, const toml::source_position& position
            std::to_string(std::max(position.column, 1U));
 }
 
+std::optional<std::vector<double>> numbers_of(const toml::array& array) {
+    std::vector<double> numbers;
+    for (const toml::node& element : array) {
+        if (!element.is_number()) return {};
+        numbers.push_back(*element.value<double>());
+    }
+    return numbers;
+}
+
 Value list_of(const toml::array& array, const Disguise& disguise) {
+    if (auto numbers = numbers_of(array); numbers && !numbers->empty()) return *numbers;
     std::vector<std::string> words;
     for (const toml::node& element : array) {
         const auto* word = element.as_string();
-        if (!word) return OtherValue{"a list that does not hold texts only"};
+        if (!word) return OtherValue{"a list of other things than texts or numbers"};
         words.push_back(disguise.take_off(word->get()));
     }
     return words;
@@ -158,6 +169,11 @@ std::string shown(const Value& value) {
             for (const auto& word : v) out += (out.size() > 1 ? ", " : "") + toml_string(word);
             return shortened(out + "]", longest_shown);
         }
+        std::string operator()(const std::vector<double>& v) const {
+            std::string out = "[";
+            for (const double number : v) out += (out.size() > 1 ? ", " : "") + toml_number(number);
+            return shortened(out + "]", longest_shown);
+        }
         std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
     };
     return std::visit(Show{}, value);
@@ -170,6 +186,9 @@ std::string_view kind_of(const Value& value) {
         std::string_view operator()(double) const { return "a number"; }
         std::string_view operator()(const std::string&) const { return "a text"; }
         std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
+        std::string_view operator()(const std::vector<double>&) const {
+            return "a list of numbers";
+        }
         std::string_view operator()(const OtherValue& v) const { return v.kind; }
     };
     return std::visit(Kind{}, value);

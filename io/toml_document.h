@@ -13,9 +13,9 @@ struct OtherValue {
     std::string_view kind;  ///< "a table"
 };
 
-/// Value of a key as TOML types it.
-using Value =
-    std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>, OtherValue>;
+/// Value of a key as TOML types it; an empty list is one of texts.
+using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>,
+                           std::vector<double>, OtherValue>;
 
 /// As in a file, shortened if it is long.
 std::string shown(const Value& value);

@@ -9,6 +9,7 @@
 #include "contact/normal_solver.h"
 #include "mdr/bed_data.h"
 #include "mdr/layer_model.h"
+#include "theory/case_layers.h"
 
 namespace tricontact::mdr {
 
@@ -20,17 +21,12 @@ constexpr double final_margin = 1.05;
 // In all, on either side: the matrix of 3 x 3 components then has 0.3 GB.
 constexpr int most_elements_beside = 1000;
 
-theory::LayerStack layers_of(const contact::Case& c) {
-    if (!c.layer.thickness)
-        throw contact::InputError(
-            "mdr-layer: substrate.thickness is missing; give the thickness of the layer");
-    if (c.layer.base == contact::Case::Base::frictionless)
+theory::LayerStack held_layers_of(const contact::Case& c) {
+    theory::LayerStack stack = theory::layers_of("mdr-layer", c);
+    if (stack.base == theory::LayerBase::frictionless)
         throw contact::InputError(
             "mdr-layer: nothing holds a layer on a frictionless base against a tangential force; "
             "take base = \"bonded\" or another model");
-    theory::LayerStack stack;
-    stack.sheets.push_back({c.substrate, *c.layer.thickness});
-    if (c.layer.lower) stack.sheets.push_back({c.layer.lower->material, c.layer.lower->thickness});
     return stack;
 }
 
@@ -42,7 +38,7 @@ std::shared_ptr<const LayerSprings> springs_of(const contact::Case& c, double ha
             "mdr-layer: the bed would have {:.0f} elements, more than {}; shorten the rolling path "
             "or take bem-layer",
             2 * beside + 1, 2 * most_elements_beside + 1));
-    return std::make_shared<LayerSprings>(layers_of(c), c.indenter.material,
+    return std::make_shared<LayerSprings>(held_layers_of(c), c.indenter.material,
                                           static_cast<int>(beside), spacing);
 }
 
@@ -79,7 +75,7 @@ HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
 }  // namespace
 
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
-    layers_of(c);  // throws before anything else does
+    held_layers_of(c);  // throws before anything else does
     // On a layer the contact is at most some sqrt(2) times as wide as Hertz' at the same depth.
     const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
     const double table = 3 * std::sqrt(crest) * contact::hertz_scales(c).contact_radius;

@@ -19,17 +19,24 @@ struct WaveRule {
 
 // 30 Gauss points per panel: full precision up to a width of 2 over the thickness of all layers
 // (the poles of the deficit) and up to a phase k s of 48 (see theory/layer_equation.cc).
+// An elastic ground is seen by wave numbers down to k b of the order of its softness: panels that
+// double from there on.
 WaveRule wave_rule(const theory::LayerStack& stack, double reach) {
     const auto gauss = theory::gauss_legendre(30);
     const double end = end_of_deficit / stack.sheets.front().thickness;
     const double widest = std::min(2 / stack.thickness(), 48 / reach);
-    const int n_panels = static_cast<int>(std::ceil(end / widest));
-    const double width = end / n_panels;
+    std::vector<double> ends{0};
+    double growing = theory::softest_wave_number(stack);
+    for (; stack.half_space && growing < widest; growing *= 2) ends.push_back(growing);
+    const int n_panels = static_cast<int>(std::ceil((end - ends.back()) / widest));
+    const double width = (end - ends.back()) / n_panels;
+    for (int panel = 0; panel < n_panels; ++panel) ends.push_back(ends.back() + width);
     WaveRule rule;
-    for (int panel = 0; panel < n_panels; ++panel)
+    for (std::size_t panel = 1; panel < ends.size(); ++panel)
         for (std::size_t i = 0; i < gauss.points.size(); ++i) {
-            rule.wave_numbers.push_back(width * (panel + gauss.points[i]));
-            rule.weights.push_back(width * gauss.weights[i]);
+            const double length = ends[panel] - ends[panel - 1];
+            rule.wave_numbers.push_back(ends[panel - 1] + length * gauss.points[i]);
+            rule.weights.push_back(length * gauss.weights[i]);
         }
     return rule;
 }

@@ -132,4 +132,14 @@ LayerCompliance surface_compliance(const LayerStack& stack, double wave_number) 
     return by_propagation(stack, wave_number);
 }
 
+double softest_wave_number(const LayerStack& stack) {
+    double softness = 1;
+    if (stack.half_space)
+        for (const auto& sheet : stack.sheets)
+            softness = std::min(softness,
+                                stack.half_space->shear_modulus() / sheet.material.shear_modulus());
+    // A membrane of the stiffness G b on the ground: u changes at k = G_ground/(G b).
+    return std::min(1e-4, 1e-2 * softness) / stack.thickness();
+}
+
 }  // namespace tricontact::theory

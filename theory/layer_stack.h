@@ -35,4 +35,9 @@ void check(const LayerStack& stack);
 /// no exponential overflows at any k b. Absolute accuracy about 1e-14 of the half-space's.
 LayerCompliance surface_compliance(const LayerStack& stack, double wave_number);
 
+/// Wave number [1/m] at which what lies below the layers begins to be seen: panels of integrals
+/// over k grow from here. 1e-4 over the thickness of all layers, less on a ground much softer than
+/// the stiffest of them.
+double softest_wave_number(const LayerStack& stack);
+
 }  // namespace tricontact::theory

@@ -92,6 +92,8 @@ TEST(BemLayerInfluence, IsTheFourierTransformOfTheCompliance) {
     // Cells as large as the layer is thick.
     expect_fourier({{{{2.3, .5}, 1}}, LayerBase::bonded, {}}, 1, .7);
     expect_fourier({{{{2.3, .5}, 1}, {{8, .2}, .5}}, LayerBase::bonded, {}}, .15, .1);
+    expect_fourier({{{{2.3, .5}, 1}}, LayerBase::bonded, contact::Material{5, .3}}, .15, .1);
+    expect_fourier({{{{2.3, .3}, 1}}, LayerBase::bonded, contact::Material{1.2, .5}}, .15, .1);
 }
 
 // A bonded layer hardly feels a far force, where the half-space's 1/r is 2e-3 of the nearest.

@@ -127,7 +127,7 @@ TEST(Layer, IndentationMayBePrescribed) {
 
 TEST(Layer, WhereTheoryIsSilentItSaysWhy) {
     Case two = rig();
-    two.layer.lower = {2e-3, {1e7, 0.4}};
+    two.layer.lower = {{2e-3, {1e7, 0.4}}};
     Case elastic = rig();
     elastic.indenter.material = contact::Material{5.2e6, 0.5};
     Case thin = rig();
@@ -187,7 +187,7 @@ TEST(Layer, ModelsStandBesideTheExactLayer) {
 TEST(Layer, TableWithoutTheoryHasNoDifferences) {
     Case c = rig();
     const auto histories = histories_of(c);
-    c.layer.lower = {2e-3, {1e7, 0.4}};
+    c.layer.lower = {{2e-3, {1e7, 0.4}}};
     const Table table = layer_table(compare_with_layer(c, histories).value());
     EXPECT_EQ(table.columns, (std::vector<std::string>{"half-space", "MDR", "FEM"}));
     EXPECT_EQ(table.groups.front().rows.back().cells.back(), "–");  // nobody measured it
@@ -217,7 +217,7 @@ TEST(LayerSentences, FiniteBlocksAreMeasuredInThicknesses) {
                  {"width of 60 mm puts the sides 3.75 thicknesses from the centre",
                   "its depth is chosen wide enough", "Less than 6 are felt"});
     c.layer.width = 0.2;
-    c.layer.lower = {2e-3, {1e7, 0.4}};
+    c.layer.lower = {{2e-3, {1e7, 0.4}}};
     const LayerComparison wide = compare_with_layer(c, histories_of(rig())).value();
     EXPECT_NEAR(wide.half_width.value(), 10, 1e-12);  // of both layers
     EXPECT_EQ(joined(layer_sentences(c, wide)).find("are felt"), std::string::npos);

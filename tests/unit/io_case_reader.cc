@@ -123,10 +123,11 @@ cache = "none"
     EXPECT_EQ(c.layer.base, Case::Base::frictionless);
     EXPECT_EQ(c.layer.width, 0.06);
     EXPECT_EQ(c.layer.depth, 0.07);
-    ASSERT_TRUE(c.layer.lower);
-    EXPECT_EQ(c.layer.lower->thickness, 0.002);
-    EXPECT_EQ(c.layer.lower->material.young, 70e9);
-    EXPECT_EQ(c.layer.lower->material.poisson, 0.33);
+    ASSERT_EQ(c.layer.lower.size(), 1U);
+    EXPECT_EQ(c.layer.lower.front().thickness, 0.002);
+    EXPECT_EQ(c.layer.lower.front().material.young, 70e9);
+    EXPECT_EQ(c.layer.lower.front().material.poisson, 0.33);
+    EXPECT_EQ(c.layer.total_thickness(), 0.01);
     EXPECT_FALSE(c.contact.coupling);
     EXPECT_EQ(c.contact.kinematics, Case::Kinematics::deformed);
     EXPECT_EQ(c.load.press_steps, 7);
@@ -202,6 +203,25 @@ TEST(CaseReader, DeclaredDefaultsAreThoseOfTheStructure) {
     const Case layered = parsed({"substrate.thickness=8 mm", "fem.mesh=layer.msh"});
     EXPECT_EQ(layered.layer.base, Case::Layer().base);
     EXPECT_EQ(layered.fem.mesh_unit, Case::Fem().mesh_unit);
+}
+
+TEST(CaseReader, ReadsManyLayersOnAnElasticGround) {
+    const Case c =
+        parsed({"models=[\"bem-layer\", \"mdr-layer\"]", "substrate.thickness=8 mm",
+                "substrate.base=half-space", "ground.young=3 GPa", "ground.poisson=0.2",
+                "lower_layer.thickness=[\"2 mm\", \"10 um\"]",
+                "lower_layer.young=[\"70 GPa\", \"1 MPa\"]", "lower_layer.poisson=[0.33, 0]"});
+    EXPECT_EQ(c.layer.base, Case::Base::half_space);
+    ASSERT_TRUE(c.layer.ground);
+    EXPECT_EQ(c.layer.ground->young, 3e9);
+    EXPECT_EQ(c.layer.ground->poisson, .2);
+    ASSERT_EQ(c.layer.lower.size(), 2U);
+    EXPECT_EQ(c.layer.lower[0].thickness, 2e-3);
+    EXPECT_EQ(c.layer.lower[0].material.young, 70e9);
+    EXPECT_EQ(c.layer.lower[1].thickness, 1e-5);
+    EXPECT_EQ(c.layer.lower[1].material.young, 1e6);
+    EXPECT_EQ(c.layer.lower[1].material.poisson, 0);
+    EXPECT_FALSE(c.lower_layers_input);
 }
 
 TEST(CaseReader, EveryWordOfAChoiceIsRead) {
@@ -332,9 +352,9 @@ std::vector<const Key*> with_companions(const Key& key) {
         if (relaxes(*keys[i]) && !said) add(find_key("substrate.relaxation.G2"));
         if (relaxes(*keys[i])) add(find_key("rolling.speed"));
         for (const Key& other : case_keys())
-            if (other.required && other.section() == "lower_layer" &&
-                keys[i]->section() == "lower_layer")
-                add(&other);
+            for (const std::string_view section : {"lower_layer", "ground"})
+                if (other.required && other.section() == section && keys[i]->section() == section)
+                    add(&other);
     }
     return keys;
 }
@@ -345,7 +365,11 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
         if (key.path == "substrate.relaxation.dma") continue;  // a file: io_relaxation.cc
         std::vector<std::string> overrides;
         for (const Key* one : with_companions(key))
-            overrides.push_back(std::string(one->path) + "=" + std::string(one->example));
+            overrides.push_back(std::string(one->path) + "=" +
+                                std::string(key.section() == "ground" && one != &key &&
+                                                    one->path == "substrate.base"
+                                                ? R"("half-space")"
+                                                : one->example));
         EXPECT_NO_THROW(parsed(overrides, "[rolling]\namplitude_ratio = 0.24\n")) << key.path;
     }
 }

@@ -50,8 +50,13 @@ std::string admissible(const Key& key) {
         case Key::Kind::quantity:
             return std::string(name_of(key.dimension)) + ' ' + limits(key);
         case Key::Kind::quantity_list:
-            return "list of up to " + std::to_string(longest_list) + ", each " +
-                   std::string(name_of(key.dimension)) + ' ' + limits(key);
+        case Key::Kind::number_list: {
+            const bool number = key.kind == Key::Kind::number_list;
+            const std::string one =
+                (number ? "number" : std::string(name_of(key.dimension))) + ' ' + limits(key);
+            const std::string list = "list of up to " + std::to_string(longest_list);
+            return key.bare ? one + ", or a " + list : list + ", each " + one;
+        }
     }
     return {};
 }

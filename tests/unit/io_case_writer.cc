@@ -84,15 +84,24 @@ Case::Load any_load(double mu, double force, double indentation, bool oscillatin
     return load;
 }
 
-Case::Layer any_layer(double contact_radius, double amplitude) {
+contact::Material any_material() {
+    return {of_magnitude(3, 10), between(-0.9, 0.5)};
+}
+
+// fem: two layers at most, on a rigid ground.
+Case::Layer any_layer(double contact_radius, double amplitude, bool fem) {
     Case::Layer layer;
     layer.thickness = between(2, 20) * contact_radius;  // thicker than any indentation
     layer.base = one_of({Case::Base::bonded, Case::Base::frictionless});
     const double patch = 2 * (1.2 * contact_radius + amplitude);  // 1.2: oscillating loads
     if (*rc::gen::arbitrary<bool>()) layer.width = between(1.1, 9) * patch;
     if (*rc::gen::arbitrary<bool>()) layer.depth = between(1.1, 9) * patch;
-    if (*rc::gen::arbitrary<bool>())
-        layer.lower = {between(0.1, 5) * contact_radius, {of_magnitude(3, 10), between(-0.9, 0.5)}};
+    for (int n = *rc::gen::inRange(0, fem ? 2 : 5); n > 0; --n)
+        layer.lower.push_back({between(0.1, 5) * contact_radius, any_material()});
+    if (!fem && *rc::gen::arbitrary<bool>()) {
+        layer.base = Case::Base::half_space;
+        layer.ground = any_material();
+    }
     return layer;
 }
 
@@ -161,7 +170,7 @@ Case any_case() {
     c.output.volume =
         one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
     const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
-    if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w);
+    if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w, fem);
     if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
     const bool between_turning_points =
         c.rolling && c.rolling->steps == Case::Steps::turning_points;
@@ -205,10 +214,13 @@ void same(const Case::Layer& a, const Case::Layer& b) {
     RC_ASSERT(a.base == b.base);
     same(a.width, b.width);
     same(a.depth, b.depth);
-    RC_ASSERT(a.lower.has_value() == b.lower.has_value());
-    if (!a.lower) return;
-    same(a.lower->thickness, b.lower->thickness);
-    same(a.lower->material, b.lower->material);
+    RC_ASSERT(a.lower.size() == b.lower.size());
+    for (std::size_t i = 0; i < a.lower.size(); ++i) {
+        same(a.lower[i].thickness, b.lower[i].thickness);
+        same(a.lower[i].material, b.lower[i].material);
+    }
+    RC_ASSERT(a.ground.has_value() == b.ground.has_value());
+    if (a.ground) same(*a.ground, *b.ground);
 }
 
 void same(const Case::Fem& a, const Case::Fem& b) {

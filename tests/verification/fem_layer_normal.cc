@@ -116,7 +116,7 @@ TEST(FemLayerNormal, TwoEqualLayersAreOne) {
     const auto one = make_layer_model(c);
     const double depth = press(*one, c).indentation;
     c.layer.thickness = 3e-3;
-    c.layer.lower = Case::Layer::Lower{5e-3, c.substrate};
+    c.layer.lower = {{5e-3, c.substrate}};
     const auto two = make_layer_model(c);
     // other elements in depth; their error at h = 1 mm is 2e-3
     EXPECT_NEAR(press(*two, c).indentation, depth, 2e-3 * depth);
@@ -126,10 +126,10 @@ TEST(FemLayerNormal, AStifferLayerBelowActsLikeTheGround) {
     Case c = layer_case(1e-3);
     const auto bonded = make_layer_model(c);
     const double depth = press(*bonded, c).indentation;
-    c.layer.lower = Case::Layer::Lower{8e-3, {5.2e10, .3}};  // ten thousand times stiffer
+    c.layer.lower = {{8e-3, {5.2e10, .3}}};  // ten thousand times stiffer
     const auto on_stiff = make_layer_model(c);
     EXPECT_NEAR(press(*on_stiff, c).indentation, depth, 1e-3 * depth);
-    c.layer.lower->material = {5.2e5, .5};  // ten times softer: it gives way
+    c.layer.lower.front().material = {5.2e5, .5};  // ten times softer: it gives way
     const auto on_soft = make_layer_model(c);
     EXPECT_GT(press(*on_soft, c).indentation, 1.5 * depth);
 }
