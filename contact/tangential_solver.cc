@@ -49,7 +49,8 @@ class Newton {
         for (int step = 0; step < max_newton_steps; ++step) {
             update_slip();
             update_residual();
-            if (converged()) {
+            // A start taken as it is would bring its error back in each period: a drift.
+            if (converged() && !(step == 0 && shift_is_given_)) {
                 if (!products_.displaces_all())
                     compliance_.tangential(traction(), solution_.displacement);
                 return;
@@ -119,13 +120,12 @@ class Newton {
             slipping_[next++] = norm(t) >= problem_.bound[i] * (1 - 1e-12);
             set_traction(i, project_on_disc(t, problem_.bound[i]));
         }
-        bool shift_is_given = false;
         for (int d = 0; d < 2; ++d)
             if (force_controlled_[d])
-                shift_is_given |= solution_.shift_increment[d] != 0;
+                shift_is_given_ |= solution_.shift_increment[d] != 0;
             else
                 solution_.shift_increment[d] = problem_.control[d].value;
-        if (!shift_is_given) return;
+        if (!shift_is_given_) return;
         update_slip();
         classify();
     }
@@ -259,6 +259,7 @@ class Newton {
     Vector2 missing_force_{};
     int without_progress_ = 0;  // Newton steps
     bool on_bound_ = false;     // all that slip are
+    bool shift_is_given_ = false;
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
 };
 
