@@ -13,23 +13,26 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::ShiftValues;
+using comparisons::RunValues;
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 using contact::Case;
 
-ShiftValues run_once(const Case& c, const std::string& model, int n_threads) {
+RunValues run_once(const Case& c, const std::string& model, int n_threads) {
     const auto silent = [](const std::string&) {};
     const auto made = make_model(model, c, n_threads, silent);
-    return comparisons::shift_values(contact::run(c, *made));
+    return comparisons::run_values(contact::run(c, *made));
 }
 
-void run_twin(const Case& c, int n_threads, TwinComparison& comparison) {
+void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
+    say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
     try {
         comparison.elastic = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
     } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
         comparison.why_none = error.what();
     }
+    const std::string found = comparisons::twin_sentence(comparison);
+    if (!found.empty()) say(found);
 }
 
 SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads) {
@@ -48,27 +51,24 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads
 
 }  // namespace
 
-void study_relaxation(const Case& c, const contact::History& history, int n_threads, const Say& say,
-                      comparisons::RelaxationStudy& study) {
+void study_relaxation(const Case& c, const contact::History& history, const RunOptions& options,
+                      const Say& say, comparisons::RelaxationStudy& study) {
     if (!c.relaxation) return;
     TwinComparison comparison;
     comparison.model = history.model;
     comparison.drive = comparisons::drive_values(c, history.amplitude);
-    comparison.relaxing = comparisons::shift_values(history);
-    if (history.model == "fem") {
+    comparison.relaxing = comparisons::run_values(history);
+    if (!options.studies)
+        comparison.why_none = "left out (--no-studies)";
+    else if (history.model == "fem")
         comparison.why_none = "finite elements run once only; another model beside them tells";
-        study.twins.push_back(comparison);
-        return;
-    }
-    say(fmt::format("{}: once more on the relaxed, elastic substrate", history.model));
-    run_twin(c, n_threads, comparison);
+    else
+        run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);
-    const std::string found = comparisons::twin_sentence(comparison);
-    if (!found.empty()) say(found);
     if (!comparison.elastic || !comparison.drive || study.limit) return;
     say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
                     history.model));
-    study.limit = speed_limit(c, comparison, n_threads);
+    study.limit = speed_limit(c, comparison, options.threads);
 }
 
 }  // namespace tricontact::app

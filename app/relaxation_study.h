@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/commands.h"
 #include "app/models.h"
 #include "comparisons/relaxation_study.h"
 #include "contact/case.h"
@@ -7,12 +8,13 @@
 
 namespace tricontact::app {
 
-/// Runs a relaxing case once more on the elastic twin of its substrate and adds the comparison with
-/// `history`, that of the case's run with the same model, to `study`. The first model that comes
-/// here also looks for the slowest drive speed at which the twin errs by 1 % (find_speed_limit).
-/// Finite elements are too dear for both: they add their drive values only. Elastic cases add
-/// nothing.
-void study_relaxation(const contact::Case& c, const contact::History& history, int n_threads,
-                      const Say& say, comparisons::RelaxationStudy& study);
+/// Adds to `study` what the drive means for a relaxing case and, if `options` want studies, the
+/// comparison of `history`, that of the case's run with a model, with a run on the elastic twin of
+/// the substrate. The first model that comes here then also looks for the slowest drive speed at
+/// which the twin errs by 1 % (find_speed_limit). Finite elements are too dear for either. Elastic
+/// cases add nothing.
+void study_relaxation(const contact::Case& c, const contact::History& history,
+                      const RunOptions& options, const Say& say,
+                      comparisons::RelaxationStudy& study);
 
 }  // namespace tricontact::app

@@ -72,8 +72,7 @@ void run_command(const RunOptions& given) {
         histories.push_back(
             run_model(name, c, resolved, options, options.studies ? &extras.study : nullptr));
         summaries.push_back(comparisons::summarise(c, histories.back()));
-        if (options.studies)
-            study_relaxation(c, histories.back(), options.threads, say, extras.relaxation);
+        study_relaxation(c, histories.back(), options, say, extras.relaxation);
     }
     const auto layer = comparisons::compare_with_layer(c, histories, extras.study);
     using json = nlohmann::ordered_json;

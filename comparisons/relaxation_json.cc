@@ -32,12 +32,13 @@ json drive_json(const std::optional<DriveValues>& drive) {
             {"loss_tangent", drive->loss_tangent()}, {"deborah_numbers", drive->deborah}};
 }
 
-json elastic_json(const std::optional<ShiftValues>& elastic) {
+json elastic_json(const std::optional<RunValues>& elastic) {
     if (!elastic) return nullptr;
     return {{"elastic_state", elastic->state ? json(contact::name_of(*elastic->state)) : json()},
             {"elastic_static_shift_m", number(elastic->static_shift)},
             {"elastic_final_shift_m", number(elastic->final_shift)},
-            {"elastic_shift_increment_m", number(elastic->increment)}};
+            {"elastic_shift_increment_m", number(elastic->increment)},
+            {"elastic_limit_tangential_ratio", number(elastic->limit)}};
 }
 
 json twin_json(const TwinComparison& twin) {
@@ -47,7 +48,8 @@ json twin_json(const TwinComparison& twin) {
             {"static_shift_error", number(twin.static_error())},
             {"final_shift_error", number(twin.final_error())},
             {"settled_shift_error", number(twin.settled_error())},
-            {"increment_error", number(twin.increment_error())}};
+            {"increment_error", number(twin.increment_error())},
+            {"limit_tangential_ratio_error", number(twin.limit_error())}};
 }
 
 json limit_json(const std::optional<SpeedLimit>& limit) {

@@ -104,6 +104,13 @@ std::string twin_sentence(const TwinComparison& twin) {
     if (const auto error = twin.increment_error())
         return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,
                            change(twin.elastic->increment, twin.relaxing.increment, error));
+    const State state = *twin.relaxing.state, elastic = *twin.elastic->state;
+    if (state != elastic && state != State::undecided && elastic != State::undecided)
+        return fmt::format(
+            "{}: taken as elastic, it would {}, but it {}: f_T,lim = {} instead of {}.", name,
+            elastic == State::shakedown ? "shake down" : "ratchet",
+            state == State::shakedown ? "shakes down" : "ratchets",
+            significant(twin.elastic->limit), significant(twin.relaxing.limit));
     const bool settled = twin.settled_error().has_value();
     std::string text = fmt::format(
         "{}: taken as elastic, the {} would be {}; {}.", name,
@@ -175,6 +182,7 @@ Table relaxation_table(const Case& c, const RelaxationStudy& study) {
     error("shift after the last period", &TwinComparison::final_error);
     error("settled shift", &TwinComparison::settled_error);
     error("ratcheting increment", &TwinComparison::increment_error);
+    error("limit <i>f</i><sub>T,lim</sub>", &TwinComparison::limit_error);
     const auto state = [&](const std::string& label, auto get) {
         row(label, "", [get](const TwinComparison& twin) -> std::string {
             const std::optional<State> value = get(twin);

@@ -128,23 +128,24 @@ Case elastic_twin(const Case& c) {
     return twin;
 }
 
-ShiftValues shift_values(const contact::History& history) {
-    ShiftValues values;
+RunValues run_values(const contact::History& history) {
+    RunValues values;
     values.static_shift = history.static_shift;
     const auto& shift = history.shift_per_period;
     if (shift.empty()) return values;
     const double before = shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift;
     values.final_shift = shift.back();
     values.increment = shift.back() - before;
+    values.limit = history.limit_tangential_ratio;
     values.state = history.state;
     return values;
 }
 
-bool judged_by_increment(const ShiftValues& elastic) {
+bool judged_by_increment(const RunValues& elastic) {
     return elastic.state == State::ratcheting;
 }
 
-std::optional<double> twin_error(const ShiftValues& elastic, const ShiftValues& relaxing) {
+std::optional<double> twin_error(const RunValues& elastic, const RunValues& relaxing) {
     return judged_by_increment(elastic) ? relative_error(elastic.increment, relaxing.increment)
                                         : relative_error(elastic.final_shift, relaxing.final_shift);
 }
@@ -169,6 +170,11 @@ std::optional<double> TwinComparison::increment_error() const {
     const bool both =
         elastic && elastic->state == State::ratcheting && relaxing.state == State::ratcheting;
     return both ? relative_error(elastic->increment, relaxing.increment) : std::nullopt;
+}
+
+std::optional<double> TwinComparison::limit_error() const {
+    if (!elastic) return {};
+    return relative_error(elastic->limit, relaxing.limit);
 }
 
 SpeedLimit find_speed_limit(const Relaxation& relaxation, double amplitude,

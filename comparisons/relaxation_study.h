@@ -28,29 +28,30 @@ std::optional<DriveValues> drive_values(const contact::Case& c, double amplitude
 /// drive, with the same scales a, d, U_max. Times have no meaning for it and are left out.
 contact::Case elastic_twin(const contact::Case& c);
 
-/// What a run says about the shift [m].
-struct ShiftValues {
-    double static_shift = 0;              ///< after F_T and the wait, before rolling
-    std::optional<double> final_shift;    ///< after the last period; empty without rolling
-    std::optional<double> increment;      ///< of the last period; empty without rolling
+/// What of a run is compared.
+struct RunValues {
+    double static_shift = 0;              ///< after F_T and the wait, before rolling [m]
+    std::optional<double> final_shift;    ///< after the last period [m]; empty without rolling
+    std::optional<double> increment;      ///< of the last period [m]; empty without rolling
+    std::optional<double> limit;          ///< f_T,lim from the pressures; empty without rolling
     std::optional<contact::State> state;  ///< empty without rolling
 };
-ShiftValues shift_values(const contact::History& history);
+RunValues run_values(const contact::History& history);
 
 /// What stands for a run where a single number has to: the increment if the elastic twin ratchets,
 /// else the shift after the last period.
-bool judged_by_increment(const ShiftValues& elastic);
+bool judged_by_increment(const RunValues& elastic);
 /// Its error, whatever the verdict of the relaxing run: elastic over relaxing, minus 1.
-std::optional<double> twin_error(const ShiftValues& elastic, const ShiftValues& relaxing);
+std::optional<double> twin_error(const RunValues& elastic, const RunValues& relaxing);
 
 /// A relaxing case beside its elastic twin, by one model. Errors are those of the twin: elastic
 /// over relaxing, minus 1; empty where there is nothing to be compared.
 struct TwinComparison {
     std::string model;
     std::optional<DriveValues> drive;
-    ShiftValues relaxing;
-    std::optional<ShiftValues> elastic;  ///< empty: not computed
-    std::string why_none;                ///< then: why
+    RunValues relaxing;
+    std::optional<RunValues> elastic;  ///< empty: not computed
+    std::string why_none;              ///< then: why
 
     std::optional<double> static_error() const;
     /// Of the shift after the last period of each, whatever the verdicts.
@@ -59,6 +60,8 @@ struct TwinComparison {
     std::optional<double> settled_error() const;
     /// Of Du: only if both ratchet.
     std::optional<double> increment_error() const;
+    /// Of f_T,lim.
+    std::optional<double> limit_error() const;
 };
 
 /// The slowest drive at which the elastic twin errs by more than `limit`.

@@ -90,8 +90,8 @@ TEST(RelaxationStudy, TwinIsElasticAndKnowsNoTimes) {
     EXPECT_EQ(twin.rolling->amplitude_ratio, c.rolling->amplitude_ratio);
 }
 
-ShiftValues shifts(State state, double static_shift, double final_shift, double increment) {
-    return {static_shift, final_shift, increment, state};
+RunValues shifts(State state, double static_shift, double final_shift, double increment) {
+    return {static_shift, final_shift, increment, 0.6, state};
 }
 
 TEST(RelaxationStudy, ComparesOnlyWhatIsAlike) {
@@ -120,14 +120,15 @@ TEST(RelaxationStudy, ComparesOnlyWhatIsAlike) {
     EXPECT_FALSE(twin.increment_error());
 }
 
-TEST(RelaxationStudy, ShiftValuesOfAHistory) {
+TEST(RelaxationStudy, RunValuesOfAHistory) {
     const contact::History rolled = synthetic::ratcheting_history("mdr", {.periods = 5}, 0.25);
-    const ShiftValues values = shift_values(rolled);
+    const RunValues values = run_values(rolled);
     EXPECT_EQ(values.static_shift, rolled.static_shift);
     EXPECT_DOUBLE_EQ(*values.final_shift, rolled.static_shift + 5 * 0.25);
     EXPECT_DOUBLE_EQ(*values.increment, 0.25);
     EXPECT_EQ(*values.state, State::ratcheting);
-    const ShiftValues still = shift_values(synthetic::loaded_history("mdr"));
+    EXPECT_EQ(*values.limit, rolled.limit_tangential_ratio);
+    const RunValues still = run_values(synthetic::loaded_history("mdr"));
     EXPECT_FALSE(still.final_shift || still.increment || still.state);
 }
 
@@ -236,6 +237,18 @@ TEST(RelaxationReport, SaysWhetherTheSubstrateMayBeTakenAsElastic) {
     const std::string unsure = joined(relaxation_sentences(c, other));
     EXPECT_NE(unsure.find("this does not tell: run more periods"), std::string::npos) << unsure;
     EXPECT_NE(unsure.find("No drive speed was found (4 runs by MDR)"), std::string::npos) << unsure;
+}
+
+TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
+    const Case c = relaxing_case();
+    RelaxationStudy other = study(c);
+    other.twins[0].relaxing.state = State::ratcheting;
+    other.twins[0].relaxing.limit = 0.55;
+    const std::string text = twin_sentence(other.twins[0]);
+    EXPECT_EQ(
+        text,
+        "MDR: taken as elastic, it would shake down, but it ratchets: f_T,lim = 0.6000 instead "
+        "of 0.5500.");
 }
 
 TEST(RelaxationReport, TableHasAColumnPerModelAndABranchPerRow) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <vector>
 
 #include "contact/run.h"
 #include "mdr/model.h"
@@ -208,6 +210,59 @@ TEST(MdrViscoelastic, StuckContactCreepsSideways) {
         return shift / first / exact - 1;
     };
     expect_second_order(error, {10, 20, 41}, 1e-3);
+}
+
+/// f_T,lim of a contact that has relaxed upright and is then rolled by w = W/a to either side, too
+/// fast to relax any further, in units of a, d and E*: the springs carry q = [(1+g)(d1 - (x-s)^2) -
+/// g (1-x^2)]+ at the offset s, d1 given by F_N = 4/3; where both brackets count, a parabola about
+/// (1+g) s. The limit is ∫ min q dx over F_N.
+double fast_limit(double g, double w) {
+    constexpr int n = 20000, n_offsets = 41;
+    constexpr double reach = 1.5, dx = 2 * reach / n;
+    const auto q = [g](double x, double s, double depth) {
+        const double shape = (1 + g) * (depth - (x - s) * (x - s)) - g * std::max(0., 1 - x * x);
+        return std::max(0., shape);
+    };
+    const auto place = [](int i) { return -reach + (i + .5) * dx; };
+    std::vector<double> least(n, 1e9);
+    for (int k = 0; k < n_offsets; ++k) {
+        const double s = w * (2. * k / (n_offsets - 1) - 1);
+        const auto excess = [&](double depth) {
+            double sum = 0;
+            for (int i = 0; i < n; ++i) sum += q(place(i), s, depth) * dx;
+            return sum - 4. / 3;
+        };
+        const auto [low, high] = boost::math::tools::bisect(
+            excess, .5, 1.5, boost::math::tools::eps_tolerance<double>(40));
+        for (int i = 0; i < n; ++i)
+            least[i] = std::min(least[i], q(place(i), s, std::midpoint(low, high)));
+    }
+    return std::accumulate(least.begin(), least.end(), 0.) * dx / (4. / 3);
+}
+
+// Rolling that leaves no time to relax moves the pressure 1 + g times as far: the limit of
+// shakedown falls, and what shakes down slowly may ratchet.
+TEST(MdrViscoelastic, FastRollingLowersTheLimitOfShakedown) {
+    constexpr double w = .24, g = .3;
+    // Slow: the elastic limit 1 - 3/2 w + 1/2 w^3; checks the quadrature (41 offsets, dx^2).
+    EXPECT_NEAR(fast_limit(0, w), 1 - 1.5 * w + .5 * w * w * w, 1e-6);
+    contact::Case c = mdr_test::sphere_rig(w, .6, 4000, 10);
+    c.relaxation = Relaxation{{{g, .7}}, {}};
+    c.load.hold = 600;  // 860 tau
+    c.rolling->run_all = true;
+    const auto limit = [&](double speed, int periods) {
+        c.rolling->speed = speed;
+        c.rolling->periods = periods;
+        return contact::run(c, *mdr::make_model(c));
+    };
+    const auto fast = limit(1e6, 60);
+    EXPECT_NEAR(fast.limit_tangential_ratio, fast_limit(g, w),
+                1e-5);  // springs at the edges: dx^1.5
+    EXPECT_LT(fast.limit_tangential_ratio, .6);
+    EXPECT_EQ(fast.state, contact::State::ratcheting);
+    const auto slow = limit(1e-9, 60);
+    EXPECT_NEAR(slow.limit_tangential_ratio, fast_limit(0, w), 1e-5);
+    EXPECT_EQ(slow.state, contact::State::shakedown);
 }
 
 // Infinitely slow rolling is elastic; at the rig's speed the rubber's time is felt, if only just.
