@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "comparisons/reference.h"
 #include "comparisons/relaxation_report.h"
 #include "contact/run.h"
 
@@ -17,6 +18,8 @@ using comparisons::RunValues;
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 using contact::Case;
+
+constexpr double no_load = 1e-9;  // of F_T over mu F_N: rounding
 
 RunValues run_once(const Case& c, const std::string& model, int n_threads) {
     const auto silent = [](const std::string&) {};
@@ -60,12 +63,16 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     comparison.relaxing = comparisons::run_values(history);
     if (!options.studies)
         comparison.why_none = "left out (--no-studies)";
+    else if (std::abs(comparisons::tangential_ratio(history)) < no_load)
+        comparison.why_none = "without F_T there is no shift to be compared";
     else if (history.model == "fem")
         comparison.why_none = "finite elements run once only; another model beside them tells";
     else
         run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);
-    if (!comparison.elastic || !comparison.drive || study.limit) return;
+    const bool comparable = comparison.drive && comparison.elastic &&
+                            comparisons::twin_error(*comparison.elastic, comparison.relaxing);
+    if (!comparable || study.limit) return;
     say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
                     history.model));
     study.limit = speed_limit(c, comparison, options.threads);

@@ -26,18 +26,6 @@ struct Range {
     }
 };
 
-/// Two decades beyond the relaxation times, and everything that is marked [Hz].
-Range frequencies(const Case& c, const std::vector<double>& marked) {
-    const auto [fast, slow] =
-        std::minmax_element(c.relaxation->branches.begin(), c.relaxation->branches.end(),
-                            [](const auto& a, const auto& b) { return a.time < b.time; });
-    Range range{0.01 / (turn * slow->time), 100 / (turn * fast->time)};
-    for (const double f : marked) range.include(f);
-    if (c.dma_fit)
-        for (const double omega : c.dma_fit->table.omega) range.include(omega / turn);
-    return range;
-}
-
 /// f [Hz], G', G'' [MPa] of the case.
 std::vector<std::vector<double>> curves(const Case& c, const Range& range) {
     std::vector<std::vector<double>> columns(3);
@@ -74,6 +62,7 @@ struct Mark {
     const char* name;
     double frequency;
     const char* title;
+    const char* meaning;  ///< sentence of the caption
     int dashes;
 
     std::string data(const Range& moduli) const {
@@ -89,10 +78,24 @@ struct Mark {
 std::vector<Mark> marks(const RelaxationStudy& study) {
     std::vector<Mark> result;
     if (!study.twins.empty() && study.twins.front().drive)
-        result.push_back({"$drive", study.twins.front().drive->frequency, "drive", 3});
+        result.push_back({"$drive", study.twins.front().drive->frequency, "drive",
+                          "Dotted: frequency of the rolling.", 3});
     if (study.limit && study.limit->frequency)
-        result.push_back({"$limit", *study.limit->frequency, "elastic within 1 %", 2});
+        result.push_back({"$limit", *study.limit->frequency, "elastic within 1 %",
+                          "Dashed: below, the elastic substrate errs by less than 1 %.", 2});
     return result;
+}
+
+/// Two decades beyond the relaxation times, and everything that is marked [Hz].
+Range frequencies(const Case& c, const std::vector<Mark>& marked) {
+    const auto [fast, slow] =
+        std::minmax_element(c.relaxation->branches.begin(), c.relaxation->branches.end(),
+                            [](const auto& a, const auto& b) { return a.time < b.time; });
+    Range range{0.01 / (turn * slow->time), 100 / (turn * fast->time)};
+    for (const Mark& mark : marked) range.include(mark.frequency);
+    if (c.dma_fit)
+        for (const double omega : c.dma_fit->table.omega) range.include(omega / turn);
+    return range;
 }
 
 /// Frame and axes of the moduli; above the residuals, if there are any.
@@ -119,18 +122,20 @@ std::string residual_panel() {
         model_colour(0), model_colour(1));
 }
 
-constexpr const char* caption =
-    "Of the relaxed solid whose moduli the case uses; dotted: frequency of the rolling; dashed: "
-    "below it the elastic substrate errs by less than 1 %.";
-constexpr const char* table_caption =
-    " Points: the DMA table times one factor, so that its relaxed modulus is the case's; below: "
-    "curve over point, minus 1.";
+std::string caption(const Case& c, const std::vector<Mark>& marked) {
+    std::string text = "Storage modulus G′ and loss modulus G″ of the case.";
+    for (const Mark& mark : marked) text += std::string(" ") + mark.meaning;
+    if (c.dma_fit)
+        text +=
+            " Points: the DMA table times one factor, so that its relaxed modulus is the case's; "
+            "below: curve over point, minus 1.";
+    return text;
+}
 
 }  // namespace
 
 Plot modulus_plot(const Case& c, const RelaxationStudy& study) {
-    std::vector<double> marked;
-    for (const Mark& mark : marks(study)) marked.push_back(mark.frequency);
+    const std::vector<Mark> marked = marks(study);
     const Range range = frequencies(c, marked);
     const auto columns = curves(c, range);
     // Decades in which G'' is next to nothing are not worth the room.
@@ -151,7 +156,7 @@ Plot modulus_plot(const Case& c, const RelaxationStudy& study) {
         add("$points", 2, "points pointtype 7 pointsize 0.7", 0, "title 'measured'");
         add("$points", 3, "points pointtype 5 pointsize 0.7", 1, "title 'measured'");
     }
-    for (const Mark& mark : marks(study)) {
+    for (const Mark& mark : marked) {
         data += mark.data(moduli);
         plot += mark.curve();
     }
@@ -159,7 +164,7 @@ Plot modulus_plot(const Case& c, const RelaxationStudy& study) {
                                (c.dma_fit ? residual_panel() : "");
     return {"modulus",
             "Dynamic shear modulus of the substrate",
-            std::string(caption) + (c.dma_fit ? table_caption : ""),
+            caption(c, marked),
             {640, c.dma_fit ? 520 : 420, script}};
 }
 

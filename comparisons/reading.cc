@@ -28,34 +28,35 @@ std::string limit_sentence(const contact::Case& c, const Reference& r) {
         significant(limit, 4));
     if (!(limit > 0))
         return text + "No point stays in contact throughout: any tangential force ratchets.";
-    text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected.", significant(f, 3),
+    text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected{}.", significant(f, 3),
                         significant(100 * std::abs(f / limit - 1), 3),
-                        f > limit ? "above" : "below", f > limit ? "ratcheting" : "shakedown");
+                        f > limit ? "above" : "below", f > limit ? "ratcheting" : "shakedown",
+                        c.relaxation ? " of a drive so slow that the substrate relaxes" : "");
     if (std::abs(f / limit - 1) < near_limit)
         text += " So close to the limit the contact converges slowly.";
     return text;
 }
 
-std::string undecided_sentence(const ModelSummary& s, const Reference& r) {
+std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
     std::string text = fmt::format(
         "{} is undecided after {} {}: the last one still added Δu = {}. Run more (raise "
         "rolling.periods and rerun).",
         display_name(s.model), s.periods, s.periods == 1 ? "period" : "periods",
         significant(s.shift_increment_ratio, 3));
-    // The limit holds for Hertz' pressure and uncoupled contact.
-    if (r.limit_tangential_ratio && is_half_space(s.model))
+    // The limit holds for Hertz' pressure and uncoupled, elastic contact.
+    if (r.limit_tangential_ratio && is_half_space(s.model) && !c.relaxation)
         text += r.tangential_ratio <= *r.limit_tangential_ratio
                     ? " By the exact limit it must shake down in the end."
                     : " By the exact limit it must ratchet.";
     return text;
 }
 
-std::string verdict_sentence(const ModelSummary& s, const Reference& r) {
+std::string verdict_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
     const std::string name = display_name(s.model);
     if (!s.state)
         return fmt::format("{}: the tangential force shifts the indenter by u = {} ({}).", name,
                            significant(s.static_shift_ratio), quantity(s.static_shift, "m"));
-    if (*s.state == State::undecided) return undecided_sentence(s, r);
+    if (*s.state == State::undecided) return undecided_sentence(c, s, r);
     if (*s.state == State::ratcheting)
         return fmt::format("{} ratchets: every period adds Δu = {} ({}) to the shift{}.", name,
                            significant(s.shift_increment_ratio),
@@ -187,7 +188,7 @@ std::vector<std::string> reading(const contact::Case& c,
     const std::string audit = audit_sentence(summaries);
     const bool failed = audit.starts_with("Do not");
     if (failed) add(audit);
-    for (const ModelSummary& s : summaries) add(verdict_sentence(s, r));
+    for (const ModelSummary& s : summaries) add(verdict_sentence(c, s, r));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
     add(limit_sentence(c, r));

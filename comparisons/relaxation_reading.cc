@@ -100,7 +100,7 @@ std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
 std::string twin_sentence(const TwinComparison& twin) {
     const std::string name = display_name(twin.model);
     if (!twin.elastic) return fmt::format("{}: no elastic twin: {}.", name, twin.why_none);
-    if (!twin.elastic->state) return {};
+    if (!twin.elastic->state || !twin.final_error()) return {};
     if (const auto error = twin.increment_error())
         return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,
                            change(twin.elastic->increment, twin.relaxing.increment, error));

@@ -66,6 +66,10 @@ run alone "$relaxing" --no-studies
 [ "$(value alone final_shift_m)" = "$(value relaxing final_shift_m)" ] || complain "--no-studies"
 [ "$(value alone elastic_twin)" = null ] || complain "--no-studies runs the elastic twin"
 
+# Without F_T nothing shifts, and nothing is compared.
+run unloaded "$relaxing" --set load.tangential_ratio=0
+[ "$(value unloaded elastic_twin)" = null ] || complain "a twin without F_T"
+
 cat >dma.csv <<'EOF'
 frequency [Hz], G' [MPa], G'' [MPa]
 0.003, 1.733, 0.0068

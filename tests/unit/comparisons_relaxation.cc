@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "comparisons/reading.h"
 #include "comparisons/relaxation_report.h"
 #include "comparisons/relaxation_study.h"
 #include "comparisons/report.h"
@@ -249,6 +250,15 @@ TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
         text,
         "MDR: taken as elastic, it would shake down, but it ratchets: f_T,lim = 0.6000 instead "
         "of 0.5500.");
+}
+
+TEST(RelaxationReport, ElasticLimitDecidesNothing) {
+    const Case c = relaxing_case();
+    ModelSummary undecided = summarise(c, synthetic::settling_history("mdr"));
+    undecided.state = State::undecided;
+    const std::string text = joined(reading(c, {undecided}));
+    EXPECT_EQ(text.find("By the exact limit it must"), std::string::npos) << text;
+    EXPECT_NE(text.find("expected of a drive so slow"), std::string::npos) << text;
 }
 
 TEST(RelaxationReport, TableHasAColumnPerModelAndABranchPerRow) {
