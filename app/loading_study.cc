@@ -13,8 +13,18 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::StaticVariant;
+using comparisons::LoadingOutcome;
+using comparisons::LoadingVariant;
 using contact::Case;
+using contact::History;
+using contact::State;
+
+constexpr Case::Contact uncoupled{.coupling = false, .kinematics = Case::Kinematics::linear};
+
+/// By turning points the rig's layer settles in 30 periods.
+constexpr int enough_periods = 100;
+/// A longer run is not repeated for each variant.
+constexpr std::size_t most_steps = 1000;
 
 const char* name_of(Case::Kinematics kinematics) {
     return kinematics == Case::Kinematics::linear ? "linear" : "deformed";
@@ -25,8 +35,9 @@ const char* name_of(bool yes) {
 const char* name_of(Case::Press press) {
     return press == Case::Press::friction ? "friction" : "frictionless";
 }
-
-constexpr Case::Contact uncoupled{.coupling = false, .kinematics = Case::Kinematics::linear};
+std::string name_of(int n) {
+    return std::to_string(n);
+}
 
 /// Normal traction displaces tangentially in the model's bodies, whether the case asks for it or
 /// not.
@@ -35,22 +46,127 @@ bool is_elastically_coupled(const contact::Model& model) {
     return coupled && coupled->is_coupled();
 }
 
-/// Flips the key's value in `c` and notes both.
+/// Sets the key's value in `c` and notes both.
 template <class Value>
-void change(Value& value, Value other, StaticVariant& variant) {
+void change(Value& value, Value other, LoadingVariant& variant) {
     variant.chosen = name_of(value);
     variant.changed = name_of(other);
     value = other;
 }
 
-void load_once_more(const Case& c, const contact::Model& model, StaticVariant& variant) {
-    try {
-        const auto sibling = model.sibling(c.contact);
-        variant.changed_shift = contact::run(c, *sibling).static_shift;
-    } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
-        variant.why_none = error.what();
-    }
+void flip_kinematics(Case& c, LoadingVariant& v) {
+    const bool linear = c.contact.kinematics == Case::Kinematics::linear;
+    change(c.contact.kinematics, linear ? Case::Kinematics::deformed : Case::Kinematics::linear, v);
 }
+void flip_coupling(Case& c, LoadingVariant& v) {
+    change(c.contact.coupling, !c.contact.coupling, v);
+}
+void flip_press(Case& c, LoadingVariant& v) {
+    const bool friction = c.load.press == Case::Press::friction;
+    change(c.load.press, friction ? Case::Press::frictionless : Case::Press::friction, v);
+}
+void press_in_one_step(Case& c, LoadingVariant& v) {
+    change(c.load.press_steps, 1, v);
+}
+
+Case without_rolling(Case c) {
+    c.rolling.reset();
+    return c;
+}
+
+/// Nothing happens between turning points that the next one would remember.
+bool turning_points_suffice(const Case& c) {
+    return !c.relaxation && c.load.normal_amplitude_ratio == 0 &&
+           c.load.tangential_amplitude_ratio == 0;
+}
+
+/// The case as the study rolls it. What settles does so by turning points as well, in a fraction of
+/// the time; the shift per period of what ratchets is that of the run's own steps. Without rolling
+/// where that would take too long.
+Case rolled(const Case& c, const History& history) {
+    if (!c.rolling) return c;
+    if (history.state != State::ratcheting && turning_points_suffice(c)) {
+        Case result = c;
+        result.rolling->steps = Case::Steps::turning_points;
+        result.rolling->periods = std::max(c.rolling->periods, enough_periods);
+        result.rolling->run_all = false;
+        return result;
+    }
+    return history.steps.size() <= most_steps ? c : without_rolling(c);
+}
+
+LoadingOutcome outcome_of(const History& history) {
+    LoadingOutcome result{.static_shift = history.static_shift};
+    const auto& shift = history.shift_per_period;
+    if (shift.empty()) return result;
+    result.state = history.state;
+    result.final_shift = shift.back();
+    result.increment =
+        shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift);
+    return result;
+}
+
+/// One loading after another with one key changed.
+class Variants {
+  public:
+    using Flip = std::function<void(Case&, LoadingVariant&)>;
+
+    Variants(const Case& c, const contact::Model& model, const History& history, const Say& say,
+             std::vector<LoadingVariant>& variants)
+        : model_(model), name_(history.model), say_(say), variants_(variants) {
+        static_.rolled = without_rolling(c);
+        static_.run.static_shift = history.static_shift;
+        rolled_.rolled = rolled(c, history);
+        rolled_.run = as_the_run(c, history);
+    }
+
+    void add_static(const char* key, const Flip& flip) { add(key, flip, static_); }
+    void add_rolled(const char* key, const Flip& flip) { add(key, flip, rolled_); }
+
+  private:
+    struct Base {
+        Case rolled;
+        LoadingOutcome run;  ///< with the case's own choices
+    };
+
+    /// What the variants are compared with: rolled like them, so rolled once more unless the run
+    /// itself was.
+    LoadingOutcome as_the_run(const Case& c, const History& history) {
+        const Case& as = rolled_.rolled;
+        if (!as.rolling) return static_.run;
+        const bool same_steps = as.rolling->steps == c.rolling->steps;
+        if (same_steps && history.state != State::undecided) return outcome_of(history);
+        say_(fmt::format("{}: loading once more, rolled by turning points", name_));
+        try {
+            return outcome_of(contact::run(as, *model_.sibling(as.contact)));
+        } catch (const std::runtime_error&) {  // then there is nothing to compare with
+            rolled_.rolled = static_.rolled;
+            return static_.run;
+        }
+    }
+
+    void add(const char* key, const Flip& flip, const Base& base) {
+        LoadingVariant variant;
+        variant.model = name_;
+        variant.key = key;
+        variant.run = base.run;
+        Case c = base.rolled;
+        flip(c, variant);
+        say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
+        try {
+            variant.other = outcome_of(contact::run(c, *model_.sibling(c.contact)));
+        } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
+            variant.why_none = error.what();
+        }
+        variants_.push_back(std::move(variant));
+    }
+
+    const contact::Model& model_;
+    const std::string name_;
+    const Say& say_;
+    std::vector<LoadingVariant>& variants_;
+    Base static_, rolled_;
+};
 
 /// dF/dd = F/d times the slope of ln F over ln d, which is nearly straight: at the last of three
 /// points on their parabola.
@@ -80,60 +196,20 @@ double frictionless_stiffness(const Case& c, const contact::Model& model) {
     return stiffness_at_last(pressed);
 }
 
-/// One loading after another with one key changed.
-class Variants {
-  public:
-    using Flip = std::function<void(Case&, StaticVariant&)>;
-
-    Variants(const Case& c, const contact::Model& model, const contact::History& history,
-             const Say& say, std::vector<StaticVariant>& variants)
-        : case_(c), model_(model), history_(history), say_(say), variants_(variants) {}
-
-    void add(const char* key, const Flip& flip) {
-        StaticVariant variant;
-        variant.model = history_.model;
-        variant.key = key;
-        variant.static_shift = history_.static_shift;
-        Case still = case_;
-        still.rolling.reset();
-        flip(still, variant);
-        say_(fmt::format("{}: loading once more with {} = {}", history_.model, key,
-                         variant.changed));
-        load_once_more(still, model_, variant);
-        variants_.push_back(std::move(variant));
-    }
-
-  private:
-    const Case& case_;
-    const contact::Model& model_;
-    const contact::History& history_;
-    const Say& say_;
-    std::vector<StaticVariant>& variants_;
-};
-
-void flip_kinematics(Case& still, StaticVariant& v) {
-    const bool linear = still.contact.kinematics == Case::Kinematics::linear;
-    change(still.contact.kinematics, linear ? Case::Kinematics::deformed : Case::Kinematics::linear,
-           v);
-}
-void flip_coupling(Case& still, StaticVariant& v) {
-    change(still.contact.coupling, !still.contact.coupling, v);
-}
-void flip_press(Case& still, StaticVariant& v) {
-    const bool friction = still.load.press == Case::Press::friction;
-    change(still.load.press, friction ? Case::Press::frictionless : Case::Press::friction, v);
-}
-
 }  // namespace
 
-void study_loading(const Case& c, const contact::Model& model, const contact::History& history,
+void study_loading(const Case& c, const contact::Model& model, const History& history,
                    const Say& say, comparisons::LoadingStudy& study) {
     const bool elastic = is_elastically_coupled(model);
     if (!elastic && !model.is_coupled()) return;
     Variants variants(c, model, history, say, study.variants);
-    variants.add("contact.kinematics", flip_kinematics);
-    if (elastic) variants.add("contact.coupling", flip_coupling);
-    if (model.is_coupled()) variants.add("load.press", flip_press);
+    variants.add_static("contact.kinematics", flip_kinematics);
+    if (elastic) variants.add_rolled("contact.coupling", flip_coupling);
+    if (model.is_coupled()) {
+        variants.add_rolled("load.press", flip_press);
+        if (c.load.press == Case::Press::friction && c.load.press_steps > 1)
+            variants.add_rolled("load.press_steps", press_in_one_step);
+    }
     study.normal_stiffness[history.model] = frictionless_stiffness(c, model);
 }
 

@@ -76,11 +76,14 @@ void run_command(const RunOptions& given) {
     }
     const auto layer = comparisons::compare_with_layer(c, histories, extras.study);
     using json = nlohmann::ordered_json;
-    io::write_file(options.output + "/summary.json",
-                   comparisons::summary_json(
-                       version, as_json(resolved), summaries,
-                       layer ? comparisons::layer_json(c, *layer) : json(),
-                       c.relaxation ? comparisons::relaxation_json(c, extras.relaxation) : json()));
+    io::write_file(
+        options.output + "/summary.json",
+        comparisons::summary_json(
+            version, as_json(resolved), summaries,
+            {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
+             {"loading_variants", comparisons::loading_json(extras.study.variants)},
+             {"relaxation",
+              c.relaxation ? comparisons::relaxation_json(c, extras.relaxation) : json()}}));
     io::write_file(options.output + "/" + io::paraview_macro_name,
                    std::string(io::paraview_macro()));
     if (options.report) {

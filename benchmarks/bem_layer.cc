@@ -6,6 +6,7 @@
 #include "bem/model.h"
 #include "benchmarks/rig.h"
 #include "contact/run.h"
+#include "theory/case_layers.h"
 
 namespace tricontact::benchmarks {
 namespace {
@@ -23,7 +24,7 @@ void layer_coefficients(benchmark::State& state) {
     const auto grid = contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4});
     contact::TangentialField t(grid.size()), u(grid.size());
     for (auto _ : state) {
-        const auto compliance = bem::layer_compliance(bem::layers_of(c), {}, grid, 1);
+        const auto compliance = bem::layer_compliance(theory::layers_of("bem-layer", c), {}, grid, 1);
         compliance->tangential(t, u);
     }
 }
@@ -34,11 +35,16 @@ void coupled_shakedown_point(benchmark::State& state) {
     contact::Case c = layer();
     c.rolling->steps = contact::Case::Steps::turning_points;
     c.rolling->periods = 100;
-    double steps = 0;
-    for (auto _ : state)
-        steps += static_cast<double>(
-            contact::run(c, *bem::make_model(c, 1, bem::Body::layer)).steps.size());
-    state.counters["steps"] = steps / static_cast<double>(state.iterations());
+    contact::History history;
+    for (auto _ : state) history = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
+    int normal = 0, tangential = 0;
+    for (const auto& step : history.steps) {
+        normal += step.normal_iterations;
+        tangential += step.tangential_iterations;
+    }
+    state.counters["steps"] = static_cast<double>(history.steps.size());
+    state.counters["normal"] = normal;  // convolutions, about
+    state.counters["tangential"] = tangential;
 }
 BENCHMARK(coupled_shakedown_point)->Unit(benchmark::kSecond);
 

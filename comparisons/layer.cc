@@ -143,7 +143,6 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     const double total = c.layer.total_thickness();
     if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
     if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
-    result.variants = study.variants;
     return result;
 }
 

@@ -60,7 +60,6 @@ struct LayerComparison {
     /// Distance of the block's sides from its centre over its thickness, of all layers; empty:
     /// wide enough, chosen by the program.
     std::optional<double> half_width, half_depth;
-    std::vector<StaticVariant> variants;
 };
 
 /// MDR and BEM: models that do not see the thickness.

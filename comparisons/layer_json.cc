@@ -49,20 +49,6 @@ json models_json(const LayerComparison& layer) {
     return result;
 }
 
-json variants_json(const std::vector<StaticVariant>& variants) {
-    json result = json::array();
-    for (const StaticVariant& v : variants)
-        result.push_back({{"model", v.model},
-                          {"key", v.key},
-                          {"chosen", v.chosen},
-                          {"changed", v.changed},
-                          {"static_shift_m", number(v.static_shift)},
-                          {"changed_static_shift_m", number(v.changed_shift)},
-                          {"change", v.ratio() ? number(*v.ratio() - 1) : json()},
-                          {"why_none", v.changed_shift ? json() : json(v.why_none)}});
-    return result;
-}
-
 json treatment_json(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
     return {
@@ -85,8 +71,7 @@ json layer_json(const Case& c, const LayerComparison& layer) {
             {"half_space_over_exact", difference_json(layer.half_space, layer.exact)},
             {"apparent_young_Pa", apparent_json(layer.apparent)},
             {"models", models_json(layer)},
-            {"contact", treatment_json(c)},
-            {"static_variants", variants_json(layer.variants)}};
+            {"contact", treatment_json(c)}};
 }
 
 }  // namespace tricontact::comparisons

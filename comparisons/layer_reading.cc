@@ -12,15 +12,7 @@ namespace {
 
 using contact::Case;
 
-constexpr double negligible_beta = 1e-3;  // of Dundurs: coupling below is not felt
-constexpr double wide_enough = 6;         // thicknesses from the centre to a side
-
-std::vector<std::string> select(const std::vector<std::string>& models, bool half_space) {
-    std::vector<std::string> result;
-    std::copy_if(models.begin(), models.end(), std::back_inserter(result),
-                 [&](const auto& model) { return is_half_space(model) == half_space; });
-    return result;
-}
+constexpr double wide_enough = 6;  // thicknesses from the centre to a side
 
 /// "3.19 % larger"
 std::string larger(double ratio) {
@@ -55,8 +47,8 @@ std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
 /// What ignoring the thickness does, by the exact theories of both bodies.
 std::string half_space_sentence(const Case& c, const LayerComparison& layer) {
     std::vector<std::string> models;
-    for (const auto& model : layer.models) models.push_back(model.name);
-    models = select(models, true);
+    for (const auto& model : layer.models)
+        if (model.half_space) models.push_back(model.name);
     std::string text =
         models.empty()
             ? "A half-space model would ignore the thickness."
@@ -99,9 +91,9 @@ std::string side_text(const char* name, std::optional<double> half, std::optiona
 }
 
 std::string width_sentence(const Case& c, const LayerComparison& layer) {
-    if (std::all_of(layer.models.begin(), layer.models.end(),
-                    [](const auto& model) { return model.half_space; }))
-        return {};  // none of them sees the sides
+    if (std::none_of(layer.models.begin(), layer.models.end(),
+                     [](const auto& model) { return model.name == "fem"; }))
+        return {};  // the others' layer is infinitely wide
     if (c.fem.mesh)
         return fmt::format(
             "The block is that of {}; exact layer and half-space are infinitely "
@@ -121,97 +113,12 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     return text;
 }
 
-const StaticVariant* find(const std::vector<StaticVariant>& variants, const std::string& key) {
-    const auto found = std::find_if(variants.begin(), variants.end(),
-                                    [&](const StaticVariant& v) { return v.key == key; });
-    return found == variants.end() ? nullptr : &*found;
-}
-
-/// What another choice would do to the static shift; empty where nobody computed it.
-std::string change_text(const std::vector<StaticVariant>& variants, const std::string& key) {
-    const StaticVariant* v = find(variants, key);
-    if (!v) return {};
-    if (!v->changed_shift)
-        return fmt::format(" With {} = {} there is no number: {}.", key, v->changed, v->why_none);
-    return fmt::format(" With {} = {} the static shift of {} would be {} instead of {} ({}).", key,
-                       v->changed, display_name(v->model), quantity(*v->changed_shift, "m"),
-                       quantity(v->static_shift, "m"), percent(v->ratio()));
-}
-
-std::string coupling_sentence(const Case& c, const std::vector<std::string>& layered,
-                              const std::vector<StaticVariant>& variants) {
-    if (layered.empty()) return {};
-    std::string text =
-        c.contact.coupling
-            ? fmt::format(
-                  "{} couples normal and tangential contact (contact.coupling = true): "
-                  "pressure drags the surface sideways and friction lifts it.",
-                  display_names(layered))
-            : fmt::format(
-                  "The coupling of normal and tangential contact in the layer is left out "
-                  "of {} (contact.coupling = false).",
-                  display_names(layered));
-    return text + change_text(variants, "contact.coupling");
-}
-
-std::string half_space_coupling_sentence(const Case& c,
-                                         const std::vector<std::string>& half_spaces) {
-    const double beta = c.materials().dundurs_beta();
-    if (half_spaces.empty()) return {};
-    if (std::abs(beta) <= negligible_beta)
-        return fmt::format(
-            "{} {} no such coupling: on a half-space these materials have next to "
-            "none (Dundurs' β = {}).",
-            display_names(half_spaces), half_spaces.size() > 1 ? "have" : "has",
-            significant(beta, 2));
-    return fmt::format(
-        "{} {} out the coupling that these materials have on a half-space: Dundurs' "
-        "β = {} is not small.",
-        display_names(half_spaces), half_spaces.size() > 1 ? "leave" : "leaves",
-        significant(beta, 2));
-}
-
-std::string kinematics_sentence(const Case& c, const std::vector<StaticVariant>& variants) {
-    const bool linear = c.contact.kinematics == Case::Kinematics::linear;
-    return (linear ? std::string("Gap and normal are those of the undisplaced surface point "
-                                 "(contact.kinematics = linear).")
-                   : std::string("Gap and normal are taken where the surface point has moved to "
-                                 "(contact.kinematics = deformed).")) +
-           change_text(variants, "contact.kinematics");
-}
-
-std::string pressing_sentence(const Case& c, const std::vector<StaticVariant>& variants) {
-    const std::string how = c.load.press == Case::Press::friction
-                                ? fmt::format("in {} equal steps with friction", c.load.press_steps)
-                                : std::string("in one step without friction");
-    return fmt::format(
-               "Where the two are coupled the way of pressing is remembered: here the "
-               "normal load comes {}, then the tangential one.",
-               how) +
-           change_text(variants, "load.press");
-}
-
 }  // namespace
 
 std::vector<std::string> layer_sentences(const Case& c, const LayerComparison& layer) {
     std::vector<std::string> result{thickness_sentence(c, layer), half_space_sentence(c, layer)};
     for (const std::string& text : {apparent_sentence(c, layer), width_sentence(c, layer)})
         if (!text.empty()) result.push_back(text);
-    return result;
-}
-
-std::vector<std::string> treatment_sentences(const Case& c, const std::vector<std::string>& models,
-                                             const std::vector<StaticVariant>& variants) {
-    const std::vector<std::string> layered = select(models, false);
-    std::vector<std::string> result{coupling_sentence(c, layered, variants),
-                                    half_space_coupling_sentence(c, select(models, true))};
-    const bool coupled = !variants.empty() || (!layered.empty() && c.contact.coupling) ||
-                         c.contact.kinematics == Case::Kinematics::deformed;
-    if (coupled) {
-        result.push_back(kinematics_sentence(c, variants));
-        result.push_back(pressing_sentence(c, variants));
-    }
-    std::erase(result, std::string());
     return result;
 }
 

@@ -54,19 +54,4 @@ Table layer_table(const LayerComparison& layer) {
     return table;
 }
 
-Table variants_table(const std::vector<StaticVariant>& variants) {
-    Table table{"Static shift with one choice changed", {"this run", "changed", "difference"}, {}};
-    for (const StaticVariant& v : variants) {
-        if (table.groups.empty() || table.groups.back().title != display_name(v.model))
-            table.groups.push_back({display_name(v.model), {}});
-        const Unit unit = fitting_unit(v.static_shift, "m");
-        const Value changed = v.changed_shift ? Value(*v.changed_shift / unit.factor) : Value();
-        table.groups.back().rows.push_back({v.key + ": " + v.changed + " instead of " + v.chosen,
-                                            unit.symbol,
-                                            {significant(v.static_shift / unit.factor),
-                                             significant(changed), percent(v.ratio())}});
-    }
-    return table;
-}
-
 }  // namespace tricontact::comparisons

@@ -1,32 +1,47 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "contact/verdict.h"
+
 namespace tricontact::comparisons {
 
-/// The static shift of one model with one key of the case changed, everything else being the same.
-struct StaticVariant {
-    std::string model;            ///< as in its history
-    std::string key;              ///< "contact.kinematics", "contact.coupling", "load.press"
-    std::string chosen, changed;  ///< values of the key in the run and here, as in a case
-    double static_shift = 0;      ///< of the run [m]
-    std::optional<double> changed_shift;  ///< with the changed key [m]; empty: did not converge
+/// Where one way of loading ends; shifts of the indenter along x.
+struct LoadingOutcome {
+    double static_shift = 0;  ///< after F_T, before rolling [m]
+    /// Of the rolling that followed; empty: not rolled. Only then the next two count.
+    std::optional<contact::State> state{};
+    double final_shift = 0;  ///< upright after the last period [m]
+    double increment = 0;    ///< of the last period [m]
+};
+
+/// One model loaded once more with one key of the case changed, everything else being the same.
+struct LoadingVariant {
+    std::string model;                    ///< as in its history
+    std::string key;                      ///< such as "contact.coupling" or "load.press"
+    std::string chosen, changed;          ///< values of the key in the run and here, as in a case
+    LoadingOutcome run;                   ///< as the case has it, rolled like `other`
+    std::optional<LoadingOutcome> other;  ///< with the changed key; empty: did not converge
     std::string why_none;                 ///< then: what the model said
 
     /// What the change does to the static shift: changed over chosen; empty where undefined.
-    std::optional<double> ratio() const {
-        if (!changed_shift || static_shift == 0) return {};
-        return *changed_shift / static_shift;
-    }
+    std::optional<double> static_ratio() const;
+    /// The same of what rolling leaves: the last period's increment where both ratchet, the final
+    /// shift where neither does; empty where their verdicts differ so.
+    std::optional<double> rolled_ratio() const;
 };
 
 /// What models found by loading more than once.
 struct LoadingStudy {
-    std::vector<StaticVariant> variants;
+    std::vector<LoadingVariant> variants;
     std::map<std::string, double> normal_stiffness;  ///< dF_N/dd without friction [N/m], by model
 };
+
+/// Section "loading_variants" of summary.json; SI units, changes as ratio minus 1.
+nlohmann::ordered_json loading_json(const std::vector<LoadingVariant>& variants);
 
 }  // namespace tricontact::comparisons

@@ -8,6 +8,7 @@
 #include "comparisons/base64.h"
 #include "comparisons/format.h"
 #include "comparisons/layer_report.h"
+#include "comparisons/loading_report.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
 #include "comparisons/reading.h"
@@ -136,10 +137,14 @@ void set_layer(const contact::Case& c, const std::vector<contact::History>& hist
     page.set("has_layer", layer.has_value());
     if (!layer) return;
     page.set("layer_sentences", typeset_list(layer_sentences(c, *layer)));
-    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, study.variants)));
     page.set("layer_table", to_data(layer_table(*layer)));
-    page.set("has_variants", !study.variants.empty());
-    page.set("variants_table", to_data(variants_table(study.variants)));
+}
+
+void set_loading(const contact::Case& c, const std::vector<LoadingVariant>& variants, data& page) {
+    page.set("has_loading", c.layer.thickness || !variants.empty());
+    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, variants)));
+    page.set("has_variants", !variants.empty());
+    page.set("variants_table", to_data(variants_table(variants)));
 }
 
 void set_relaxation(const contact::Case& c, const RelaxationStudy& study, data& page) {
@@ -157,9 +162,9 @@ void set_refinement(const std::optional<Refinement>& refinement, data& page) {
     page.set("refinement_table", to_data(refinement_table(*refinement)));
 }
 
-/// Everything but figures, layer, relaxation and refinement.
+/// Everything but figures, layer, loading, relaxation and refinement.
 data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
-          const std::vector<ModelSummary>& summaries, const std::vector<StaticVariant>& variants) {
+          const std::vector<ModelSummary>& summaries) {
     data settings{data::type::list};
     for (const Table& table : setting_tables(c)) settings << to_data(table);
     data result{data::type::object};
@@ -169,11 +174,7 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("title", c.title.empty() ? "Frictional contact" : c.title);
     result.set("version", version);
     result.set("cards", cards(summaries));
-    std::vector<std::string> findings = reading(c, summaries);
-    if (!c.layer.thickness && !variants.empty())  // the layer has a section for them
-        for (auto& sentence : treatment_sentences(c, c.models, variants))
-            findings.push_back(std::move(sentence));
-    result.set("findings", typeset_list(findings));
+    result.set("findings", typeset_list(reading(c, summaries)));
     result.set("settings", settings);
     result.set("results", to_data(results_table(c, summaries)));
     result.set("rolling", c.rolling.has_value());
@@ -208,8 +209,9 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
         are_on_grids(histories) ? make_plots(c, histories) : make_plots(c, on_grids(histories));
     if (c.relaxation) plots.push_back(modulus_plot(c, extras.relaxation));
     const std::vector<Drawing> drawings = draw_all(plots);
-    data content = page(c, resolved_case, version, summaries, extras.study.variants);
+    data content = page(c, resolved_case, version, summaries);
     set_layer(c, histories, extras.study, content);
+    set_loading(c, extras.study.variants, content);
     set_relaxation(c, extras.relaxation, content);
     set_refinement(extras.refinement, content);
     content.set("figures", figures(plots, drawings));

@@ -134,13 +134,12 @@ ModelSummary summarise(const contact::Case& c, const History& history) {
 }
 
 std::string summary_json(const std::string& version, const json& resolved_case,
-                         const std::vector<ModelSummary>& summaries, const json& layer,
-                         const json& relaxation) {
+                         const std::vector<ModelSummary>& summaries, const json& sections) {
     json models = json::object();
     for (const ModelSummary& summary : summaries) models[summary.model] = to_json(summary);
     json document{{"version", version}, {"case", resolved_case}, {"models", models}};
-    if (!layer.is_null()) document["layer"] = layer;
-    if (!relaxation.is_null()) document["relaxation"] = relaxation;
+    for (const auto& [name, section] : sections.items())
+        if (!section.empty()) document[name] = section;
     return document.dump(2) + "\n";
 }
 

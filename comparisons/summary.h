@@ -50,11 +50,11 @@ struct ModelSummary {
 ModelSummary summarise(const contact::Case& c, const contact::History& history);
 
 /// The text of summary.json: fixed keys in fixed order, undefined and non-finite numbers as null.
-/// `resolved_case` becomes the value of "case"; `layer` (see layer.h) and `relaxation` (see
-/// relaxation_report.h), if not null, those of "layer" and "relaxation".
+/// `resolved_case` becomes the value of "case"; `sections` is an object whose members stand behind
+/// the models, unless they are empty: "layer" (see layer.h), "loading_variants" (loading_study.h),
+/// "relaxation" (relaxation_report.h).
 std::string summary_json(const std::string& version, const nlohmann::ordered_json& resolved_case,
                          const std::vector<ModelSummary>& summaries,
-                         const nlohmann::ordered_json& layer = nullptr,
-                         const nlohmann::ordered_json& relaxation = nullptr);
+                         const nlohmann::ordered_json& sections = nlohmann::ordered_json::object());
 
 }  // namespace tricontact::comparisons

@@ -298,8 +298,8 @@ TEST(RelaxationReport, DmaFitIsToldAndDrawn) {
 
 TEST(RelaxationReport, SectionStandsInSummaryAndReportOfRelaxingCasesOnly) {
     const Case c = relaxing_case();
-    const auto section = nlohmann::json::parse(
-        summary_json("1", nullptr, {}, nullptr, relaxation_json(c, study(c))))["relaxation"];
+    const auto section = nlohmann::json::parse(summary_json(
+        "1", nullptr, {}, {{"relaxation", relaxation_json(c, study(c))}}))["relaxation"];
     EXPECT_DOUBLE_EQ(section["instantaneous_shear_modulus_Pa"], 0.75);
     EXPECT_DOUBLE_EQ(section["models"]["mdr"]["settled_shift_error"], 0.6 / 0.8 - 1);
     EXPECT_TRUE(section["models"]["bem"]["elastic_twin"].is_null());
