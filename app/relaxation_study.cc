@@ -66,7 +66,8 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     else if (std::abs(comparisons::tangential_ratio(history)) < no_load)
         comparison.why_none = "without F_T there is no shift to be compared";
     else if (history.model == "fem")
-        comparison.why_none = "finite elements run once only; another model beside them tells";
+        comparison.why_none =
+            "finite elements do not run again for it; name another model beside them";
     else
         run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);
