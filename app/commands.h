@@ -43,6 +43,17 @@ void condense_command(const CondenseOptions& options);
 /// Whether this is a further process of those that condense together: the first one tells errors.
 bool another_process_speaks();
 
+struct InfluenceOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;  ///< the file
+    std::string model;   ///< empty: the only boundary element model of the case
+    int threads = 1;
+};
+/// Writes the influence coefficients of the case's boundary elements (docs/influence-format.md).
+/// Throws InputError.
+void influence_command(const InfluenceOptions& options);
+
 struct RefineOptions {
     std::string case_file;
     std::vector<std::string> overrides;

@@ -92,6 +92,20 @@ int run_program(int argc, char** argv) {
         ->check(CLI::Range(1, 1024));
     refine->add_flag("--quiet", refine_options.quiet, "No progress");
 
+    tricontact::app::InfluenceOptions influence_options;
+    auto* influence =
+        app.add_subcommand("influence", "Write the influence coefficients of a case to a file");
+    add_case_arguments(*influence, influence_options.case_file, influence_options.overrides);
+    influence->add_option("--output", influence_options.output, "The file")
+        ->required()
+        ->type_name("FILE");
+    influence->add_option("--model", influence_options.model, "Model (the one of the case)")
+        ->check(CLI::IsMember({"bem", "bem-layer"}));
+    influence_options.threads = options.threads;
+    influence
+        ->add_option("--threads", influence_options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
@@ -111,6 +125,7 @@ int run_program(int argc, char** argv) {
     if (*run) tricontact::app::run_command(options);
     if (*check) tricontact::app::check_command(check_file, check_overrides);
     if (*refine) tricontact::app::refine_command(refine_options);
+    if (*influence) tricontact::app::influence_command(influence_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/relaxation_study.h"
 #include "app/run_model.h"
+#include "bem/case_compliance.h"
 #include "comparisons/layer.h"
 #include "comparisons/relaxation_report.h"
 #include "comparisons/report.h"
@@ -54,6 +55,7 @@ nlohmann::ordered_json as_json(const std::string& toml_text) {
 void run_command(const RunOptions& given) {
     RunOptions options = given;
     const contact::Case c = read(options);
+    bem::check_influence_file(c);  // before anything is written
     if (options.output.empty())
         options.output = "results/" + std::filesystem::path(options.case_file).stem().string();
     io::make_output_folder(options.output);

@@ -1,9 +1,12 @@
 #include "bem/grid_compliance.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 
 #include "bem/layer_influence.h"
+#include "contact/error.h"
 
 namespace tricontact::bem {
 
@@ -19,24 +22,6 @@ constexpr double negligible_beta = 1e-3;
 /// Relative positions of i >= 0 cells on a padded grid along one side.
 int positions(int n) {
     return good_fft_size(2 * n - 1) / 2 + 1;
-}
-
-/// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
-Symbol2 inverse(Symbol2 symbol) {
-    for (std::size_t k = 0; k < symbol.xx.size(); ++k) {
-        double &xx = symbol.xx[k], &xy = symbol.xy[k], &yy = symbol.yy[k];
-        if (xx == 0 && yy == 0) continue;  // padding of the spectrum's rows
-        if (!(xx > 0 && yy > 0 && xx * yy > xy * xy)) {
-            xx = std::abs(xx);
-            yy = std::abs(yy);
-            xy = 0;
-        }
-        const double determinant = xx * yy - xy * xy, old_xx = xx;
-        xx = yy / determinant;
-        yy = old_xx / determinant;
-        xy = -xy / determinant;
-    }
-    return symbol;
 }
 
 }  // namespace
@@ -120,6 +105,14 @@ void GridCompliance::normal_from_tangential(const contact::TangentialField& t,
     linear_.apply_adjoint(*from_normal_, t.x, t.y, u_z);
 }
 
+InfluenceTable GridCompliance::influence() const {
+    InfluenceTable table{grid_.spacing[0], columns_, rows_, {}};
+    for (int j = 0; j < rows_; ++j)
+        for (int i = 0; i < columns_; ++i)
+            table.cells.push_back(influence_(i * grid_.spacing[0], j * grid_.spacing[1]));
+    return table;
+}
+
 double GridCompliance::local_tangential() const {
     return influence_(0, 0).xx;
 }
@@ -130,12 +123,15 @@ void GridCompliance::precondition_tangential(const contact::TangentialField& r,
     periodic_.apply(*inverse_, r.x, r.y, z.x, z.y);
 }
 
+bool is_coupled(const contact::MaterialPair& materials) {
+    return std::abs(materials.dundurs_beta()) > negligible_beta;
+}
+
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
                                                       contact::ContactPoints grid, int n_threads) {
     const RectangleInfluence cell(materials, grid.spacing[0], grid.spacing[1]);
-    const bool coupled = std::abs(materials.dundurs_beta()) > negligible_beta;
     return std::make_unique<GridCompliance>([cell](double x, double y) { return cell.at(x, y); },
-                                            std::move(grid), coupled, n_threads);
+                                            std::move(grid), is_coupled(materials), n_threads);
 }
 
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
@@ -146,6 +142,25 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
         std::hypot(positions(grid.n_x) * grid.spacing[0], positions(grid.n_y) * grid.spacing[1]));
     return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
                                             std::move(grid), true, n_threads);
+}
+
+std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,
+                                                     bool coupled, contact::ContactPoints grid,
+                                                     int n_threads) {
+    const double h = grid.spacing[0];
+    check_spacing(table, name, h);
+    const int n_x = positions(grid.n_x), n_y = positions(grid.n_y);
+    if (table.n_x < n_x || table.n_y < n_y)
+        throw contact::InputError(fmt::format(
+            "{}: {} x {} positions, but contact and rolling path need {} x {}; write the file anew",
+            name, table.n_x, table.n_y, n_x, n_y));
+    const auto shared = std::make_shared<const InfluenceTable>(std::move(table));
+    return std::make_unique<GridCompliance>(
+        [shared, h](double x, double y) {
+            return shared->at(static_cast<int>(std::lround(x / h)),
+                              static_cast<int>(std::lround(y / h)));
+        },
+        std::move(grid), coupled, n_threads);
 }
 
 }  // namespace tricontact::bem

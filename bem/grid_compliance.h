@@ -7,6 +7,7 @@
 
 #include "bem/grid_convolution.h"
 #include "bem/influence.h"
+#include "bem/influence_file.h"
 #include "contact/compliance.h"
 #include "theory/layer_stack.h"
 
@@ -33,6 +34,8 @@ class GridCompliance final : public contact::Compliance {
     void normal_from_tangential(const contact::TangentialField& t,
                                 std::span<double> u_z) const override;
     double local_tangential() const override;
+    /// The coefficients of square cells at all relative positions that are asked for.
+    InfluenceTable influence() const;
     void precondition_tangential(const contact::TangentialField& r,
                                  contact::TangentialField& z) const override;
 
@@ -57,8 +60,10 @@ class GridCompliance final : public contact::Compliance {
     mutable std::optional<GridConvolution::OddSymbol2> from_normal_;
 };
 
-/// Two elastic half-spaces, or one and a rigid body; coupled if Dundurs' beta is above what changes
-/// shifts by 1e-3.
+/// Dundurs' beta is above what changes shifts by 1e-3.
+bool is_coupled(const contact::MaterialPair& materials);
+
+/// Two elastic half-spaces, or one and a rigid body; coupled if `is_coupled`.
 std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPair& materials,
                                                       contact::ContactPoints grid, int n_threads);
 /// Layers under an elastic half-space, or (`indenter` empty) a rigid body. Throws
@@ -66,5 +71,10 @@ std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPai
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
                                                  const std::optional<contact::Material>& indenter,
                                                  contact::ContactPoints grid, int n_threads);
+/// Whatever bodies have these coefficients. `name`: of their file, for messages. Throws
+/// contact::InputError if their spacing is another one or positions are missing.
+std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,
+                                                     bool coupled, contact::ContactPoints grid,
+                                                     int n_threads);
 
 }  // namespace tricontact::bem

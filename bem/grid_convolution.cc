@@ -3,6 +3,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 
@@ -28,6 +29,10 @@ FftwComplex allocate_complex(std::size_t n) {
     if (!memory) throw std::bad_alloc();
     std::memset(memory.get(), 0, n * sizeof(fftw_complex));
     return memory;
+}
+
+int wrapped(int i, int period) {
+    return i <= period / 2 ? i : i - period;
 }
 
 bool is_good(int n) {
@@ -150,7 +155,6 @@ GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, 
     const int n_kx = period_x_ / 2 + 1;
     FftwReal kernel = allocate_real(static_cast<std::size_t>(period_x_) * period_y_);
     FftwComplex spectrum = allocate_complex(static_cast<std::size_t>(n_kx) * period_y_);
-    auto wrapped = [](int i, int period) { return i <= period / 2 ? i : i - period; };
     for_each_piece(whole_pieces(period_y_), [&](int first) {
         for (int j = first; j < std::min(first + piece, period_y_); ++j)
             for (int i = 0; i < period_x_; ++i)
@@ -168,6 +172,17 @@ GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, 
         for (int i = 0; i < n_kx; ++i)
             result[static_cast<std::size_t>(i) * period_y_ + j] =
                 scale * spectrum[static_cast<std::size_t>(j) * n_kx + i][parity == Parity::odd];
+    return result;
+}
+
+GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
+    const std::function<double(int, int)>& coefficient) const {
+    const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
+    Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);
+    for (int i = 0; i <= period_x_ / 2; ++i)
+        for (int j = 0; j < period_y_; ++j)
+            result[static_cast<std::size_t>(i) * period_y_ + j] =
+                scale * coefficient(i, wrapped(j, period_y_));
     return result;
 }
 
@@ -257,6 +272,23 @@ void GridConvolution::apply_adjoint(const OddSymbol2& symbol, std::span<const do
         columns_backward(x, first, field_[0]);
     });
     rows_backward(field_[0], out);
+}
+
+GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
+    for (std::size_t k = 0; k < symbol.xx.size(); ++k) {
+        double &xx = symbol.xx[k], &xy = symbol.xy[k], &yy = symbol.yy[k];
+        if (xx == 0 && yy == 0) continue;  // padding of the spectrum's rows
+        if (!(xx > 0 && yy > 0 && xx * yy > xy * xy)) {
+            xx = std::abs(xx);
+            yy = std::abs(yy);
+            xy = 0;
+        }
+        const double determinant = xx * yy - xy * xy, old_xx = xx;
+        xx = yy / determinant;
+        yy = old_xx / determinant;
+        xy = -xy / determinant;
+    }
+    return symbol;
 }
 
 }  // namespace tricontact::bem

@@ -51,6 +51,10 @@ class GridConvolution {
     Symbol symbol(const std::function<double(int, int)>& coefficient,
                   Parity parity = Parity::even) const;
 
+    /// Symbol of the kernel with these Fourier coefficients at the wave numbers 2 pi m_x/period_x,
+    /// 2 pi m_y/period_y, m_x >= 0: of an even kernel, or the imaginary ones of an odd one.
+    Symbol symbol_of_coefficients(const std::function<double(int, int)>& coefficient) const;
+
     /// out = kernel * in, both n_x * n_y.
     void apply(const Symbol& symbol, std::span<const double> in, std::span<double> out) const;
     /// Both components at once; in and out may not overlap.
@@ -84,5 +88,8 @@ class GridConvolution {
     mutable std::vector<FftwComplex> columns_;  // per thread and component: a piece of columns
     fftw_plan row_forward_, row_backward_, column_forward_, column_backward_;
 };
+
+/// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.
+GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol);
 
 }  // namespace tricontact::bem

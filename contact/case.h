@@ -109,6 +109,8 @@ struct Case {
         std::optional<double> spacing;           ///< cell size h [m]
         std::optional<double> cells_per_radius;  ///< Hertz radius / h, instead
         double tolerance = 1e-7;                 ///< see TangentialSolver, NormalSolver
+        std::optional<std::string> influence;    ///< file of influence coefficients to be used
+        std::optional<double> period;            ///< of substrate and tractions, x and y [m]
     };
 
     struct Mdr {

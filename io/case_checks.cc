@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "contact/load_path.h"
+#include "io/bem_checks.h"
 #include "io/fem_checks.h"
 #include "io/layer_checks.h"
 #include "io/refusal.h"
@@ -212,6 +213,7 @@ void check_case(const Case& c, const Document& document) {
     check_ground(c, document);
     check_friction_limit(c, document);
     const double steps = check_steps(c, scales, document);
+    check_bem_options(c, document);
     for (const std::string& model : c.models) {
         if (model == "bem-layer" || model == "mdr-layer") check_layer(model, c, document);
         if (model == "bem" || model == "bem-layer") check_bem(c, scales, steps, document);

@@ -115,6 +115,21 @@ void add_bem(std::vector<Key>& keys) {
                     .example = "1e-7",
                     .text = "relative tolerance of the solvers",
                     .field = [](Case& c) -> Field { return &c.bem.tolerance; }});
+    keys.push_back({.path = "bem.influence",
+                    .kind = Kind::text,
+                    .example = R"("influence.txt")",
+                    .text = "file of influence coefficients to be used instead of those of the "
+                            "program's own bodies",
+                    .field = [](Case& c) -> Field { return &c.bem.influence; }});
+    keys.push_back({.path = "bem.period",
+                    .kind = Kind::quantity,
+                    .dimension = Dimension::length,
+                    .range = above_zero(1e6),
+                    .needs = "substrate.thickness",
+                    .example = R"("80 mm")",
+                    .text = "period of indenters and tractions in x and y, for bem-layer; without "
+                            "it there is one indenter",
+                    .field = [](Case& c) -> Field { return &c.bem.period; }});
 }
 
 void add_mdr(std::vector<Key>& keys) {

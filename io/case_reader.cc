@@ -176,6 +176,9 @@ std::string absolute_path(const std::string& path, const Entry& entry, const Doc
 
 void make_paths_absolute(Case& c, const Document& document) {
     if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
+    if (c.bem.influence)
+        c.bem.influence =
+            absolute_path(*c.bem.influence, *document.find("bem.influence"), document);
     if (!c.fem.cache.empty() && c.fem.cache != "none")
         c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
     if (auto& dma = c.relaxation_input.dma)

@@ -171,6 +171,9 @@ Case any_case() {
         one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
     const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
     if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w, fem);
+    const bool bem = std::find(c.models.begin(), c.models.end(), "bem") != c.models.end();
+    if (!bem && c.layer.thickness) c.bem.period = between(1, 100) * a;  // kept, but not used
+    if (!bem) c.bem.influence = "/any" + any_title();
     if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
     const bool between_turning_points =
         c.rolling && c.rolling->steps == Case::Steps::turning_points;
@@ -275,6 +278,8 @@ void same(const Case& a, const Case& b) {
     same(a.bem.spacing, b.bem.spacing);
     same(a.bem.cells_per_radius, b.bem.cells_per_radius);
     same(a.bem.tolerance, b.bem.tolerance);
+    same(a.bem.period, b.bem.period);
+    RC_ASSERT(a.bem.influence == b.bem.influence);
     RC_ASSERT(a.mdr.springs == b.mdr.springs);
     same(a.layer, b.layer);
     RC_ASSERT(a.contact.coupling == b.contact.coupling);

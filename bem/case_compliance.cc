@@ -1,0 +1,154 @@
+#include "bem/case_compliance.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bem/grid_compliance.h"
+#include "bem/periodic_compliance.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "contact/normal_solver.h"
+#include "contact/placement.h"
+#include "theory/case_layers.h"
+
+namespace tricontact::bem {
+
+namespace {
+
+constexpr double first_margin = 1.08;  // grid over Hertz' contact
+constexpr double enlargement = 1.25;
+constexpr double max_cells = 4096. * 4096.;
+constexpr double whole_cells = 1e-6;  // how far a period may be from them, in cells
+
+double spacing_of(const contact::Case& c, double radius) {
+    return c.bem.spacing ? *c.bem.spacing : radius / *c.bem.cells_per_radius;
+}
+
+void check_size(double n_x, double n_y) {
+    if (n_x * n_y > max_cells)
+        throw contact::InputError(
+            fmt::format("bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge "
+                        "bem.spacing or shorten the rolling path",
+                        n_x, n_y, max_cells));
+}
+
+/// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side.
+contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
+    const double beside_x = std::ceil(half_x / spacing), beside_y = std::ceil(half_y / spacing);
+    const double n_x = 2 * beside_x + 1, n_y = 2 * beside_y + 1;
+    check_size(n_x, n_y);
+    return contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
+                                        {-beside_x * spacing, -beside_y * spacing},
+                                        {spacing, spacing});
+}
+
+/// One period, a cell's centre at the origin.
+contact::ContactPoints period_grid(double period, double spacing, bool adjustable) {
+    const double n = adjustable ? std::ceil(period / spacing) : std::round(period / spacing);
+    if (!adjustable && std::abs(period / spacing - n) > whole_cells)
+        throw contact::InputError(
+            fmt::format("bem: a period of {:.6g} m is no whole number of cells of {:.6g} m; take a "
+                        "spacing of {:.6g} m",
+                        period, spacing, period / std::max(1., n)));
+    check_size(n, n);
+    const double h = period / n, first = -std::floor(n / 2) * h;
+    return contact::ContactPoints::grid(static_cast<int>(n), static_cast<int>(n), {first, first},
+                                        {h, h});
+}
+
+/// Half sides of the region that the contact centre sweeps [m].
+contact::Vector2 path_extent(const contact::Case& c, double radius) {
+    if (!c.rolling) return {0, 0};
+    const double reach = rolling_amplitude(*c.rolling, radius);
+    return {std::abs(reach * std::cos(c.rolling->angle)),
+            std::abs(reach * std::sin(c.rolling->angle))};
+}
+
+double hardest_factor(const contact::Case& c) {
+    return 1 + std::abs(c.load.normal_amplitude_ratio);
+}
+
+/// The hardest press of the case, probed where the path reaches farthest.
+bool covers(const contact::Compliance& compliance, const contact::Case& c,
+            const contact::Vector2& extent) {
+    contact::NormalControl hardest = contact::press_step(c).normal;
+    hardest.value *= hardest_factor(c);
+    const auto height = heights_over(compliance.points(), *c.make_indenter(), extent);
+    const auto probe = contact::NormalSolver(compliance, 1e-3).solve(height, hardest);
+    return !reaches_edge(compliance.points(), probe.pressure);
+}
+
+std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body body,
+                                                const InfluenceTable* table,
+                                                contact::ContactPoints grid, int n_threads) {
+    if (table)
+        return tabulated_compliance(*table, *c.bem.influence,
+                                    body == Body::layer || is_coupled(c.materials()),
+                                    std::move(grid), n_threads);
+    return body == Body::layer ? layer_compliance(theory::layers_of("bem-layer", c),
+                                                  c.indenter.material, std::move(grid), n_threads)
+                               : half_space_compliance(c.materials(), std::move(grid), n_threads);
+}
+
+std::unique_ptr<GridCompliance> fitting_grid_compliance(const contact::Case& c, int n_threads,
+                                                        Body body) {
+    const contact::HertzScales hertz = hertz_scales(c);
+    const double spacing = spacing_of(c, hertz.contact_radius);
+    std::optional<InfluenceTable> table;
+    if (c.bem.influence) table = read_influence(*c.bem.influence);
+    // a grows with F_N^(1/3) or d^(1/2): the root covers both controls.
+    const double radius = hertz.contact_radius * std::sqrt(hardest_factor(c));
+
+    for (double margin = first_margin;; margin *= enlargement) {
+        // A path measured by the model's own radius is known when the model has been pressed.
+        const bool own_radius =
+            c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
+        const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
+        auto grid = make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing);
+        auto compliance =
+            grid_compliance(c, body, table ? &*table : nullptr, std::move(grid), n_threads);
+        if (covers(*compliance, c, extent)) return compliance;
+    }
+}
+
+std::unique_ptr<contact::Compliance> periodic_compliance(const contact::Case& c, int n_threads,
+                                                         Body body) {
+    if (body == Body::half_space)
+        throw contact::InputError(
+            "bem: under a periodic load the half-space gives way without bound, its compliance at "
+            "k = 0 is infinite; take bem-layer or omit bem.period");
+    const double radius = hertz_scales(c).contact_radius, period = *c.bem.period;
+    auto compliance = std::make_unique<PeriodicCompliance>(
+        theory::layers_of("bem-layer", c),
+        period_grid(period, spacing_of(c, radius), !c.bem.spacing), n_threads);
+    if (!covers(*compliance, c, path_extent(c, radius)))
+        throw contact::InputError(fmt::format(
+            "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
+            "neighbouring contacts would merge; enlarge bem.period or reduce the load",
+            period));
+    return compliance;
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
+                                                     Body body) {
+    if (c.bem.period) return periodic_compliance(c, n_threads, body);
+    return fitting_grid_compliance(c, n_threads, body);
+}
+
+InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
+    if (c.bem.period)
+        throw contact::InputError(
+            "bem.period: a periodic case has no influence coefficients of single cells; omit it");
+    return fitting_grid_compliance(c, n_threads, body)->influence();
+}
+
+void check_influence_file(const contact::Case& c) {
+    if (c.bem.influence)
+        check_spacing(read_influence(*c.bem.influence), *c.bem.influence,
+                      spacing_of(c, hertz_scales(c).contact_radius));
+}
+
+}  // namespace tricontact::bem

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+
+#include "bem/influence_file.h"
+#include "contact/case.h"
+#include "contact/compliance.h"
+
+namespace tricontact::bem {
+
+/// What the boundary elements take the substrate for.
+enum class Body { half_space, layer };
+
+/// The compliance of a case: on a grid that covers the contact along its whole rolling path and is
+/// enlarged until it does, or on one period. `n_threads`: for the transforms; results do not depend
+/// on it. Throws contact::InputError if the grid would be too large, or a file of influence
+/// coefficients does not fit, or the contact does not fit into the period.
+std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
+                                                     Body body);
+
+/// The influence coefficients that this compliance is made of, as far as it asks for them. Throws
+/// contact::InputError, also for a periodic case, which has none.
+InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body);
+
+/// Reads the case's file of influence coefficients, if it has one, to see whether it is whole and
+/// of the case's cells. Throws contact::InputError.
+void check_influence_file(const contact::Case& c);
+
+}  // namespace tricontact::bem

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bem/grid_convolution.h"
+#include "bem/periodic_influence.h"
+#include "contact/compliance.h"
+
+namespace tricontact::bem {
+
+/// Layers and a rigid indenter in each of equal squares that fill the plane: one square, its
+/// tractions constant on n x n cells, displacements at their centres; FFT (Stanley & Kato 1997).
+/// Its mean displacement is that under a uniform traction. All of it compressed at nu = 1/2 would
+/// be at infinite stiffness: then the pressure is known up to a constant only.
+class PeriodicCompliance final : public contact::Compliance {
+  public:
+    /// `grid` is square and covers one period. Throws contact::InputError as PeriodicInfluence.
+    PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid, int n_threads);
+
+    const contact::ContactPoints& points() const override { return grid_; }
+    bool is_coupled() const override { return true; }
+    void normal(std::span<const double> p, std::span<double> u_z) const override;
+    void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
+    void tangential_from_normal(std::span<const double> p,
+                                contact::TangentialField& u) const override;
+    void normal_from_tangential(const contact::TangentialField& t,
+                                std::span<double> u_z) const override;
+    double local_tangential() const override { return local_tangential_; }
+    void precondition_tangential(const contact::TangentialField& r,
+                                 contact::TangentialField& z) const override;
+
+  private:
+    contact::ContactPoints grid_;
+    GridConvolution convolution_;
+    GridConvolution::Symbol normal_;
+    GridConvolution::Symbol2 tangential_, inverse_;
+    GridConvolution::OddSymbol2 from_normal_;
+    double local_tangential_ = 0;
+};
+
+}  // namespace tricontact::bem

@@ -1,0 +1,129 @@
+#include "io/bem_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "io/messages.h"
+#include "io/refusal.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::Material;
+using Base = Case::Base;
+
+constexpr double largest_compliance_ratio = 1e-3;  // of the indenter over the substrate
+constexpr double whole_cells = 1e-6;               // how far the period may be from them, in cells
+constexpr int samples = 200;                       // of the indenter's height, along a side
+
+bool computes(const Case& c, const std::string& model) {
+    return std::find(c.models.begin(), c.models.end(), model) != c.models.end();
+}
+
+void check_influence(const Case& c, const Document& document) {
+    if (c.bem.period)
+        refuse(document, "bem.influence",
+               "coefficients of single cells say nothing of what is periodic",
+               "omit it or bem.period");
+    if (computes(c, "bem") && computes(c, "bem-layer"))
+        refuse(document, "bem.influence",
+               "the same coefficients cannot be those of bem and bem-layer",
+               "name one of the two in models");
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(*c.bem.influence, error))
+        refuse(document, "bem.influence", "there is no such file: " + *c.bem.influence,
+               "write one by tricontact influence; a relative name is meant from the folder of the "
+               "case file");
+}
+
+double plane_compliance(const Material& body) {
+    return (1 - body.poisson * body.poisson) / body.young;
+}
+
+// Why the mean displacement under a periodic load, the compliance at k = 0, has to be finite.
+void check_mean(const Case& c, const Document& document) {
+    if (computes(c, "bem") || c.layer.base == Base::half_space)
+        refuse(
+            document, "bem.period",
+            "under a periodic load a half-space gives way without bound: its compliance at k = 0 "
+            "is infinite",
+            "omit it, or take bem-layer alone on a bonded base");
+    if (c.layer.base == Base::frictionless)
+        refuse(document, "bem.period",
+               "nothing holds a periodic layer that glides on its ground: its tangential "
+               "compliance at k = 0 is infinite",
+               "omit it, or take base = \"bonded\"");
+    if (!c.indenter.material) return;
+    const double ratio = plane_compliance(*c.indenter.material) / plane_compliance(c.substrate);
+    if (ratio > largest_compliance_ratio)
+        refuse(document, "bem.period",
+               "periodic indenters are taken as rigid, but the compliance (1 - poisson^2)/young of "
+               "this one is " +
+                   rounded(ratio) + " of the substrate's, more than " +
+                   rounded(largest_compliance_ratio),
+               "omit it, or young and poisson of the indenter");
+}
+
+void check_cells(const Case& c, const Document& document) {
+    if (!c.bem.spacing) return;
+    const double cells = *c.bem.period / *c.bem.spacing;
+    if (std::abs(cells - std::round(cells)) <= whole_cells) return;
+    refuse(document, "bem.period", "is no whole number of cells, but " + rounded(cells),
+           "use a spacing of " + shortest(*c.bem.period / std::ceil(cells)) +
+               " m, or bem.cells_per_radius");
+}
+
+void check_path(const Case& c, const Document& document) {
+    if (!c.rolling) return;
+    const double path =
+        contact::rolling_amplitude(*c.rolling, contact::hertz_scales(c).contact_radius);
+    if (2 * path < *c.bem.period) return;
+    refuse(document, "bem.period",
+           "is not longer than the rolling path of " + rounded(2 * path) +
+               " m: the contact would meet its neighbour's track",
+           "enlarge it or reduce the rolling amplitude");
+}
+
+double mean_height(const Case& c) {
+    const auto indenter = c.make_indenter();
+    double sum = 0;
+    for (int i = 0; i < samples; ++i)
+        for (int j = 0; j < samples; ++j)
+            sum += indenter->height(*c.bem.period / 2 * (i + .5) / samples,
+                                    *c.bem.period / 2 * (j + .5) / samples);
+    return sum / samples / samples;
+}
+
+// What cannot be compressed keeps its mean height: as deep as the indenter's own mean height the
+// layer would fill the whole period, and resist any further indentation with infinite stiffness.
+void check_room(const Case& c, const Document& document) {
+    const bool compressible =
+        c.substrate.poisson < 0.5 ||
+        std::any_of(c.layer.lower.begin(), c.layer.lower.end(),
+                    [](const auto& lower) { return lower.material.poisson < 0.5; });
+    if (compressible || !c.load.indentation) return;
+    const double room = mean_height(c);
+    if (*c.load.indentation < room) return;
+    refuse(document, "load.indentation",
+           "at poisson = 0.5 the mean compliance of a period (k = 0) is zero: at " + rounded(room) +
+               " m the layer would fill it, and be infinitely stiff",
+           "reduce it, enlarge bem.period, or take poisson below 0.5");
+}
+
+}  // namespace
+
+void check_bem_options(const Case& c, const Document& document) {
+    const bool layer = computes(c, "bem-layer");
+    if (!layer && !computes(c, "bem")) return;
+    if (c.bem.influence) check_influence(c, document);
+    if (!c.bem.period) return;
+    check_mean(c, document);
+    check_cells(c, document);
+    check_path(c, document);
+    check_room(c, document);
+}
+
+}  // namespace tricontact::io
