@@ -22,7 +22,7 @@ using contact::State;
 constexpr Case::Contact uncoupled{.coupling = false, .kinematics = Case::Kinematics::linear};
 
 /// By turning points the rig's layer settles in 30 periods.
-constexpr int enough_periods = 100;
+constexpr int enough_periods = 40;
 /// A longer run is not repeated for each variant.
 constexpr std::size_t most_steps = 1000;
 

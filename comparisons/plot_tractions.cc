@@ -185,15 +185,19 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
     add_bounds(c, r, axis, parts);
     add_theory(c, r, parts);
     const char* letter = axis == Axis::x ? "x" : "y";
+    // The axis' name stands beside the curves, above the names of the strips.
+    const double strips_share = -parts.bottom / (1.03 - parts.bottom);
+    const int height = 460 + 28 * std::max(0, static_cast<int>(parts.models) - 3);
     const std::string script =
         parts.data + plot_style() + parts.strips +
         fmt::format(
-            "set xlabel 'position {0}/a'\nset ylabel 'traction τ_x / (μ p_0)'\n"
+            "set xlabel 'position {0}/a'\n"
+            "set ylabel 'traction τ_x / (μ p_0)' offset 0,graph {4:.3f}\n"
             "set xrange [-{1}:{1}]\nset yrange [{2:.4g}:1.03<*] noextend\n"
             "set xtics 0.5\nset ytics 0,0.2\n"
             "set key outside top center horizontal maxcols 3 samplen 1.6 width -3\n"
             "set lmargin 9\nplot {3}\n",
-            letter, half_width, parts.bottom, parts.curves);
+            letter, half_width, parts.bottom, parts.curves, strips_share / 2);
     return {{fmt::format("traction_{}", letter),
              fmt::format("Traction on the centre line along {}", letter),
              "The last upright state. Strips: what each point does during the last period. Black, "
@@ -201,7 +205,7 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
              "some instant; light, zero or released: out of contact at some instant, after "
              "shakedown no traction is left there (in coupled contact what the pressure drags). a "
              "and p₀ are each model's own.",
-             {640, 460, script}}};
+             {640, height, script}}};
 }
 
 }  // namespace

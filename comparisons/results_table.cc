@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "comparisons/format.h"
+#include "comparisons/layer.h"
 #include "comparisons/reference.h"
 #include "comparisons/report_tables.h"
 #include "theory/oscillating_rolling.h"
@@ -85,6 +86,14 @@ class RowMaker {
     const std::vector<ModelSummary>& summaries_;
     std::string theory_;
 };
+
+/// On a layer: which models know of it.
+Table::Row body_row(const RowMaker& make) {
+    return make.text_row(
+        "elastic body", "",
+        [](const auto& s) { return std::string(is_half_space(s.model) ? "half-space" : "layer"); },
+        "half-space");
+}
 
 Table::Group pressed_group(const RowMaker& make, const Reference& r) {
     return {"Pressed and loaded",
@@ -180,6 +189,10 @@ Table results_table(const contact::Case& c, const std::vector<ModelSummary>& sum
     const Reference r = reference(c);
     const RowMaker make(summaries, c.layer.thickness ? "half-space theory" : "theory");
     Table table{"Results of the models and of theory", make.columns(), {pressed_group(make, r)}};
+    if (c.layer.thickness) {
+        auto& rows = table.groups.front().rows;
+        rows.insert(rows.begin(), body_row(make));
+    }
     if (c.rolling) table.groups.push_back(rolling_group(make, r));
     table.groups.push_back(cost_group(make, c.rolling.has_value()));
     return table;
