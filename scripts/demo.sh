@@ -4,7 +4,7 @@
 # usage: demo.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
-name=rig_layer_parallel
+name=rig_sphere_layer_all
 
 "$root/scripts/setup.sh" build
 cmake -S "$root" --preset release --log-level=NOTICE

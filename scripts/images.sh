@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 
 "$root/scripts/demo.sh"
-results=$root/results/rig_layer_parallel
+results=$root/results/rig_sphere_layer_all
 cp "$results/plots/shift.png" "$results/plots/traction_x.png" "$results/plots/zones_fem.png" \
     "$root/docs/images/"
 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1100,920 \
