@@ -35,6 +35,8 @@ std::string why_theory_is_silent(const Case& c) {
     if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory knows a rigid ground, that of the case is elastic";
+    if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
+    if (c.bem.influence) return "the influence coefficients of the case come from a file";
     if (c.indenter.material && plane_compliance(*c.indenter.material) >
                                    negligible_compliance * plane_compliance(c.substrate))
         return "the exact theory takes the indenter as rigid, that of the case is not";

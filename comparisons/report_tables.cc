@@ -55,6 +55,8 @@ void add_layer(const Case& c, std::vector<Row>& rows) {
         rows.push_back(given_row("ground’s <i>E</i>", layer.ground->young, "Pa"));
         rows.push_back(given_row("ground’s <i>ν</i>", layer.ground->poisson, ""));
     }
+    if (c.bem.period)
+        rows.push_back(given_row("period of the indenters (bem-layer)", *c.bem.period, "m"));
     for (const auto& [name, side] : {std::pair("width", layer.width), {"depth", layer.depth}})
         rows.push_back(side ? given_row(name, *side, "m") : text_row(name, "wide enough"));
 }
@@ -102,6 +104,7 @@ Table bodies_table(const Case& c) {
     rows.push_back(given_row("substrate <i>ν</i><sub>2</sub>", c.substrate.poisson, ""));
     add_relaxation(c, rows);
     add_layer(c, rows);
+    if (c.bem.influence) rows.push_back(text_row("influence coefficients (bem)", "from a file"));
     rows.push_back(given_row("friction coefficient <i>μ</i>", c.friction_coefficient, ""));
     return {"Bodies", {"value"}, {{"Bodies", rows}}};
 }

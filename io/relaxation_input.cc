@@ -19,6 +19,7 @@ using contact::Relaxation;
 using Input = Case::RelaxationInput;
 
 const std::string section = "substrate.relaxation.";
+constexpr double largest_elastic_share = 1e-3;  // of the compliance: the indenter's
 
 void resolve_standard_solid(Input& input) {
     input.moduli = {*input.maxwell_modulus};
@@ -132,6 +133,14 @@ void check_relaxation(const Case& c, const Document& document) {
                "below poisson = 0.5 shear then relaxes without the bulk, and no model of this "
                "program can do that",
                "use bulk = \"proportional\", or poisson = 0.5, where both are the same");
+    const contact::MaterialPair substrate({}, c.substrate);
+    const double share = 1 - c.materials().effective_modulus() / substrate.effective_modulus();
+    if (share > largest_elastic_share)
+        refuse(document, "indenter.young",
+               "models let all of the compliance relax, but " + rounded(share) +
+                   " of it is the indenter's, which does not, more than " +
+                   rounded(largest_elastic_share),
+               "make the indenter stiffer, or omit its young and poisson: it is then rigid");
 }
 
 }  // namespace tricontact::io

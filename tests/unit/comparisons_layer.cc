@@ -129,8 +129,17 @@ TEST(Layer, WhereTheoryIsSilentItSaysWhy) {
     elastic.indenter.material = contact::Material{5.2e6, 0.5};
     Case thin = rig();
     thin.layer.thickness = 1e-5;  // a/b = 45 or so
-    for (const auto& [c, why] : {std::pair(two, "one layer"), std::pair(elastic, "rigid"),
-                                 std::pair(thin, "exceeds 32 thicknesses")}) {
+    Case ground = rig();
+    ground.layer.base = Case::Base::half_space;
+    ground.layer.ground = contact::Material{70e9, .3};
+    Case periodic = rig();
+    periodic.bem.period = 80e-3;
+    Case others = rig();
+    others.bem.influence = "influence.txt";
+    for (const auto& [c, why] :
+         {std::pair(two, "one layer"), std::pair(elastic, "rigid"),
+          std::pair(thin, "exceeds 32 thicknesses"), std::pair(ground, "rigid ground"),
+          std::pair(periodic, "one in each period"), std::pair(others, "come from a file")}) {
         const LayerComparison layer = compare_with_layer(c, {}).value();
         EXPECT_FALSE(layer.exact) << why;
         EXPECT_FALSE(layer.apparent) << why;
@@ -139,6 +148,11 @@ TEST(Layer, WhereTheoryIsSilentItSaysWhy) {
         EXPECT_TRUE(layer_json(c, layer)["exact"].is_null());
         EXPECT_FALSE(layer_json(c, layer)["why_no_exact"].is_null());
     }
+    two.layer.lower.push_back({1e-3, {1e6, 0.2}});
+    expect_parts(joined(layer_sentences(two, compare_with_layer(two, {}).value())),
+                 {"rests on 2 further layers of 3 mm together"});
+    expect_parts(joined(layer_sentences(ground, compare_with_layer(ground, {}).value())),
+                 {"bonded to a half-space of E = 70 GPa"});
     Case steel = rig();
     steel.indenter.material = contact::Material{206e9, 0.3};
     EXPECT_TRUE(compare_with_layer(steel, {}).value().exact);

@@ -177,7 +177,8 @@ Case any_case() {
     if (c.models == std::vector<std::string>{"fem"}) c.substrate.poisson = between(-0.9, 0.5);
     const bool between_turning_points =
         c.rolling && c.rolling->steps == Case::Steps::turning_points;
-    if (!between_turning_points && *rc::gen::arbitrary<bool>()) relax(c);
+    const bool all_relaxes = c.layer.lower.empty() && !c.layer.ground && !c.indenter.material;
+    if (!between_turning_points && all_relaxes && *rc::gen::arbitrary<bool>()) relax(c);
     c.contact = {.coupling = *rc::gen::arbitrary<bool>(),
                  .kinematics = one_of({Case::Kinematics::linear, Case::Kinematics::deformed})};
     c.fem = any_fem(a, fem);
