@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "bem/grid_compliance.h"
 #include "bem/periodic_compliance.h"
@@ -91,43 +94,60 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
                                : half_space_compliance(c.materials(), std::move(grid), n_threads);
 }
 
-std::unique_ptr<GridCompliance> fitting_grid_compliance(const contact::Case& c, int n_threads,
-                                                        Body body) {
+using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::ContactPoints grid)>;
+
+/// On a grid that is enlarged until it covers the contact.
+std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
+                                        const MakeCompliance& make) {
     const contact::HertzScales hertz = hertz_scales(c);
-    const double spacing = spacing_of(c, hertz.contact_radius);
-    std::optional<InfluenceTable> table;
-    if (c.bem.influence) table = read_influence(*c.bem.influence);
     // a grows with F_N^(1/3) or d^(1/2): the root covers both controls.
     const double radius = hertz.contact_radius * std::sqrt(hardest_factor(c));
-
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
-        auto grid = make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing);
         auto compliance =
-            grid_compliance(c, body, table ? &*table : nullptr, std::move(grid), n_threads);
+            make(make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing));
         if (covers(*compliance, c, extent)) return compliance;
     }
 }
 
-std::unique_ptr<contact::Compliance> periodic_compliance(const contact::Case& c, int n_threads,
-                                                         Body body) {
+std::unique_ptr<GridCompliance> single_compliance(const contact::Case& c, int n_threads,
+                                                  Body body) {
+    std::optional<InfluenceTable> table;
+    if (c.bem.influence) table = read_influence(*c.bem.influence);
+    return fitting(c, spacing_of(c, hertz_scales(c).contact_radius), [&](auto grid) {
+        return grid_compliance(c, body, table ? &*table : nullptr, std::move(grid), n_threads);
+    });
+}
+
+/// All images of the indenter press alike: the cells of one contact with their periodic influence.
+std::unique_ptr<GridCompliance> periodic_compliance(const contact::Case& c, int n_threads,
+                                                    Body body) {
     if (body == Body::half_space)
         throw contact::InputError(
             "bem: under a periodic load the half-space gives way without bound, its compliance at "
             "k = 0 is infinite; take bem-layer or omit bem.period");
-    const double radius = hertz_scales(c).contact_radius, period = *c.bem.period;
-    auto compliance = std::make_unique<PeriodicCompliance>(
-        theory::layers_of("bem-layer", c),
-        period_grid(period, spacing_of(c, radius), !c.bem.spacing), n_threads);
-    if (!covers(*compliance, c, path_extent(c, radius)))
-        throw contact::InputError(fmt::format(
-            "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
-            "neighbouring contacts would merge; enlarge bem.period or reduce the load",
-            period));
-    return compliance;
+    const double wanted = spacing_of(c, hertz_scales(c).contact_radius), period = *c.bem.period;
+    const auto whole = period_grid(period, wanted, !c.bem.spacing);
+    const int n = whole.n_x;
+    const double h = whole.spacing[0];
+    const auto table = std::make_shared<const InfluenceTable>(
+        PeriodicCompliance(theory::layers_of("bem-layer", c), whole, n_threads).influence());
+    return fitting(c, h, [&](contact::ContactPoints grid) {
+        if (std::max(grid.n_x, grid.n_y) >= n)
+            throw contact::InputError(fmt::format(
+                "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
+                "neighbouring contacts would merge; enlarge bem.period or reduce the load",
+                period));
+        return std::make_unique<GridCompliance>(
+            [table, n, h](double x, double y) {
+                return table->at(static_cast<int>(std::lround(x / h)) % n,
+                                 static_cast<int>(std::lround(y / h)) % n);
+            },
+            std::move(grid), true, n_threads);
+    });
 }
 
 }  // namespace
@@ -135,14 +155,14 @@ std::unique_ptr<contact::Compliance> periodic_compliance(const contact::Case& c,
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body) {
     if (c.bem.period) return periodic_compliance(c, n_threads, body);
-    return fitting_grid_compliance(c, n_threads, body);
+    return single_compliance(c, n_threads, body);
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
-    return fitting_grid_compliance(c, n_threads, body)->influence();
+    return single_compliance(c, n_threads, body)->influence();
 }
 
 void check_influence_file(const contact::Case& c) {

@@ -12,9 +12,10 @@ namespace tricontact::bem {
 enum class Body { half_space, layer };
 
 /// The compliance of a case: on a grid that covers the contact along its whole rolling path and is
-/// enlarged until it does, or on one period. `n_threads`: for the transforms; results do not depend
-/// on it. Throws contact::InputError if the grid would be too large, or a file of influence
-/// coefficients does not fit, or the contact does not fit into the period.
+/// enlarged until it does; of a periodic case with the images of its cells. `n_threads`: for the
+/// transforms; results do not depend on it. Throws contact::InputError if the grid would be too
+/// large, or a file of influence coefficients does not fit, or the contact does not fit into the
+/// period.
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body);
 

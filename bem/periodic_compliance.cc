@@ -22,6 +22,28 @@ PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact:
     local_tangential_ = u.x[0];
 }
 
+InfluenceTable PeriodicCompliance::influence() const {
+    const std::size_t n = grid_.size();
+    std::vector<double> one(n), zz(n);
+    contact::TangentialField along(n), across(n), by_x(n), by_y(n), by_z(n);
+    one[0] = along.x[0] = across.y[0] = 1;
+    normal(one, zz);
+    tangential(along, by_x);
+    tangential(across, by_y);
+    tangential_from_normal(one, by_z);
+    InfluenceTable table{grid_.spacing[0], grid_.n_x, grid_.n_y, {}};
+    for (std::size_t i = 0; i < n; ++i)
+        table.cells.push_back({.xx = by_x.x[i],
+                               .xy = by_y.x[i],
+                               .yy = by_y.y[i],
+                               .xz = by_z.x[i],
+                               .yz = by_z.y[i],
+                               .zx = -by_z.x[i],
+                               .zy = -by_z.y[i],
+                               .zz = zz[i]});
+    return table;
+}
+
 void PeriodicCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
     convolution_.apply(normal_, p, u_z);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/grid_convolution.h"
+#include "bem/influence_file.h"
 #include "bem/periodic_influence.h"
 #include "contact/compliance.h"
 
@@ -26,6 +27,10 @@ class PeriodicCompliance final : public contact::Compliance {
     double local_tangential() const override { return local_tangential_; }
     void precondition_tangential(const contact::TangentialField& r,
                                  contact::TangentialField& z) const override;
+
+    /// The periodic influence of one cell at all positions 0 <= i, j < n within the period: what
+    /// lies beyond half of it stands for the negative positions, signs included.
+    InfluenceTable influence() const;
 
   private:
     contact::ContactPoints grid_;

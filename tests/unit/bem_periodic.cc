@@ -17,6 +17,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/normal_solver.h"
+#include "contact/placement.h"
 
 namespace tricontact {
 namespace {
@@ -287,24 +288,41 @@ std::string message(const Case& c, Body body = Body::layer) {
     return "no error";
 }
 
-TEST(BemPeriodic, GridCoversOnePeriod) {
+// Cells fill the period, but only those of the contact are in the grid.
+TEST(BemPeriodic, SpacingDividesThePeriod) {
     Case c = pressed_case();
-    for (const double period : {40e-3, 40.5e-3}) {
-        c.bem.period = period;
-        const auto model = bem::make_model(c, 1, Body::layer);
-        model->advance(contact::press_step(c));
-        const auto s = model->surface();
-        EXPECT_NEAR(s.n_x * s.spacing[0], period, 1e-12);
-        EXPECT_NEAR(s.n_y * s.spacing[1], period, 1e-12);
-        EXPECT_NEAR(s.first[0] + s.n_x / 2 * s.spacing[0], 0, 1e-15);
-    }
+    c.bem.period = 40.5e-3;
     c.bem.spacing.reset();
     c.bem.cells_per_radius = 9;
     const auto model = bem::make_model(c, 1, Body::layer);
     model->advance(contact::press_step(c));
     const auto s = model->surface();
-    EXPECT_NEAR(s.n_x * s.spacing[0], 40.5e-3, 1e-12);
+    const double cells = 40.5e-3 / s.spacing[0];
+    EXPECT_NEAR(cells, std::round(cells), 1e-9);
     EXPECT_LE(s.spacing[0], contact::hertz_scales(c).contact_radius / 9);
+    EXPECT_LT(s.n_x * s.spacing[0], 20e-3);
+}
+
+// The cells of the contact with their periodic influence are the whole period's, whose other cells
+// carry nothing.
+TEST(BemPeriodic, CellsOfTheContactStandForThePeriod) {
+    for (const double period : {14e-3, 14.5e-3, 24e-3}) {
+        Case c = pressed_case();
+        c.bem.period = period;
+        c.bem.tolerance = 1e-10;
+        const auto part = pressed(c);
+        const auto n = static_cast<int>(std::round(period / *c.bem.spacing));
+        const PeriodicCompliance whole({{{c.substrate, 8e-3}}, LayerBase::bonded, {}},
+                                       period_grid(period, n), 1);
+        const auto height = contact::heights_over(whole.points(), *c.make_indenter(), {0, 0});
+        const auto pressure =
+            contact::NormalSolver(whole, 1e-11).solve(height, {NormalControl::Kind::force, 21.1});
+        EXPECT_NEAR(pressure.indentation / part.indentation, 1, 1e-9) << period;
+        EXPECT_NEAR(*std::max_element(pressure.pressure.begin(), pressure.pressure.end()) /
+                        part.peak_pressure,
+                    1, 1e-8)
+            << period;
+    }
 }
 
 TEST(BemPeriodic, RefusesWhatHasNoMeanOrNoRoom) {
