@@ -213,6 +213,11 @@ Case parse_case(std::string_view text, const std::string& name,
     return resolve(document);
 }
 
+Case resolve_case(Document document, const std::vector<Entry>& overrides) {
+    apply_overrides(document, overrides);
+    return resolve(document);
+}
+
 Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
     return parse_case(read_input_file(path), path, overrides);
 }

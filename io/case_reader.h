@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "io/toml_document.h"
 
 namespace tricontact::io {
 
@@ -17,5 +18,8 @@ contact::Case read_case(const std::string& path, const std::vector<std::string>&
 /// Same for a text; `name` stands for the file in messages.
 contact::Case parse_case(std::string_view text, const std::string& name,
                          const std::vector<std::string>& overrides = {});
+
+/// The case of a document with the entries of another one in place of its own, as overrides are.
+contact::Case resolve_case(Document document, const std::vector<Entry>& overrides);
 
 }  // namespace tricontact::io

@@ -85,6 +85,7 @@ void check_length(std::size_t n, const Key& key, const Entry& entry) {
 bool is_list(const Entry& entry) {
     return std::holds_alternative<std::vector<std::string>>(entry.value) ||
            std::holds_alternative<std::vector<double>>(entry.value) ||
+           std::holds_alternative<std::vector<bool>>(entry.value) ||
            std::holds_alternative<OtherValue>(entry.value);
 }
 

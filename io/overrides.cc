@@ -64,4 +64,11 @@ void apply_overrides(Document& document, const std::vector<std::string>& overrid
     for (const std::string& text : overrides) put(document, entry_of(text));
 }
 
+void apply_overrides(Document& document, const std::vector<Entry>& overrides) {
+    for (Entry entry : overrides) {
+        entry.overridden = true;
+        put(document, std::move(entry));
+    }
+}
+
 }  // namespace tricontact::io

@@ -12,4 +12,7 @@ namespace tricontact::io {
 /// Throws contact::InputError at a malformed override and at a key set twice.
 void apply_overrides(Document& document, const std::vector<std::string>& overrides);
 
+/// The same for entries that another document gives; each path must be there once.
+void apply_overrides(Document& document, const std::vector<Entry>& overrides);
+
 }  // namespace tricontact::io

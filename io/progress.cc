@@ -54,10 +54,12 @@ ProgressBar::Style ProgressBar::style_of_stderr(bool quiet) {
     return ::isatty(STDERR_FILENO) && !dumb ? Style::bar : Style::lines;
 }
 
-ProgressBar::ProgressBar(std::ostream& out, Style style, std::string label, Clock clock)
+ProgressBar::ProgressBar(std::ostream& out, Style style, std::string label, Clock clock,
+                         std::string noun)
     : out_(out),
       style_(style),
       label_(std::move(label)),
+      noun_(std::move(noun)),
       clock_(clock ? std::move(clock) : Clock(steady_time)),
       start_(clock_()) {}
 
@@ -80,23 +82,24 @@ void ProgressBar::draw_bar(int total, double fraction, double elapsed) {
     // Carriage return: same line again; ESC [K erases what an older, longer line left.
     out_ << '\r' << label_ << " [" << std::string(filled, '#')
          << std::string(bar_width - filled, '.') << "] " << static_cast<int>(100 * fraction)
-         << " % step " << done_ << '/' << total << remaining(fraction, elapsed) << "\x1b[K"
-         << std::flush;
+         << " % " << noun_ << ' ' << done_ << '/' << total << remaining(fraction, elapsed)
+         << "\x1b[K" << std::flush;
 }
 
 void ProgressBar::print_line(int total, double fraction, double elapsed) {
     const int tenths = static_cast<int>(10 * fraction);
     if (tenths <= tenths_) return;
     tenths_ = tenths;
-    out_ << label_ << ": " << 10 * tenths << " %, step " << done_ << " of at most " << total
-         << remaining(fraction, elapsed) << std::endl;
+    out_ << label_ << ": " << 10 * tenths << " %, " << noun_ << ' ' << done_ << " of at most "
+         << total << remaining(fraction, elapsed) << std::endl;
 }
 
 void ProgressBar::finish(const std::string& remark) {
     if (style_ == Style::silent) return;
     if (style_ == Style::bar) out_ << "\r\x1b[K";
-    out_ << label_ << ": " << done_ << " steps in " << seconds_text((clock_() - start_).count())
-         << (remark.empty() ? "" : ", ") << remark << std::endl;
+    out_ << label_ << ": " << done_ << ' ' << noun_ << "s in "
+         << seconds_text((clock_() - start_).count()) << (remark.empty() ? "" : ", ") << remark
+         << std::endl;
 }
 
 }  // namespace tricontact::io

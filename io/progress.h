@@ -17,8 +17,10 @@ class ProgressBar {
     /// What fits standard error: `bar` on a terminal, `lines` elsewhere, `silent` if `quiet`.
     static Style style_of_stderr(bool quiet);
 
-    /// `label` leads every line, e.g. the model's name; `clock` is replaceable for tests.
-    ProgressBar(std::ostream& out, Style style, std::string label, Clock clock = {});
+    /// `label` leads every line, e.g. the model's name; `clock` is replaceable for tests; `noun`:
+    /// what is counted.
+    ProgressBar(std::ostream& out, Style style, std::string label, Clock clock = {},
+                std::string noun = "step");
 
     /// `done` of at most `total` steps are done.
     void update(int done, int total);
@@ -31,7 +33,7 @@ class ProgressBar {
 
     std::ostream& out_;
     Style style_;
-    std::string label_;
+    std::string label_, noun_;
     Clock clock_;
     std::chrono::duration<double> start_, drawn_{-1};
     int done_ = 0;

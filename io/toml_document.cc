@@ -30,8 +30,18 @@ std::optional<std::vector<double>> numbers_of(const toml::array& array) {
     return numbers;
 }
 
+std::optional<std::vector<bool>> truth_values_of(const toml::array& array) {
+    std::vector<bool> values;
+    for (const toml::node& element : array) {
+        if (!element.is_boolean()) return {};
+        values.push_back(*element.value<bool>());
+    }
+    return values;
+}
+
 Value list_of(const toml::array& array, const Disguise& disguise) {
     if (auto numbers = numbers_of(array); numbers && !numbers->empty()) return *numbers;
+    if (auto values = truth_values_of(array); values && !values->empty()) return *values;
     std::vector<std::string> words;
     for (const toml::node& element : array) {
         const auto* word = element.as_string();
@@ -86,13 +96,13 @@ Items items_of(const toml::table& table, const std::string& prefix, const std::s
 }
 
 // Sections go to the document, keys to `keys`. Goes as deep as known sections are.
-void flatten(const toml::table& table, const std::string& prefix, const Disguise& disguise,
-             Document& document, Items& keys) {
+void flatten(const toml::table& table, const std::string& prefix, IsSection is_nested,
+             const Disguise& disguise, Document& document, Items& keys) {
     for (auto& item : items_of(table, prefix, document.name, disguise)) {
         const std::string path = item.entry.path;
-        if (item.table && (prefix.empty() || is_section(path))) {
+        if (item.table && (prefix.empty() || is_nested(path))) {
             document.sections.push_back({path, item.entry.place});
-            flatten(*item.table, path + '.', disguise, document, keys);
+            flatten(*item.table, path + '.', is_nested, disguise, document, keys);
         } else {
             keys.push_back(std::move(item));
         }
@@ -174,6 +184,12 @@ std::string shown(const Value& value) {
             for (const double number : v) out += (out.size() > 1 ? ", " : "") + toml_number(number);
             return shortened(out + "]", longest_shown);
         }
+        std::string operator()(const std::vector<bool>& v) const {
+            std::string out = "[";
+            for (const bool b : v)
+                out.append(out.size() > 1 ? ", " : "").append(b ? "true" : "false");
+            return shortened(out + "]", longest_shown);
+        }
         std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
     };
     return std::visit(Show{}, value);
@@ -188,6 +204,9 @@ std::string_view kind_of(const Value& value) {
         std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
         std::string_view operator()(const std::vector<double>&) const {
             return "a list of numbers";
+        }
+        std::string_view operator()(const std::vector<bool>&) const {
+            return "a list of truth values";
         }
         std::string_view operator()(const OtherValue& v) const { return v.kind; }
     };
@@ -213,11 +232,15 @@ std::string Document::place_of(std::string_view path) const {
 }
 
 Document parse_document(std::string_view text, const std::string& name) {
+    return parse_document(text, name, is_section);
+}
+
+Document parse_document(std::string_view text, const std::string& name, IsSection is_nested) {
     Disguise disguise;
     const toml::table root = parse_toml(text, name, disguise);
     Document document{.name = name, .sections = {}, .entries = {}};
     Items keys;
-    flatten(root, "", disguise, document, keys);
+    flatten(root, "", is_nested, disguise, document, keys);
     sort(keys);
     for (auto& item : keys) document.entries.push_back(std::move(item.entry));
     return document;

@@ -15,7 +15,7 @@ struct OtherValue {
 
 /// Value of a key as TOML types it; an empty list is one of texts.
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<std::string>,
-                           std::vector<double>, OtherValue>;
+                           std::vector<double>, std::vector<bool>, OtherValue>;
 
 /// As in a file, shortened if it is long.
 std::string shown(const Value& value);
@@ -34,7 +34,7 @@ struct Entry {
 };
 
 /// A TOML text flattened to sections and keys, in the order of the text. Tables at the top are
-/// sections, and those in them that are known as such ("substrate.relaxation").
+/// sections, and those in them that are known as such ("substrate.relaxation" in a case).
 struct Document {
     struct Section {
         std::string name;
@@ -51,8 +51,13 @@ struct Document {
     std::string place_of(std::string_view path) const;
 };
 
-/// Throws contact::InputError if the text is no TOML, no UTF-8, or empty.
+/// Whether a table in a section, of this path, is a section too.
+using IsSection = bool (*)(std::string_view path);
+
+/// A case file, or another kind by what its sections are. Throws contact::InputError if the text is
+/// no TOML, no UTF-8, or empty.
 Document parse_document(std::string_view text, const std::string& name);
+Document parse_document(std::string_view text, const std::string& name, IsSection is_nested);
 
 /// Value of an override: TOML if it is that, else a bare string.
 Value parse_value(const std::string& text);

@@ -40,7 +40,7 @@ only_in() {
 }
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
-only_in io '#include <vtk'
+only_in io '#include <(vtk|sqlite3)'
 only_in contact '#include <gsl/gsl_multifit'
 
 while read -r lines file; do

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace tricontact::io {
+
+/// An SQLite database file. Every member throws contact::InputError with the path, SQLite's reason
+/// and a remedy where SQLite or the system refuses: no space, no permission, in use, no database.
+/// Not for use on both sides of a fork.
+class SqliteFile {
+  public:
+    /// A statement that is being carried out: parameters and columns count from 0.
+    class Statement {
+      public:
+        Statement& bind(int parameter, std::string_view text);
+        Statement& bind(int parameter, double value);
+        Statement& bind(int parameter, const std::optional<std::string>& text);
+        /// Goes on to the next row; false after the last one.
+        bool step();
+        std::optional<std::string> text(int column) const;
+        double number(int column) const;
+        std::int64_t integer(int column) const;
+
+      private:
+        friend class SqliteFile;
+        struct Finalize {
+            void operator()(sqlite3_stmt* statement) const;
+        };
+        const SqliteFile* file_ = nullptr;
+        std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+    };
+
+    enum class Open { existing, create };
+
+    SqliteFile(const std::string& path, Open how);
+
+    void execute(const std::string& sql);
+    Statement prepare(std::string_view sql) const;
+    bool is_read_only() const;
+    const std::string& path() const { return path_; }
+
+  private:
+    struct Close {
+        void operator()(sqlite3* database) const;
+    };
+    void check(int code) const;
+
+    std::string path_;
+    std::unique_ptr<sqlite3, Close> database_;
+};
+
+}  // namespace tricontact::io

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "io/study_reader.h"
+#include "io/toml_document.h"
+
+namespace tricontact::io {
+
+/// The keys below [set] of a study, as entries of a case. Throws contact::InputError.
+std::vector<Entry> read_settings(const Document& document);
+
+/// The keys below [vary], each with its list or range. Throws contact::InputError.
+std::vector<Study::Axis> read_axes(const Document& document);
+
+}  // namespace tricontact::io

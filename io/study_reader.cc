@@ -1,0 +1,161 @@
+#include "io/study_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "io/field_reader.h"
+#include "io/input_file.h"
+#include "io/messages.h"
+#include "io/study_axes.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using Kind = Key::Kind;
+
+constexpr int most_levels = 8;  // cells halve every second level: 128 times as many on a grid
+
+const Key& case_key() {
+    static const Key key{
+        .path = "case", .kind = Kind::text, .example = R"("case.toml")", .text = "the case file"};
+    return key;
+}
+
+const Key& levels_key() {
+    static const Key key{.path = "levels",
+                         .kind = Kind::integer,
+                         .range = {1, most_levels},
+                         .example = "3",
+                         .text = "levels of refinement"};
+    return key;
+}
+
+const Key& sample_points_key() {
+    static const Key key{.path = "latin_hypercube.points",
+                         .kind = Kind::integer,
+                         .range = {2, most_values},
+                         .example = "50",
+                         .text = "points of the sample"};
+    return key;
+}
+
+const Key& seed_key() {
+    static const Key key{.path = "latin_hypercube.seed",
+                         .kind = Kind::integer,
+                         .range = {0, 2147483647},
+                         .example = "1",
+                         .text = "another seed, another sample"};
+    return key;
+}
+
+constexpr std::array<std::string_view, 4> top_keys{"title", "case", "models", "levels"};
+constexpr std::array<std::string_view, 3> sections{"set", "vary", "latin_hypercube"};
+
+// Keys of the case stand below [set] and [vary] as they stand in the case, and parts of a range
+// below those.
+bool is_nested_section(std::string_view path) {
+    return path.starts_with("set.") || path.starts_with("vary.");
+}
+
+void check_known(const Document& document) {
+    for (const auto& section : document.sections)
+        if (!is_nested_section(section.name) &&
+            std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
+            const std::string near(nearest(section.name, sections));
+            fail(section.place, "", "unknown section [" + section.name + "]",
+                 near.empty() ? "known are set, vary, latin_hypercube"
+                              : "did you mean " + near + "?");
+        }
+    for (const Entry& entry : document.entries) {
+        if (entry.path.starts_with("set.") || entry.path.starts_with("vary.")) continue;
+        const bool known =
+            std::find(top_keys.begin(), top_keys.end(), entry.path) != top_keys.end() ||
+            entry.path == sample_points_key().path || entry.path == seed_key().path;
+        if (known) continue;
+        const std::string near(nearest(entry.path, top_keys));
+        std::string remedy =
+            "known are title, case, models, levels, latin_hypercube.points, "
+            "latin_hypercube.seed; keys of the case stand in [set] or [vary]";
+        if (!near.empty()) remedy = "did you mean " + near + "?";
+        fail(entry.key_place, "", "unknown key " + entry.path, remedy);
+    }
+}
+
+// Relative to the folder of the study.
+Document read_base(const Document& document) {
+    const Entry* entry = document.find(case_key().path);
+    if (!entry) fail(document.name + ":1:1", "", "missing key case", "add case = \"case.toml\"");
+    std::string file;
+    read_field(case_key(), *entry, Field(&file));
+    const std::string path =
+        (std::filesystem::path(document.name).parent_path() / file).lexically_normal().string();
+    try {
+        return parse_document(read_input_file(path), path);
+    } catch (const std::exception& error) {
+        fail(entry->place, entry->subject(), error.what(), "");
+    }
+}
+
+std::vector<std::string> read_models(const Document& document, const Document& base) {
+    const Entry* entry = document.find("models");
+    if (!entry) entry = base.find("models");
+    if (!entry)
+        fail(document.name + ":1:1", "", "missing key models: the case has none either",
+             "add models = [\"mdr\"]");
+    std::vector<std::string> models;
+    read_field(*find_key("models"), *entry, Field(&models));
+    return models;
+}
+
+int integer_at(const Key& key, const Document& document, int otherwise) {
+    int value = otherwise;
+    if (const Entry* entry = document.find(key.path)) read_field(key, *entry, Field(&value));
+    return value;
+}
+
+std::optional<Study::LatinHypercube> read_sampling(const Document& document,
+                                                   const std::vector<Study::Axis>& axes) {
+    const auto is_sampled = [](const Study::Axis& axis) {
+        const auto* range = std::get_if<Study::Range>(&axis.values);
+        return range && !range->points;
+    };
+    const auto sampled = std::find_if(axes.begin(), axes.end(), is_sampled);
+    const Document::Section* section = document.find_section("latin_hypercube");
+    if (!section && sampled == axes.end()) return {};
+    if (!section)
+        fail(sampled->place, "vary." + std::string(sampled->key->path), "has no points",
+             "give points = 5, or a section [latin_hypercube] with points = 50");
+    if (sampled == axes.end())
+        fail(section->place, "", "[latin_hypercube] samples nothing: every range has points",
+             "omit points in the ranges to be sampled, or this section");
+    if (!document.find(sample_points_key().path))
+        fail(section->place, "", "missing key latin_hypercube.points", "add points = 50");
+    return Study::LatinHypercube{integer_at(sample_points_key(), document, 0),
+                                 static_cast<std::uint64_t>(integer_at(seed_key(), document, 1))};
+}
+
+}  // namespace
+
+Study parse_study(std::string_view text, const std::string& name) {
+    const Document document = parse_document(text, name, is_nested_section);
+    check_known(document);
+    Study study;
+    study.name = name;
+    if (const Entry* entry = document.find("title"))
+        read_field(*find_key("title"), *entry, Field(&study.title));
+    study.levels = integer_at(levels_key(), document, 1);
+    study.settings = read_settings(document);
+    study.axes = read_axes(document);
+    study.sampling = read_sampling(document, study.axes);
+    study.base = read_base(document);
+    study.models = read_models(document, study.base);
+    return study;
+}
+
+Study read_study(const std::string& path) {
+    return parse_study(read_input_file(path, "study file"), path);
+}
+
+}  // namespace tricontact::io
