@@ -68,6 +68,25 @@ struct RefineOptions {
 /// are taken over. Throws InputError, NotConverged.
 void refine_command(const RefineOptions& options);
 
+struct SweepOptions {
+    std::string study_file;
+    std::string output;  ///< empty: results/<name of the study>, with the shard if there is one
+    std::string shard;   ///< "i/n": the i-th of n parts; empty: everything
+    int jobs = 1;        ///< processes side by side
+    bool retry_failed = false;
+    bool quiet = false;
+};
+/// Computes the points of a study that its store has not yet, each stored as it ends, and writes
+/// the table of all. Throws InputError; std::runtime_error at the end if points failed.
+void sweep_command(const SweepOptions& options);
+
+struct MergeOptions {
+    std::string output;
+    std::vector<std::string> inputs;  ///< folders of sweeps
+};
+/// Brings the stores of sweeps together; prints what came from where. Throws InputError.
+void merge_command(const MergeOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

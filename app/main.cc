@@ -37,6 +37,30 @@ void add_case_arguments(CLI::App& command, std::string& file, std::vector<std::s
         ->allow_extra_args(false);
 }
 
+const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options) {
+    auto* sweep = app.add_subcommand("sweep", "Run the points of a study side by side; resumable");
+    sweep->add_option("study", options.study_file, "Study file (TOML)")
+        ->required()
+        ->type_name("STUDY.toml");
+    sweep->add_option("--jobs", options.jobs, "Processes side by side (all cores)")
+        ->check(CLI::Range(1, 1024));
+    sweep->add_option("--shard", options.shard, "Only the i-th of n parts of the study")
+        ->type_name("i/n");
+    sweep->add_option("--output", options.output, "Folder (results/<study>)")->type_name("DIR");
+    sweep->add_flag("--retry-failed", options.retry_failed, "Compute failed points again");
+    sweep->add_flag("--quiet", options.quiet, "No progress, no closing line");
+    return sweep;
+}
+
+const CLI::App* add_merge(CLI::App& app, tricontact::app::MergeOptions& options) {
+    auto* merge = app.add_subcommand("merge", "Bring the results of sweeps into one folder");
+    merge->add_option("output", options.output, "Folder of the whole")
+        ->required()
+        ->type_name("OUT");
+    merge->add_option("inputs", options.inputs, "Folders of sweeps")->required()->type_name("IN");
+    return merge;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
@@ -105,6 +129,11 @@ int run_program(int argc, char** argv) {
     influence
         ->add_option("--threads", influence_options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
+    tricontact::app::SweepOptions sweep_options;
+    sweep_options.jobs = options.threads;
+    const auto* sweep = add_sweep(app, sweep_options);
+    tricontact::app::MergeOptions merge_options;
+    const auto* merge = add_merge(app, merge_options);
 
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
@@ -126,6 +155,8 @@ int run_program(int argc, char** argv) {
     if (*check) tricontact::app::check_command(check_file, check_overrides);
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*influence) tricontact::app::influence_command(influence_options);
+    if (*sweep) tricontact::app::sweep_command(sweep_options);
+    if (*merge) tricontact::app::merge_command(merge_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);

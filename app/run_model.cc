@@ -65,14 +65,14 @@ class States {
     bool has_volumes_ = false;
 };
 
+}  // namespace
+
 void require_sound(const contact::Audit& audit, const std::string& name) {
     for (const auto& check : audit.checks())
         if (!check.passed())
             throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
                                                     check.name, check.worst, check.allowed));
 }
-
-}  // namespace
 
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
                            const RunOptions& options, comparisons::LoadingStudy* study) {

@@ -1,0 +1,65 @@
+#include "app/compute_point.h"
+
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "app/models.h"
+#include "app/run_model.h"
+#include "comparisons/point_results.h"
+#include "contact/run.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json computed(const SweepPoint& point) {
+    const auto silent = [](const std::string&) {};
+    const auto model = make_model(point.model, point.c, 1, silent);
+    contact::History history = contact::run(point.c, *model);
+    history.audit = model->audit();
+    require_sound(history.audit, point.model);
+    return {{"results", comparisons::point_results(point.c, history)},
+            {"cpu_s", history.cpu_s},
+            {"wall_s", history.wall_s}};
+}
+
+}  // namespace
+
+std::string compute_point(const SweepPoint& point) noexcept {
+    const auto failed = [](const char* what) {
+        return json{{"error", what}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    };
+    try {
+        return computed(point).dump();
+    } catch (const std::bad_alloc&) {
+        return failed("not enough memory; use fewer --jobs or a coarser resolution");
+    } catch (const std::exception& error) {
+        return failed(error.what());
+    }
+}
+
+io::PointOutcome outcome_of(const SweepPoint& point, const WorkerReport& report) {
+    io::PointOutcome outcome{.key = point.key,
+                             .version = TRICONTACT_VERSION,
+                             .model = point.model,
+                             .resolved = point.resolved};
+    if (!report.failure.empty()) {
+        outcome.error = report.failure;
+        if (report.killed) *outcome.error += "; perhaps for want of memory";
+        return outcome;
+    }
+    const json line = json::parse(report.text);
+    if (line.contains("error")) {
+        outcome.error = line.at("error").get<std::string>();
+        return outcome;
+    }
+    outcome.results = line.at("results").dump();
+    outcome.cpu_s = line.at("cpu_s").get<double>();
+    outcome.wall_s = line.at("wall_s").get<double>();
+    return outcome;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "io/study_reader.h"
+
+namespace tricontact::app {
+
+/// One point of a study: a case of its own for one model.
+struct SweepPoint {
+    std::vector<std::string> values;  ///< one per axis of the study, as in the table
+    std::string model;
+    int level = 0;              ///< of refinement
+    contact::Case c = {};       ///< with this model only, without title and output
+    std::string resolved = {};  ///< text of the case
+    std::string key = {};       ///< digest of program version and case: what the results depend on
+};
+
+/// Most points of a study, models and levels included: each one's case is checked ahead and kept,
+/// a few kB.
+inline constexpr std::size_t most_points = 100'000;
+
+/// All combinations of the study's lists, ranges and sample, the last axis fastest, each with all
+/// models and levels. On level k the model's own resolution is finer by 2^(k/2). All cases pass the
+/// checks of case files: the first that does not is named with its values. Throws
+/// contact::InputError.
+std::vector<SweepPoint> sweep_points(const io::Study& study);
+
+/// Shard i of n, from 1: by the point's key, so that a study that is extended keeps its shards.
+bool in_shard(const SweepPoint& point, int i, int n);
+
+}  // namespace tricontact::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tricontact::app {
+
+/// What a task in a process of its own came to.
+struct WorkerReport {
+    std::string text = {};     ///< what the task returned
+    std::string failure = {};  ///< how its process ended, if not by returning
+    bool killed = false;       ///< by a signal that others send, or the system for want of memory
+};
+
+/// Runs tasks in processes of their own, so that one that crashes takes no other with it; at most
+/// `n_workers` (at least 1) at a time, in the order given. `task` runs in the child and must
+/// not throw; `done` in this process, as they end. When this process ends, however, its children
+/// do. This process must not have threads. Throws std::system_error if no process can be started;
+/// whatever `done` throws ends the children.
+void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers,
+                      const std::function<std::string(std::size_t)>& task,
+                      const std::function<void(std::size_t, const WorkerReport&)>& done);
+
+}  // namespace tricontact::app

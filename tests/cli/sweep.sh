@@ -1,0 +1,152 @@
+#!/usr/bin/env bash
+# tricontact sweep and merge: rows of a study, the same numbers as runs one by one, points that a
+# changed study shares with the old one, shards, samples, levels, failures; what is refused leaves
+# nothing behind.
+# usage: sweep.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# study FILE LINES...: a small one, lines standing behind [vary].
+study() {
+    local file=$1
+    shift
+    cat >"$file" <<EOF
+case = "$source_dir/cases/rig_sphere_parallel.toml"
+models = ["mdr", "bem"]
+[set]
+rolling.steps = "turning-points"
+rolling.periods = 3
+mdr.springs = 300
+bem.cells_per_radius = 6
+[vary]
+EOF
+    printf '%s\n' "$@" >>"$file"
+}
+rows() { echo $(($(wc -l <"$1/results.csv") - 1)); }
+# column NAME FILE: its values.
+column() {
+    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; next }
+        { print $k }' "$2"
+}
+
+# 1. All combinations in their order; the numbers of `run`.
+study a.toml 'load.tangential_ratio = [0.1, 0.3]' \
+    'rolling.amplitude = {from = "0.5 mm", to = "1.5 mm", points = 3}'
+"$program" sweep a.toml --output a --jobs 2 2>log || complain "the sweep failed: $(cat log)"
+[ "$(rows a)" -eq 12 ] || complain "not twelve rows"
+[ "$(cut -d, -f1-4 a/results.csv | sed -n '1p;2p;3p;4p;8p' | tr '\n' ' ')" = \
+    "load.tangential_ratio,rolling.amplitude_m,model,level 0.1,5e-04,mdr,0 0.1,5e-04,bem,0 \
+0.1,0.001,mdr,0 0.3,5e-04,mdr,0 " ] || complain "order: $(cut -d, -f1-4 a/results.csv)"
+grep -q '^sweep: 12 points in ' log || complain "progress: $(cat log)"
+"$program" run "$source_dir/cases/rig_sphere_parallel.toml" --output alone --quiet --no-report \
+    --no-studies --models bem --set rolling.steps=turning-points --set rolling.periods=3 \
+    --set bem.cells_per_radius=6 --set load.tangential_ratio=0.3 --set "rolling.amplitude=1 mm"
+for name in final_shift_ratio contact_radius_m limit_tangential_ratio; do
+    alone=$(grep -m1 "\"$name\"" alone/summary.json | sed 's/.*: //; s/,$//')
+    [ "$(column "$name" a/results.csv | sed -n 10p)" = "$alone" ] ||
+        complain "$name differs from that of a run alone: $alone"
+done
+
+# 2. Called again nothing is computed; a study with more points takes over what is there.
+"$program" sweep a.toml --output a 2>log || complain "the second call"
+grep -q '^12 of 12 points are there already$' log || complain "computed again: $(cat log)"
+study b.toml 'load.tangential_ratio = [0.3, 0.1, 0.2]' \
+    'rolling.amplitude = ["1 mm", "0.15 cm"]'
+cp -r a b
+"$program" sweep b.toml --output b 2>log || complain "the changed study"
+grep -q '^8 of 12 points are there already$' log || complain "shared points: $(cat log)"
+"$program" sweep b.toml --output b_alone --quiet
+cmp -s b/results.csv b_alone/results.csv || complain "the changed study differs from a new one"
+
+# 3. Shards are disjoint and complete; merged they are the whole, twice merged too.
+for i in 1 2 3; do
+    "$program" sweep a.toml --shard $i/3 --quiet || complain "shard $i"
+    [ -e results/a_shard_${i}_of_3/results.csv ] || complain "no folder of shard $i"
+done
+[ "$(cat results/a_shard_*/results.csv | grep -vc '^load')" -eq 12 ] || complain "rows of the shards"
+"$program" merge whole results/a_shard_* >log || complain "merge"
+"$program" merge whole results/a_shard_* a >again || complain "merging again"
+[ "$(sed 's/.*: \([0-9]*\) points, 0 failures/\1/' log | paste -sd+ | tr -d '\n' | tee sum |
+    awk -F+ '{ print $1 + $2 + $3 }')" -eq 12 ] || complain "merged: $(cat log)"
+[ "$(grep -c ': 0 points, 0 failures$' again)" -eq 4 ] || complain "merged again: $(cat again)"
+"$program" sweep a.toml --output whole 2>log
+grep -q '^12 of 12 points are there already$' log || complain "points of the merge: $(cat log)"
+cmp -s a/results.csv whole/results.csv || complain "the merged table is another one"
+
+# 4. A sample: so many points, within its range, one in each part.
+study sample.toml 'rolling.amplitude_ratio = {from = 0.1, to = 0.4}' \
+    'load.tangential_force = {from = "0.1 N", to = "1 N", scale = "log"}' \
+    '[latin_hypercube]' 'points = 6'
+"$program" sweep sample.toml --output sample --quiet || complain "the sample"
+[ "$(rows sample)" -eq 12 ] || complain "rows of the sample"
+[ "$(column rolling.amplitude_ratio sample/results.csv | awk 'NR % 2 { print int(($1 - .1)/.05) }' |
+    sort | tr -d '\n')" = 012345 ] || complain "parts of the sample"
+[ "$(column load.tangential_force_N sample/results.csv |
+    awk 'NR % 2 { print int(6*log($1/.1)/log(10)) }' | sort | tr -d '\n')" = 012345 ] ||
+    complain "parts of the sample, log"
+
+# 5. Levels: 2^(k/2) finer, so that the settled area of a press is closer to Hertz'.
+study levels.toml 'load.tangential_ratio = [0.3]'
+sed -i 's/^models/levels = 3\nmodels/' levels.toml
+"$program" sweep levels.toml --output levels --quiet || complain "levels"
+[ "$(column level levels/results.csv | tr -d '\n')" = 012012 ] || complain "levels of the rows"
+[ "$(column static_shift_ratio levels/results.csv | sort -u | wc -l)" -eq 6 ] ||
+    complain "levels do not differ"
+
+# 6. Points that fail are told; the others stand.
+study failing.toml 'load.tangential_force = ["1 N", "4000 N"]'
+sed -i 's/^\[set\]/[set]\nload.indentation = "0.5 mm"/' failing.toml
+message=$("$program" sweep failing.toml --output failing --quiet 2>&1)
+[ $? -eq 1 ] || complain "exit code of failed points"
+[[ $message == "error: 2 of 4 points failed"*"--retry-failed"* ]] || complain "failed: $message"
+[ "$(column state failing/results.csv | sed -n 1p)" != "" ] || complain "the other points"
+[ "$(tail -n 1 failing/results.csv | grep -c 'reaches the friction limit')" -eq 1 ] || complain "no error in the table"
+
+# refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
+refused() {
+    local expected=$1 message code
+    shift
+    mkdir empty
+    message=$(cd empty && "$program" "$@" 2>&1)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
+    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
+        complain "$*: expected $expected, got $message"
+    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
+    rm -rf empty
+}
+study bad.toml 'rolling.amplitude_ratio = [0.1]' 'load.tangential_force = ["1 N", "4000 N"]'
+refused "bad.toml: point rolling.amplitude_ratio = 0.1, load.tangential_force_N = 4000, mdr, level 0: ../bad.toml:10" \
+    sweep ../bad.toml
+study bad.toml 'load.tangential_ratio = [0.1, 1.2]'
+refused "../bad.toml:9:25: load.tangential_ratio = 1.2: must be" sweep ../bad.toml
+study bad.toml 'load.tangential_ratio = {from = 0.1, to = 0.2, points = 400}' \
+    'rolling.amplitude_ratio = {from = 0.1, to = 0.2, points = 400}'
+refused "the study has 320000 points, more than 100000" sweep ../bad.toml
+refused "the file cannot be read" sweep missing.toml
+refused "--shard 4/3: must be i/n" sweep ../a.toml --shard 4/3
+refused "--shard 0/3: must be i/n" sweep ../a.toml --shard 0/3
+refused "--shard 1of3: must be i/n" sweep ../a.toml --shard 1of3
+refused "unknown section [indenter]" sweep "$source_dir/cases/rig_sphere_parallel.toml"
+refused "missing: holds no results.sqlite" merge out missing
+refused "is the output folder too" merge ../whole ../whole
+echo "no database at all, but long enough to be taken for one" >results/results.sqlite
+refused "is no file of results" merge ../whole ../results
+refused "is no file of results" sweep ../a.toml --output ../results
+
+# 7. The example of docs/sweeps.md is refused by nothing but its size.
+"$program" sweep "$source_dir/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||
+    complain "the example"
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
