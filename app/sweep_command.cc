@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -28,12 +29,14 @@ struct Shard {
 };
 
 Shard shard_of(const std::string& text) {
-    Shard shard;
-    int used = 0;
     constexpr int most = 100'000;
-    const bool read = std::sscanf(text.c_str(), "%d/%d%n", &shard.i, &shard.n, &used) == 2 &&
-                      static_cast<std::size_t>(used) == text.size();
-    if (!read || shard.i < 1 || shard.n < shard.i || shard.n > most)
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto i = std::from_chars(text.data(), end, shard.i);
+    const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
+    const auto n = std::from_chars(slash ? i.ptr + 1 : end, end, shard.n);
+    if (!slash || n.ec != std::errc() || n.ptr != end || shard.i < 1 || shard.n < shard.i ||
+        shard.n > most)
         throw contact::InputError(fmt::format(
             "--shard {}: must be i/n with 1 <= i <= n <= {}; write for example --shard 1/8", text,
             most));
@@ -131,9 +134,11 @@ void sweep_command(const SweepOptions& options) {
     io::ResultStore store(folder + '/' + io::result_store_name);
     // Threads of BLAS beside other points would only be in each other's way.
     ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    const std::string table = folder + '/' + table_name;
+    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
+    std::filesystem::remove(table, ignored);  // it must not pass for that of an unfinished sweep
     Sweep sweep(options, points, store);
     sweep.run();
-    const std::string table = folder + '/' + table_name;
     io::write_file(table, sweep_table(study, points, store));
     if (!options.quiet) std::cerr << fmt::format("{} points in {}\n", points.size(), table);
     if (const std::size_t n = sweep.n_failed())

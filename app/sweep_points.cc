@@ -97,8 +97,10 @@ std::string metres(double value) {
 /// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
 std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     const double factor = std::pow(2., k / 2.);
-    if (model.starts_with("mdr"))
-        return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
+    if (model == "mdr-layer")
+        throw contact::InputError(
+            "levels: mdr-layer chooses its elements by itself; omit levels, or leave it out");
+    if (model == "mdr") return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
     if (model.starts_with("bem"))
         return {c.bem.spacing
                     ? "bem.spacing=" + metres(*c.bem.spacing / factor)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 
 #include "contact/error.h"
 #include "io/study_reader.h"
@@ -102,6 +103,11 @@ struct Bad {
     std::string text;
     std::string expected;
 };
+
+// What CTest shows of a parameter: no addresses.
+void PrintTo(const Bad& bad, std::ostream* out) {
+    *out << bad.name;
+}
 
 class BadStudy : public testing::TestWithParam<Bad> {};
 
