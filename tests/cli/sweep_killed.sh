@@ -124,15 +124,27 @@ sweep --output "$work/full" --jobs 2 2>log
 grep -q 'points are there already' log || complain "nothing kept on a full disk: $(cat log)"
 same_table full "after a full disk"
 
-# A real one, where the system lets us mount it.
+# A real one, and a read-only one, where the system lets us mount them.
 mkdir disk kept
-unshare --user --map-root-user --mount sh -c "mount -t tmpfs -o size=150k none disk &&
-    { '$program' sweep study.toml --output disk --jobs 2 --quiet 2>message; echo \$? >code
-      cp disk/results.sqlite* kept/; }" 2>/dev/null
-if [ -e code ]; then
-    [ "$(cat code)" -eq 2 ] || complain "exit code on a full file system"
-    grep -q '^error: disk/results.sqlite: cannot be written (.*); free space' message ||
-        complain "full file system: $(cat message)"
+mounted() {
+    unshare --user --map-root-user --mount sh -c "mount -t tmpfs -o size=150k none disk && $1" \
+        2>/dev/null
+}
+command="'$program' sweep study.toml --output disk --jobs 2 --quiet"
+mounted "{ $command 2>full.txt; echo \$? >full_code; cp disk/results.sqlite* kept/; }"
+if [ -e full_code ]; then
+    [ "$(cat full_code)" -eq 2 ] || complain "exit code on a full file system"
+    grep -q '^error: disk/results.sqlite: cannot be written (.*); free space' full.txt ||
+        complain "full file system: $(cat full.txt)"
+    sweep --output "$work/kept" --jobs 2 2>log
+    grep -q 'points are there already' log || complain "nothing kept on a full file system"
+    same_table kept "after a full file system"
+fi
+mounted "mount -o remount,ro disk && { $command 2>locked.txt; echo \$? >locked_code; }"
+if [ -e locked_code ]; then
+    [ "$(cat locked_code)" -eq 2 ] || complain "exit code on a read-only file system"
+    grep -q '^error: disk: .* cannot be written to (Read-only file system); choose' locked.txt ||
+        complain "read-only file system: $(cat locked.txt)"
 fi
 
 # 5. A folder in which nothing may be written, as root too.
