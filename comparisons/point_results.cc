@@ -1,8 +1,10 @@
 #include "comparisons/point_results.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "comparisons/relaxation_study.h"
 #include "comparisons/summary.h"
 
 namespace tricontact::comparisons {
@@ -14,6 +16,7 @@ using json = nlohmann::ordered_json;
 struct Input {
     const contact::History& history;
     const ModelSummary& summary;
+    const std::optional<DriveValues>& drive;  // empty on an elastic substrate
 };
 
 struct Column {
@@ -30,7 +33,11 @@ json last(const std::vector<std::optional<double>>& values) {
     return values.empty() ? json() : number(values.back());
 }
 
-constexpr std::array<Column, 22> columns{{
+json of_drive(const Input& in, double DriveValues::*member) {
+    return in.drive ? number(*in.drive.*member) : json();
+}
+
+constexpr std::array<Column, 26> columns{{
     {"normal_force_N", [](const Input& in) { return number(in.history.scales.normal_force); }},
     {"indentation_m", [](const Input& in) { return number(in.summary.indentation); }},
     {"contact_radius_m", [](const Input& in) { return number(in.summary.contact_radius); }},
@@ -61,6 +68,14 @@ constexpr std::array<Column, 22> columns{{
      }},
     {"dissipation_ratio",
      [](const Input& in) { return last(in.summary.dissipation_ratio_per_period); }},
+    {"frequency_Hz", [](const Input& in) { return of_drive(in, &DriveValues::frequency); }},
+    {"storage_modulus_Pa", [](const Input& in) { return of_drive(in, &DriveValues::storage); }},
+    {"loss_modulus_Pa", [](const Input& in) { return of_drive(in, &DriveValues::loss); }},
+    {"largest_deborah_number",
+     [](const Input& in) {
+         if (!in.drive) return json();
+         return json(*std::max_element(in.drive->deborah.begin(), in.drive->deborah.end()));
+     }},
     {"steps", [](const Input& in) { return json(in.summary.steps); }},
     {"max_force_residual_ratio",
      [](const Input& in) { return number(in.summary.max_force_residual_ratio); }},
@@ -79,8 +94,10 @@ const std::vector<std::string>& point_result_names() {
 
 json point_results(const contact::Case& c, const contact::History& history) {
     const ModelSummary summary = summarise(c, history);
+    const auto drive = drive_values(c, history.amplitude);
     json results = json::object();
-    for (const Column& column : columns) results[column.name] = column.value({history, summary});
+    for (const Column& column : columns)
+        results[column.name] = column.value({history, summary, drive});
     return results;
 }
 

@@ -21,32 +21,44 @@ sweep() {
 }
 small=(--model mdr --set mdr.springs=200 --set rolling.periods=3)
 
-sweep "$case_file" 0.1 10 3 "${small[@]}" --output out >first.txt || complain "the sweep failed"
-[ "$(grep -c ': done$' first.txt)" -eq 3 ] || complain "not three runs: $(cat first.txt)"
-[ "$(wc -l <out/frequency_sweep.csv)" -eq 4 ] || complain "not three rows"
+# column NAME: its values.
+column() {
+    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; next }
+        { print $k }' out/results.csv
+}
+# rises_by FACTOR: numbers, each so many times the one before (0: greater than that).
+rises_by() {
+    awk -v f="$1" '!/^[0-9.]+(e[-+]?[0-9]+)?$/ { exit 1 }
+        NR > 1 && (f ? $1 / last / f - 1 > 1e-9 || $1 / last / f - 1 < -1e-9 : $1 <= last) { exit 1 }
+        { last = $1 }'
+}
+
+sweep "$case_file" 0.1 10 3 "${small[@]}" --output out >first.txt 2>&1 || complain "$(cat first.txt)"
+grep -q '^sweep: 3 points in ' first.txt || complain "not three runs: $(cat first.txt)"
+[ "$(wc -l <out/results.csv)" -eq 4 ] || complain "not three rows"
 grep -q '</svg>' out/frequency_sweep.svg || complain "no picture"
-# As many fields as columns, speeds rising by ten, G' rising, and numbers in all but the verdict.
-awk -F, 'NR == 1 { n = NF; next }
-    NF != n { exit 1 }
-    NR > 2 && ($1 / speed - 10 > 1e-5 || $1 / speed - 10 < -1e-5 || $4 <= storage) { exit 1 }
-    { speed = $1; storage = $4
-      for (i = 1; i <= NF; i++) if (i != 10 && $i !~ /^-?[0-9.]+(e[-+][0-9]+)?$/) exit 1 }' \
-    out/frequency_sweep.csv || complain "the table: $(cat out/frequency_sweep.csv)"
+[ "$(grep -c '<title>' out/frequency_sweep.svg)" -ge 7 ] || complain "curves are missing"
+column rolling.speed_m_per_s | rises_by 10 || complain "speeds: $(column rolling.speed_m_per_s)"
+column frequency_Hz | rises_by 10 || complain "frequencies: $(column frequency_Hz)"
+column largest_deborah_number | rises_by 10 || complain "$(column largest_deborah_number)"
+column storage_modulus_Pa | rises_by 0 || complain "moduli: $(column storage_modulus_Pa)"
 "$program" run "$case_file" --models mdr --set mdr.springs=200 --set rolling.periods=3 --quiet \
     --no-report --no-studies --set "rolling.speed=1 mm/s" --output alone || complain "a run alone"
-shift_alone=$(grep -m1 '"final_shift_ratio"' alone/summary.json | sed 's/.*: //; s/,$//')
-[ "$(awk -F, '$1 == 0.001 { print $8 }' out/frequency_sweep.csv)" = "$shift_alone" ] ||
-    complain "another shift than a run alone: $shift_alone"
+alone() { grep -m1 "\"$1\"" alone/summary.json | sed 's/.*: //; s/,$//'; }
+[ "$(column final_shift_ratio | sed -n 2p)" = "$(alone final_shift_ratio)" ] ||
+    complain "another shift than a run alone: $(alone final_shift_ratio)"
+for name in frequency_Hz storage_modulus_Pa loss_modulus_Pa; do
+    [ "$(column $name | sed -n 2p)" = "$(alone $name)" ] ||
+        complain "$name: not that of a run alone: $(alone $name)"
+done
 
-# Again, with one point unfinished, as a kill leaves it.
-cp out/frequency_sweep.csv first.csv
-rm out/1/summary.json
-sweep "$case_file" 0.1 10 3 "${small[@]}" --output out >again.txt || complain "the second sweep"
-[ "$(grep -c ': finished before$' again.txt)" -eq 2 ] || complain "not resumed: $(cat again.txt)"
-cmp -s first.csv out/frequency_sweep.csv || complain "another table after resuming"
-# Another case is another sweep.
-sweep "$case_file" 0.1 10 3 "${small[@]}" --set friction.coefficient=0.6 --output out >other.txt
-grep -q 'finished before' other.txt && complain "points of another case taken over"
+# Again: nothing is left to be done. Another case is another sweep.
+cp out/results.csv first.csv
+sweep "$case_file" 0.1 10 3 "${small[@]}" --output out >again.txt 2>&1 || complain "the second sweep"
+grep -q '^3 of 3 points are there already$' again.txt || complain "not resumed: $(cat again.txt)"
+cmp -s first.csv out/results.csv || complain "another table after resuming"
+sweep "$case_file" 0.1 10 3 "${small[@]}" --set friction.coefficient=0.6 --output out >other.txt 2>&1
+grep -q 'there already' other.txt && complain "points of another case taken over"
 
 # refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
 refused() {
