@@ -24,7 +24,8 @@ void layer_coefficients(benchmark::State& state) {
     const auto grid = contact::ContactPoints::grid(61, 51, {-6e-3, -5e-3}, {2e-4, 2e-4});
     contact::TangentialField t(grid.size()), u(grid.size());
     for (auto _ : state) {
-        const auto compliance = bem::layer_compliance(theory::layers_of("bem-layer", c), {}, grid, 1);
+        const auto compliance =
+            bem::layer_compliance(theory::layers_of("bem-layer", c), {}, grid, 1);
         compliance->tangential(t, u);
     }
 }
