@@ -72,11 +72,14 @@ double hardest_factor(const contact::Case& c) {
     return 1 + std::abs(c.load.normal_amplitude_ratio);
 }
 
+/// Friction widens a coupled contact by less than this wins, which is probed without.
+constexpr double harder_if_coupled = 1.1;
+
 /// The hardest press of the case, probed where the path reaches farthest.
 bool covers(const contact::Compliance& compliance, const contact::Case& c,
             const contact::Vector2& extent) {
     contact::NormalControl hardest = contact::press_step(c).normal;
-    hardest.value *= hardest_factor(c);
+    hardest.value *= hardest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
     const auto height = heights_over(compliance.points(), *c.make_indenter(), extent);
     const auto probe = contact::NormalSolver(compliance, 1e-3).solve(height, hardest);
     return !reaches_edge(compliance.points(), probe.pressure);
@@ -151,6 +154,19 @@ std::unique_ptr<GridCompliance> periodic_compliance(const contact::Case& c, int 
 }
 
 }  // namespace
+
+std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
+                                                        const contact::ContactPoints& grid,
+                                                        int n_threads, Body body) {
+    if (c.bem.influence)
+        throw contact::InputError(
+            "bem.influence: the file's coefficients hold for one state of the material, but here a "
+            "part of the stiffness relaxes and a part does not; omit bem.influence");
+    if (c.bem.period)
+        return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), grid,
+                                                    n_threads);
+    return grid_compliance(c, body, nullptr, grid, n_threads);
+}
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body) {

@@ -1,13 +1,21 @@
 #include "bem/model.h"
 
+#include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::bem {
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
+    auto relaxed = case_compliance(c, n_threads, body);
+    const contact::ContactPoints grid = relaxed->points();
+    const auto substrate =
+        contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
+                                std::move(relaxed), [&](const contact::Case& elastic) {
+                                    return case_compliance_on(elastic, grid, n_threads, body);
+                                });
     return std::make_unique<contact::SurfaceModel>(
-        body == Body::layer ? "bem-layer" : "bem", case_compliance(c, n_threads, body),
-        c.make_indenter(), c.friction_coefficient, c.bem.tolerance, c.contact, c.relaxation);
+        body == Body::layer ? "bem-layer" : "bem", *substrate, c.make_indenter(),
+        c.friction_coefficient, c.bem.tolerance, c.contact);
 }
 
 }  // namespace tricontact::bem

@@ -17,6 +17,13 @@ void check(const Material& material, const char* body) {
 
 }  // namespace
 
+// Of G/K = 3 (1 - 2 nu)/(2 (1 + nu)), which is 0 for nu = 1/2.
+Material Material::with_shear_ratio(double ratio) const {
+    const double g_over_k = ratio * 3 * (1 - 2 * poisson) / (2 * (1 + poisson));
+    const double nu = (3 - 2 * g_over_k) / (2 * (3 + g_over_k));
+    return {2 * ratio * shear_modulus() * (1 + nu), nu};
+}
+
 MaterialPair::MaterialPair(std::optional<Material> indenter, Material substrate) {
     // Johnson (1985), eq. 4.33 and 7.42 (tangential), 5.3 (coupling): each body adds its own part.
     auto add = [this](const Material& body, double coupling_sign) {

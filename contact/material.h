@@ -11,6 +11,8 @@ struct Material {
 
     /// Shear modulus G = E / (2 (1 + nu)) [Pa].
     double shear_modulus() const { return young / (2 * (1 + poisson)); }
+    /// A material of this many times the shear modulus and the same bulk modulus.
+    Material with_shear_ratio(double ratio) const;
 };
 
 /// Elastic constants of two bodies in contact; the indenter may be rigid.

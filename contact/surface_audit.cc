@@ -59,18 +59,4 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
                          std::abs(force[d] - facts.control[d].value) / total_bound, force_allowed);
 }
 
-void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed) {
-    double work = facts.normal_work, friction = 0;
-    for (std::size_t i = 0; i < facts.area.size(); ++i) {
-        const Vector2 mean = {facts.mean_traction.x[i], facts.mean_traction.y[i]};
-        const Vector2 slip = {
-            facts.shift_increment[0] - (facts.displacement.x[i] - facts.displacement_before.x[i]),
-            facts.shift_increment[1] - (facts.displacement.y[i] - facts.displacement_before.y[i])};
-        work += facts.area[i] * dot(mean, facts.shift_increment);
-        friction += facts.area[i] * dot(mean, slip);
-    }
-    audit.record("energy_balance", std::abs(work - facts.energy_change - friction) / facts.unit,
-                 allowed);
-}
-
 }  // namespace tricontact::contact

@@ -32,17 +32,4 @@ struct TangentialFacts {
 void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit,
                       double force_allowed = exact_force);
 
-struct EnergyFacts {
-    const std::vector<double>& area;
-    const TangentialField& mean_traction;  ///< over the step [Pa]
-    const TangentialField &displacement_before, &displacement;
-    Vector2 shift_increment;
-    double normal_work;    ///< of the mean pressures on the surface [J]
-    double energy_change;  ///< of the elastic energy, and what the material dissipated [J]
-    double unit;           ///< what energies are compared with [J]
-};
-/// Work of normal and tangential force = change of elastic energy + what the material dissipates +
-/// frictional work, all by the mean tractions of the step.
-void audit_energy(const EnergyFacts& facts, Audit& audit, double allowed = exact_force);
-
 }  // namespace tricontact::contact

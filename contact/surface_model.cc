@@ -19,29 +19,37 @@ constexpr std::size_t normal_cache_bytes = std::size_t{1} << 28;
 constexpr int max_turns = 100;
 }  // namespace
 
-SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
+SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
                            std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                           double tolerance, const Case::Contact& options,
-                           std::optional<Relaxation> relaxation)
+                           double tolerance, const Case::Contact& options)
     : name_(std::move(name)),
-      compliance_(std::move(compliance)),
+      substrate_(substrate.fresh(options.coupling)),
       indenter_(std::move(indenter)),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
-      coupling_(*compliance_, *indenter_, options),
-      memory_(std::move(relaxation), compliance_->points().size()),
-      normal_solver_(*compliance_, 0.1 * tolerance),
-      tangential_solver_(*compliance_, tolerance) {
+      coupling_(substrate_->compliance(), *indenter_, options) {
+    make_solvers();
     release();
 }
 
+SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
+                           std::shared_ptr<const Indenter> indenter, double friction_coefficient,
+                           double tolerance, const Case::Contact& options)
+    : SurfaceModel(std::move(name), ElasticSubstrate(std::move(compliance)), std::move(indenter),
+                   friction_coefficient, tolerance, options) {}
+
+void SurfaceModel::make_solvers() {
+    normal_solver_.emplace(substrate_->compliance(), 0.1 * tolerance_);
+    tangential_solver_.emplace(substrate_->compliance(), tolerance_);
+}
+
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
-    return std::make_unique<SurfaceModel>(name_, compliance_, indenter_, friction_coefficient_,
-                                          tolerance_, options, memory_.relaxation());
+    return std::make_unique<SurfaceModel>(name_, *substrate_, indenter_, friction_coefficient_,
+                                          tolerance_, options);
 }
 
 void SurfaceModel::release() {
-    const std::size_t n = compliance_->points().size();
+    const std::size_t n = points().size();
     offset_ = shift_ = {};
     starts_.clear();
     normal_ = std::make_shared<NormalSolution>(
@@ -53,38 +61,36 @@ void SurfaceModel::release() {
     contact_state_.assign(n, ContactState::open);
     least_pressure_.clear();
     energy_ = material_dissipation_ = 0;
-    mean_traction_ = {TangentialField(n), std::vector<double>(n)};
-    memory_.forget();
+    substrate_->forget();
 }
 
 StepRecord SurfaceModel::advance(const LoadStep& step) {
-    const Before before = state_before();
+    const Before before = {tractions(), displacements(), shift_};
     normal_iterations_ = tangential_iterations_ = 0;
     phase_ = step.phase;
     offset_ = step.offset;
-    memory_.begin(step.duration, {before.displacement, before.displacement_z});
+    if (substrate_->begin(step.duration, before.traction, before.displacement)) make_solvers();
     if (coupling_.absent())
         solve_uncoupled(step, before);
     else
         solve_coupled(step, before);
-    if (reaches_edge(compliance_->points(), normal_->pressure))
+    if (reaches_edge(points(), normal_->pressure))
         throw ContactAtEdge(fmt::format(
             "{}: the contact reaches the edge of the meshed contact patch at phase {:.4g}", name_,
             step.phase));
     update_totals();
     update_slip(before);
     keep_start();
-    audit_step(step, before);
+    audit_step(step);
     for (std::size_t i = 0; i < least_pressure_.size(); ++i)
         least_pressure_[i] = std::min(least_pressure_[i], normal_->pressure[i]);
     return record(step);
 }
 
-SurfaceModel::Before SurfaceModel::state_before() const {
+SurfaceField SurfaceModel::tractions() const {
     const auto& p = normal_->pressure;
     const auto& t = tangential_.traction;
-    return {displacement_, coupling_.surface_traction(p, t), displacement_z_,
-            coupling_.downward_traction(p, t), shift_};
+    return {coupling_.surface_traction(p, t), coupling_.downward_traction(p, t)};
 }
 
 void SurfaceModel::solve_uncoupled(const LoadStep& step, const Before& before) {
@@ -138,7 +144,7 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
         double change = 0;
         for (std::size_t i = 0; i < height.size(); ++i)
             if (normal_->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
-        gap_residual_ = change / (memory_.stiffness() * normal_->indentation);
+        gap_residual_ = change / (substrate_->stiffness() * normal_->indentation);
         if (gap_residual_ <= tolerance_) return;
         height = turns.next(height, now, gap_residual_);
     }
@@ -150,7 +156,7 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
 
 void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
     const Key key{step.offset, step.normal.kind, step.normal.value};
-    if (!memory_.absent()) {  // the same position is not the same problem
+    if (substrate_->relaxes()) {  // the same position is not the same problem
         coupling_.place({offset_, shift_, displacement_});
         coupling_.update_height(normal_->pressure, tangential_.traction);
         solve_normal(step.normal, effective_height());
@@ -170,20 +176,20 @@ void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
 /// coupling_.height() for the effective displacements.
 std::vector<double> SurfaceModel::effective_height() const {
     std::vector<double> height = coupling_.height();
-    if (memory_.absent()) return height;
+    if (!substrate_->relaxes()) return height;
     for (std::size_t i = 0; i < height.size(); ++i)
-        height[i] = memory_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
-                    memory_.offset().down[i];
+        height[i] = substrate_->stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
+                    substrate_->offset().down[i];
     return height;
 }
 
 /// Presses against `height`, starting from the last pressures.
 void SurfaceModel::solve_normal(NormalControl control, const std::vector<double>& height) {
     const bool warm = normal_->force > 0 && control.kind == NormalControl::Kind::force;
-    if (control.kind == NormalControl::Kind::indentation) control.value *= memory_.stiffness();
+    if (control.kind == NormalControl::Kind::indentation) control.value *= substrate_->stiffness();
     NormalSolution solution =
-        normal_solver_.solve(height, control, warm ? normal_->pressure : std::vector<double>{});
-    solution.indentation /= memory_.stiffness();
+        normal_solver_->solve(height, control, warm ? normal_->pressure : std::vector<double>{});
+    solution.indentation /= substrate_->stiffness();
     normal_ = std::make_shared<const NormalSolution>(std::move(solution));
     normal_iterations_ += normal_->iterations;
 }
@@ -193,30 +199,30 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
         bound_[i] = friction_coefficient_ * normal_->pressure[i];
     std::array<TangentialControl, 2> control = step.tangential;
     const Vector2 by_pressure = coupling_.tangential_force(normal_->pressure);
-    const double stiffness = memory_.stiffness();
+    const double stiffness = substrate_->stiffness();
     for (int d = 0; d < 2; ++d)
         control[d].value = control[d].kind == TangentialControl::Kind::shift
                                ? stiffness * (control[d].value - before.shift[d])
                                : control[d].value - by_pressure[d];
     // Both halves of a mirrored contact push against each other: nothing moves it across.
-    if (compliance_->points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
+    if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
-    TangentialField relative = before.displacement;
+    TangentialField relative = before.displacement.in_surface;
     const TangentialField& other = coupling_.displacement();
     double contact_area = 0;
     for (std::size_t i = 0; i < bound_.size(); ++i) {
-        if (!memory_.absent()) {
-            relative.x[i] = stiffness * relative.x[i] + memory_.offset().in_surface.x[i];
-            relative.y[i] = stiffness * relative.y[i] + memory_.offset().in_surface.y[i];
+        if (substrate_->relaxes()) {
+            relative.x[i] = stiffness * relative.x[i] + substrate_->offset().in_surface.x[i];
+            relative.y[i] = stiffness * relative.y[i] + substrate_->offset().in_surface.y[i];
         }
         relative.x[i] -= other.x[i];
         relative.y[i] -= other.y[i];
-        if (bound_[i] > 0) contact_area += compliance_->points().area[i];
+        if (bound_[i] > 0) contact_area += points().area[i];
     }
     const double contact_compliance =
         stiffness * normal_->indentation * contact_area / normal_->force;
     for (double& increment : tangential_.shift_increment) increment *= stiffness;
-    tangential_solver_.solve({bound_, relative, control, contact_compliance}, tangential_);
+    tangential_solver_->solve({bound_, relative, control, contact_compliance}, tangential_);
     tangential_iterations_ += tangential_.iterations;
     for (int d = 0; d < 2; ++d) {
         tangential_.shift_increment[d] /= stiffness;
@@ -249,12 +255,14 @@ void SurfaceModel::update_totals() {
             displacement_z_[i] += coupling_.lowering()[i];
         }
     }
-    if (memory_.absent()) return;
-    const SurfaceField& offset = memory_.offset();
+    if (!substrate_->relaxes()) return;
+    const SurfaceField& offset = substrate_->offset();
     for (std::size_t i = 0; i < bound_.size(); ++i) {
-        displacement_.x[i] = (displacement_.x[i] - offset.in_surface.x[i]) / memory_.stiffness();
-        displacement_.y[i] = (displacement_.y[i] - offset.in_surface.y[i]) / memory_.stiffness();
-        displacement_z_[i] = (displacement_z_[i] - offset.down[i]) / memory_.stiffness();
+        displacement_.x[i] =
+            (displacement_.x[i] - offset.in_surface.x[i]) / substrate_->stiffness();
+        displacement_.y[i] =
+            (displacement_.y[i] - offset.in_surface.y[i]) / substrate_->stiffness();
+        displacement_z_[i] = (displacement_z_[i] - offset.down[i]) / substrate_->stiffness();
     }
 }
 
@@ -263,8 +271,8 @@ void SurfaceModel::update_slip(const Before& before) {
     const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
-        slip_.x[i] = moved[0] - (displacement_.x[i] - before.displacement.x[i]);
-        slip_.y[i] = moved[1] - (displacement_.y[i] - before.displacement.y[i]);
+        slip_.x[i] = moved[0] - (displacement_.x[i] - before.displacement.in_surface.x[i]);
+        slip_.y[i] = moved[1] - (displacement_.y[i] - before.displacement.in_surface.y[i]);
         if (!(normal_->pressure[i] > 0)) {
             slip_.x[i] = slip_.y[i] = 0;
             contact_state_[i] = ContactState::open;
@@ -283,17 +291,14 @@ void SurfaceModel::start_limit() {
 }
 
 double SurfaceModel::limit_tangential_ratio() const {
-    const auto& area = compliance_->points().area;
+    const auto& area = points().area;
     double sum = 0;
     for (std::size_t i = 0; i < least_pressure_.size(); ++i) sum += area[i] * least_pressure_[i];
     return sum / least_pressure_force_;
 }
 
 std::unique_ptr<const Interior> SurfaceModel::interior() {
-    const auto& p = normal_->pressure;
-    const auto& t = tangential_.traction;
-    auto inside =
-        compliance_->interior(coupling_.downward_traction(p, t), coupling_.surface_traction(p, t));
+    auto inside = substrate_->interior(tractions());
     if (!inside) return nullptr;
     double missing = 0, applied = 0;
     for (int d = 0; d < 3; ++d) {
@@ -301,7 +306,7 @@ std::unique_ptr<const Interior> SurfaceModel::interior() {
         applied = std::hypot(applied, inside->applied[d]);
     }
     audit_.record("interior_equilibrium", missing / applied,
-                  compliance_->allowed_missing_reaction());
+                  substrate_->compliance().allowed_missing_reaction());
     return inside;
 }
 

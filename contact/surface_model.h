@@ -11,7 +11,7 @@
 #include "contact/model.h"
 #include "contact/normal_solver.h"
 #include "contact/period_starts.h"
-#include "contact/surface_memory.h"
+#include "contact/substrate.h"
 #include "contact/tangential_solver.h"
 
 namespace tricontact::contact {
@@ -28,17 +28,20 @@ class ContactAtEdge : public std::runtime_error {
 /// Coupled normal and tangential contact are solved in turns (Panagiotopoulos 1975), accelerated
 /// (see FixedPoint), until what the friction does to the gap no longer changes.
 ///
-/// A relaxing substrate (see SurfaceMemory) is stepped as an elastic one whose displacements are
-/// the effective ones, stiffness u + offset: heights, shifts and what was displaced before enter
-/// the solvers in that measure.
+/// A relaxing substrate (see Substrate) is stepped as an elastic one whose displacements are the
+/// effective ones, stiffness u + offset: heights, shifts and what was displaced before enter the
+/// solvers in that measure.
 class SurfaceModel final : public Model {
   public:
     /// `tolerance` [-]: of the tangential solver and of the turns, over mu d and d; the normal
     /// solver gets a tenth of it.
+    SurfaceModel(std::string name, const Substrate& substrate,
+                 std::shared_ptr<const Indenter> indenter, double friction_coefficient,
+                 double tolerance, const Case::Contact& options = {});
+    /// On an elastic substrate.
     SurfaceModel(std::string name, std::shared_ptr<const Compliance> compliance,
                  std::shared_ptr<const Indenter> indenter, double friction_coefficient,
-                 double tolerance, const Case::Contact& options = {},
-                 std::optional<Relaxation> relaxation = {});
+                 double tolerance, const Case::Contact& options = {});
 
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !coupling_.absent(); }
@@ -59,15 +62,17 @@ class SurfaceModel final : public Model {
 
     /// The state of the surface that a step starts from.
     struct Before {
-        TangentialField displacement, surface_traction;
-        std::vector<double> displacement_z, downward_traction;
+        SurfaceField traction, displacement;
         Vector2 shift;
     };
 
-    Before state_before() const;
+    SurfaceField tractions() const;  // of the present solution, in all
+    SurfaceField displacements() const { return SurfaceField(displacement_, displacement_z_); }
+    const ContactPoints& points() const { return substrate_->compliance().points(); }
     std::vector<double> effective_height() const;
     void recall_start();
     void keep_start();
+    void make_solvers();
     void solve_uncoupled(const LoadStep& step, const Before& before);
     void solve_coupled(const LoadStep& step, const Before& before);
     void solve_normal(NormalControl control, const std::vector<double>& height);
@@ -77,19 +82,18 @@ class SurfaceModel final : public Model {
     void update_totals();
     void update_slip(const Before& before);
     StepRecord record(const LoadStep& step) const;
-    void audit_step(const LoadStep& step, const Before& before);
-    void update_energy(const Before& before);
-    void audit_stored_energy(const Before& before, double energy_before, double allowed);
+    void audit_step(const LoadStep& step);
+    double update_energy();
 
     std::string name_;
-    std::shared_ptr<const Compliance> compliance_;
+    std::unique_ptr<Substrate> substrate_;
     std::shared_ptr<const Indenter> indenter_;
     double friction_coefficient_;
     double tolerance_;
     Coupling coupling_;
-    SurfaceMemory memory_;
-    NormalSolver normal_solver_;
-    TangentialSolver tangential_solver_;
+    // They keep factors of the compliance.
+    std::optional<NormalSolver> normal_solver_;
+    std::optional<TangentialSolver> tangential_solver_;
 
     double phase_ = 0;
     Vector2 offset_{};
@@ -109,7 +113,6 @@ class SurfaceModel final : public Model {
     double least_pressure_force_ = 0;     // F_N at start_limit()
     double energy_ = 0;                   // stored, of the present state [J]
     double material_dissipation_ = 0;     // of the last step [J]
-    SurfaceField mean_traction_;          // over the last step [Pa]
     Audit audit_;
 };
 

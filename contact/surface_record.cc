@@ -9,8 +9,8 @@
 namespace tricontact::contact {
 
 StepRecord SurfaceModel::record(const LoadStep& step) const {
-    const auto& area = compliance_->points().area;
-    const bool mirrored = compliance_->points().mirrored;
+    const auto& area = points().area;
+    const bool mirrored = points().mirrored;
     const auto& p = normal_->pressure;
     const auto& t = tangential_.traction;
     StepRecord r;
@@ -51,12 +51,11 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     return r;
 }
 
-void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
-    const ContactPoints& points = compliance_->points();
+void SurfaceModel::audit_step(const LoadStep& step) {
+    const ContactPoints& points = this->points();
     const auto& p = normal_->pressure;
     const auto& t = tangential_.traction;
-    const double energy_before = energy_;
-    update_energy(before);
+    const double unbalanced = update_energy();
     if (normal_->force == 0) return;  // withdrawn: nothing to compare errors with
     // Parts that inclined tractions carry follow the rest to the tolerance of the turns.
     const double force_allowed = coupling_.deformed() ? 10 * tolerance_ : exact_force;
@@ -64,12 +63,12 @@ void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
     if (normal.kind == NormalControl::Kind::force) normal.value -= coupling_.normal_force(t);
     audit_normal(*normal_, normal, points.area, tolerance_, audit_, force_allowed);
     if (is_coupled()) audit_.record("normal_and_tangential_agree", gap_residual_, tolerance_);
-    const auto missing = compliance_->missing_reaction(coupling_.downward_traction(p, t),
-                                                       coupling_.surface_traction(p, t));
+    const SurfaceField all = tractions();
+    const auto missing = substrate_->compliance().missing_reaction(all.down, all.in_surface);
     if (missing)
         audit_.record("base_reaction",
                       std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / normal_->force,
-                      compliance_->allowed_missing_reaction());
+                      substrate_->compliance().allowed_missing_reaction());
 
     if (step.friction) {
         std::array<TangentialControl, 2> tangential = step.tangential;
@@ -85,50 +84,20 @@ void SurfaceModel::audit_step(const LoadStep& step, const Before& before) {
                           .length = friction_coefficient_ * normal_->indentation},
                          tolerance_, audit_, force_allowed);
     }
-    audit_stored_energy(before, energy_before, force_allowed);
+    // The forces' work is that on the surface plus what friction dissipates.
+    audit_.record("energy_balance",
+                  std::abs(unbalanced) / (friction_coefficient_ * friction_coefficient_ *
+                                          normal_->force * normal_->indentation),
+                  force_allowed);
 }
 
-/// Stored and dissipated energy of the substrate, and the mean tractions by which forces work in
-/// the step: by the trapezoidal rule where nothing relaxes, exact for a self-adjoint linear
-/// compliance.
-void SurfaceModel::update_energy(const Before& before) {
-    const auto& area = compliance_->points().area;
-    const SurfaceField t{coupling_.surface_traction(normal_->pressure, tangential_.traction),
-                         coupling_.downward_traction(normal_->pressure, tangential_.traction)};
-    if (!memory_.absent()) {
-        const auto energies = memory_.end(t, {displacement_, displacement_z_}, area);
-        energy_ = energies.stored;
-        material_dissipation_ = energies.dissipated;
-        mean_traction_ = memory_.mean_traction();
-        return;
-    }
-    energy_ = 0;
-    for (std::size_t i = 0; i < area.size(); ++i) {
-        energy_ += area[i] / 2 *
-                   (t.down[i] * displacement_z_[i] + t.in_surface.x[i] * displacement_.x[i] +
-                    t.in_surface.y[i] * displacement_.y[i]);
-        mean_traction_.in_surface.x[i] = (before.surface_traction.x[i] + t.in_surface.x[i]) / 2;
-        mean_traction_.in_surface.y[i] = (before.surface_traction.y[i] + t.in_surface.y[i]) / 2;
-        mean_traction_.down[i] = (before.downward_traction[i] + t.down[i]) / 2;
-    }
-}
-
-void SurfaceModel::audit_stored_energy(const Before& before, double energy_before, double allowed) {
-    const auto& area = compliance_->points().area;
-    double normal_work = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
-        normal_work +=
-            area[i] * mean_traction_.down[i] * (displacement_z_[i] - before.displacement_z[i]);
-    audit_energy({.area = area,
-                  .mean_traction = mean_traction_.in_surface,
-                  .displacement_before = before.displacement,
-                  .displacement = displacement_,
-                  .shift_increment = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]},
-                  .normal_work = normal_work,
-                  .energy_change = energy_ - energy_before + material_dissipation_,
-                  .unit = friction_coefficient_ * friction_coefficient_ * normal_->force *
-                          normal_->indentation},
-                 audit_, allowed);
+/// Ends the step of the substrate; returns the work on its surface less what became of it [J].
+double SurfaceModel::update_energy() {
+    const double energy_before = energy_;
+    const Substrate::Energies energies = substrate_->end(tractions(), displacements());
+    energy_ = energies.stored;
+    material_dissipation_ = energies.dissipated;
+    return energies.work - (energy_ - energy_before + material_dissipation_);
 }
 
 }  // namespace tricontact::contact

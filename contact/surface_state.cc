@@ -11,11 +11,11 @@
 namespace tricontact::contact {
 
 Scales SurfaceModel::scales() const {
-    const ContactPoints& points = compliance_->points();
+    const ContactPoints& points = this->points();
     TangentialField sliding(bound_.size()), displacement(bound_.size());
     for (std::size_t i = 0; i < bound_.size(); ++i)
         sliding.x[i] = friction_coefficient_ * normal_->pressure[i];
-    compliance_->tangential(sliding, displacement);
+    substrate_->relaxed().tangential(sliding, displacement);
     std::size_t centre = 0;
     auto distance = [&](std::size_t i) {
         return std::hypot(points.x[i] - offset_[0], points.y[i] - offset_[1]);
@@ -30,7 +30,7 @@ Scales SurfaceModel::scales() const {
 }
 
 Surface SurfaceModel::surface() const {
-    const ContactPoints& points = compliance_->points();
+    const ContactPoints& points = this->points();
     Surface s;
     s.layout = points.quads.empty() ? Surface::Layout::grid : Surface::Layout::nodes;
     s.n_x = points.n_x;
@@ -60,11 +60,12 @@ Surface SurfaceModel::surface() const {
     s.node_x = points.x;
     s.node_y = points.y;
     s.quads = points.quads;
-    s.normal_traction_consistent = compliance_->consistent_traction(s.normal_traction, false);
+    s.normal_traction_consistent =
+        substrate_->compliance().consistent_traction(s.normal_traction, false);
     s.tangential_traction_x_consistent =
-        compliance_->consistent_traction(s.tangential_traction_x, false);
+        substrate_->compliance().consistent_traction(s.tangential_traction_x, false);
     s.tangential_traction_y_consistent =
-        compliance_->consistent_traction(s.tangential_traction_y, true);
+        substrate_->compliance().consistent_traction(s.tangential_traction_y, true);
     return points.mirrored ? mirrored(s) : s;
 }
 
@@ -82,7 +83,7 @@ std::string SurfaceModel::write_state() const {
           tangential_.force_residual, gap_residual_, least_pressure_force_, energy_})
         out.add(value);
     out.add(contact_state_);
-    memory_.write(out);
+    substrate_->write(out);
     out.add(audit_.checks().size());
     for (const Audit::Check& check : audit_.checks()) {
         out.add(check.name);
@@ -106,7 +107,7 @@ void SurfaceModel::read_state(std::string_view bytes) {
           &tangential_.force_residual, &gap_residual_, &least_pressure_force_, &energy_})
         in.get(*value);
     in.get(contact_state_);
-    memory_.read(in);
+    substrate_->read(in);
     std::size_t n_checks = 0;
     in.get(n_checks);
     audit_ = {};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "fem/patch.h"
 #include "fem/size_choice.h"
@@ -91,11 +92,16 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     require_layer(c);
     Workshop workshop(c, say);
-    auto compliance = c.fem.mesh ? workshop.make(read_users_mesh(c))
-                                 : make_fitting(c, plan(c, workshop), workshop);
-    return std::make_unique<contact::SurfaceModel>("fem", std::move(compliance), c.make_indenter(),
-                                                   c.friction_coefficient, c.fem.tolerance,
-                                                   c.contact, c.relaxation);
+    std::optional<meshes::LayerMeshSpec> own;
+    if (!c.fem.mesh) own = plan(c, workshop);
+    auto of_elastic = [&](const Case& elastic) {
+        Workshop other(elastic, say);
+        return own ? make_fitting(elastic, *own, other) : other.make(read_users_mesh(elastic));
+    };
+    auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
+    return std::make_unique<contact::SurfaceModel>(
+        "fem", *contact::make_substrate(c, std::move(relaxed), of_elastic), c.make_indenter(),
+        c.friction_coefficient, c.fem.tolerance, c.contact);
 }
 
 }  // namespace tricontact::fem

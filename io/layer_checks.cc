@@ -9,8 +9,6 @@ namespace {
 using contact::Case;
 using Base = Case::Base;
 
-constexpr double largest_elastic_ratio = 1e-3;  // of compliance below a relaxing layer
-
 void check_length(const std::string& key, std::size_t n, std::size_t n_layers,
                   const Document& document) {
     if (n == n_layers) return;
@@ -29,29 +27,6 @@ void check_fem_layers(const Case& c, const Document& document) {
                "fem meshes at most two layers, but the case has " +
                    std::to_string(1 + c.layer.lower.size()),
                "leave out fem, or all lower layers but one");
-}
-
-double plane_compliance(const contact::Material& body) {
-    return (1 - body.poisson * body.poisson) / body.young;
-}
-
-void check_relaxes_alike(const contact::Material& below, const std::string& key, const Case& c,
-                         const Document& document) {
-    const double ratio = plane_compliance(below) / plane_compliance(c.substrate);
-    if (ratio <= largest_elastic_ratio) return;
-    refuse(document, key,
-           "models let all that is below a relaxing layer relax with it, but the compliance (1 - "
-           "poisson^2)/young of this is " +
-               rounded(ratio) + " of the layer's, more than " + rounded(largest_elastic_ratio),
-           "make it stiffer, or omit it or [substrate.relaxation]");
-}
-
-// All of the compliance has one relaxation function: what is elastic must be as good as rigid.
-void check_relaxing_layers(const Case& c, const Document& document) {
-    if (!c.relaxation) return;
-    for (const auto& lower : c.layer.lower)
-        check_relaxes_alike(lower.material, "lower_layer.young", c, document);
-    if (c.layer.ground) check_relaxes_alike(*c.layer.ground, "ground.young", c, document);
 }
 
 }  // namespace
@@ -99,7 +74,6 @@ void check_layer(const std::string& model, const Case& c, const Document& docume
                "mdr-layer: nothing holds a layer that glides on its ground against a tangential "
                "force",
                "take base = \"bonded\" or \"half-space\", or leave out mdr-layer");
-    check_relaxing_layers(c, document);
     if (model == "fem") check_fem_layers(c, document);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "contact/error.h"
+#include "contact/relaxing_case.h"
 #include "io/case_keys.h"
 #include "io/dma_table.h"
 #include "io/messages.h"
@@ -19,7 +20,6 @@ using contact::Relaxation;
 using Input = Case::RelaxationInput;
 
 const std::string section = "substrate.relaxation.";
-constexpr double largest_elastic_share = 1e-3;  // of the compliance: the indenter's
 
 void resolve_standard_solid(Input& input) {
     input.moduli = {*input.maxwell_modulus};
@@ -84,6 +84,28 @@ Relaxation::Branch branch(const Case& c, std::size_t i) {
             c.relaxation_input.times[i]};
 }
 
+void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool ground,
+                    const Document& document) {
+    const std::string but = ", but " + model + " lets everything relax alike";
+    switch (stays) {
+        case contact::Unrelaxed::nothing:
+            return;
+        case contact::Unrelaxed::bulk:
+            refuse(document, section + "bulk",
+                   "below poisson = 0.5 shear then relaxes without the bulk" + but,
+                   "use bulk = \"proportional\" or poisson = 0.5, or leave the model out");
+        case contact::Unrelaxed::below:
+            refuse(document, ground ? "ground.young" : "lower_layer.young",
+                   "what is below the relaxing layer does not relax" + but,
+                   "make it stiffer or leave the model out");
+        case contact::Unrelaxed::indenter:
+            refuse(
+                document, "indenter.young",
+                "1e-3 of the compliance or more is then the indenter's, which does not relax" + but,
+                "make the indenter rigid or stiffer, or leave the model out");
+    }
+}
+
 bool says(const Input& input, const Case& c) {
     const auto& branches = c.relaxation->branches;
     if (input.moduli.size() != branches.size() || input.times.size() != branches.size())
@@ -128,19 +150,17 @@ void check_relaxation(const Case& c, const Document& document) {
         refuse(document, "rolling.steps",
                "a relaxing substrate feels the path between the turning points",
                "give rolling.steps_per_quarter or rolling.increment instead of rolling.steps");
-    if (c.relaxation->bulk == Relaxation::Bulk::elastic && c.substrate.poisson < 0.5)
-        refuse(document, section + "bulk",
-               "below poisson = 0.5 shear then relaxes without the bulk, and no model of this "
-               "program can do that",
-               "use bulk = \"proportional\", or poisson = 0.5, where both are the same");
-    const contact::MaterialPair substrate({}, c.substrate);
-    const double share = 1 - c.materials().effective_modulus() / substrate.effective_modulus();
-    if (share > largest_elastic_share)
-        refuse(document, "indenter.young",
-               "models let all of the compliance relax, but " + rounded(share) +
-                   " of it is the indenter's, which does not, more than " +
-                   rounded(largest_elastic_share),
-               "make the indenter stiffer, or omit its young and poisson: it is then rigid");
+    for (const std::string& model : c.models) {
+        const bool layer = model != "mdr" && model != "bem";
+        const auto stays = contact::what_stays(layer ? c : contact::without_layer(c));
+        if (stays == contact::Unrelaxed::nothing) continue;
+        if (model == "mdr" || model == "mdr-layer")
+            refuse_for_mdr(model, stays, c.layer.ground.has_value(), document);
+        if (model == "fem" && c.output.volume != Case::VolumeOutput::none)
+            refuse(document, "output.volume",
+                   "fields inside are not known where a part of the stiffness relaxes",
+                   "leave output.volume out");
+    }
 }
 
 }  // namespace tricontact::io

@@ -10,11 +10,6 @@ namespace tricontact::mdr {
 
 using contact::InputError;
 
-namespace {
-// Of the compliance, which all relaxes: the error that a stiff indenter makes then.
-constexpr double largest_elastic_share = 1e-3;
-}  // namespace
-
 const BedData& checked(const BedData& data) {
     if (!data.profile) throw InputError("mdr: no indenter profile");
     auto positive = [](const char* name, double value) {
@@ -30,26 +25,6 @@ const BedData& checked(const BedData& data) {
                                      data.n_springs));
     if (data.relaxation) contact::check(*data.relaxation);
     return data;
-}
-
-std::optional<contact::Relaxation> common_relaxation(const std::string& model,
-                                                     const contact::Case& c) {
-    if (!c.relaxation) return {};
-    if (c.relaxation->bulk == contact::Relaxation::Bulk::elastic && c.substrate.poisson < 0.5)
-        throw InputError(fmt::format(
-            "substrate.relaxation: {} has one relaxation function, which an elastic bulk at "
-            "Poisson's ratio {:.6g} does not leave; take bulk = \"proportional\", poisson = 0.5 or "
-            "another model",
-            model, c.substrate.poisson));
-    const contact::MaterialPair substrate({}, c.substrate);
-    const double share = 1 - c.materials().effective_modulus() / substrate.effective_modulus();
-    if (share > largest_elastic_share)
-        throw InputError(fmt::format(
-            "substrate.relaxation: {:.3g} of the compliance is the indenter's, which does not "
-            "relax, "
-            "but {} lets all of it relax; make the indenter rigid or {:.3g} times stiffer",
-            share, model, share / largest_elastic_share));
-    return c.relaxation;
 }
 
 void check_positive(const contact::NormalControl& control) {

@@ -26,12 +26,6 @@ struct BedData {
 /// The same data. Throws contact::InputError for values out of range.
 const BedData& checked(const BedData& data);
 
-/// The relaxation of a case as the common factor of all stiffness, which is the one that springs
-/// can have. Throws contact::InputError if it is none: an elastic bulk of a compressible substrate,
-/// or an elastic indenter with more than 1e-3 of the compliance. `model`: named in the message.
-std::optional<contact::Relaxation> common_relaxation(const std::string& model,
-                                                     const contact::Case& c);
-
 /// Throws contact::InputError unless the control is positive and finite.
 void check_positive(const contact::NormalControl& control);
 

@@ -7,6 +7,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/normal_solver.h"
+#include "contact/relaxing_case.h"
 #include "mdr/bed_data.h"
 #include "mdr/layer_model.h"
 #include "theory/case_layers.h"
@@ -93,7 +94,7 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
     data.springs = springs_of(c, final_margin * a.largest + path, spacing);
     data.friction_coefficient = c.friction_coefficient;
     data.rolling_angle = c.rolling ? c.rolling->angle : 0;
-    data.relaxation = common_relaxation("mdr-layer", c);
+    data.relaxation = contact::common_relaxation("mdr-layer", c);
     return std::make_unique<LayerModel>(std::move(data));
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/relaxing_substrate.h"
 #include "mdr/line_surface.h"
 #include "mdr/rolling_line.h"
 
@@ -32,6 +33,13 @@ class PlaneIndenter final : public contact::Indenter {
     std::shared_ptr<const PlaneProfile> profile_;
 };
 
+std::unique_ptr<const contact::Substrate> substrate_of(
+    std::shared_ptr<const LayerSprings> springs,
+    const std::optional<contact::Relaxation>& relaxation) {
+    if (!relaxation) return std::make_unique<contact::ElasticSubstrate>(std::move(springs));
+    return std::make_unique<contact::RelaxingSubstrate>(std::move(springs), *relaxation);
+}
+
 }  // namespace
 
 LayerModel::LayerModel(LayerData data)
@@ -39,8 +47,8 @@ LayerModel::LayerModel(LayerData data)
       profile_(std::move(data.profile)),
       friction_coefficient_(data.friction_coefficient),
       direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      model_(name(), springs_, std::make_shared<PlaneIndenter>(profile_), friction_coefficient_,
-             tolerance, {}, std::move(data.relaxation)) {}
+      model_(name(), *substrate_of(springs_, data.relaxation),
+             std::make_shared<PlaneIndenter>(profile_), friction_coefficient_, tolerance) {}
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
     check_on_line(name(), step);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/spring_bed.h"
 
@@ -41,7 +42,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.
     data.half_length =
         1.01 * (half_width(c, *data.profile, peak_factor) + std::abs(amplitude(c, *data.profile)));
-    data.relaxation = common_relaxation("mdr", c);
+    data.relaxation = contact::common_relaxation("mdr", contact::without_layer(c));
     if (data.relaxation) return std::make_unique<RelaxingBed>(std::move(data));
     return std::make_unique<SpringBed>(std::move(data));
 }

@@ -202,5 +202,24 @@ TEST_F(InfluenceFile, RefusesSignsThatNoReciprocalBodiesHave) {
               "7: K_xy = 0 on the axes at 0 0 is broken by 0.5 m/Pa" + remedy);
 }
 
+// Where a part of the stiffness relaxes, the body takes many states.
+TEST_F(InfluenceFile, HoldsForOneStateOfTheMaterial) {
+    Case c = layer_case();
+    write(bem::influence_text(bem::case_influence(c, 1, Body::layer)));
+    c.bem.influence = path_;
+    c.relaxation = contact::Relaxation{{{.5, 1}}, contact::Relaxation::Bulk::proportional};
+    EXPECT_NO_THROW(bem::make_model(c, 1, Body::layer));
+    c.relaxation->bulk = contact::Relaxation::Bulk::elastic;
+    try {
+        bem::make_model(c, 1, Body::layer);
+        FAIL() << "no error";
+    } catch (const contact::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "bem.influence: the file's coefficients hold for one state of the material, "
+                     "but here a part of the stiffness relaxes and a part does not; omit "
+                     "bem.influence");
+    }
+}
+
 }  // namespace
 }  // namespace tricontact

@@ -21,6 +21,17 @@ TEST(Material, ShearModulus) {
     EXPECT_DOUBLE_EQ((Material{8, 0}.shear_modulus()), 4);
 }
 
+TEST(Material, ShearModulusChangesAndBulkModulusDoesNot) {
+    for (const double nu : {-.9, 0., .3, .4999, .5})
+        for (const double ratio : {.1, 1., 3., 50.}) {
+            const contact::Material before{5e6, nu}, after = before.with_shear_ratio(ratio);
+            EXPECT_NEAR(after.shear_modulus() / before.shear_modulus(), ratio, 1e-13 * ratio);
+            // 1/K = 3 (1 - 2 nu)/E
+            EXPECT_NEAR((1 - 2 * after.poisson) / after.young, (1 - 2 * nu) / 5e6, 1e-20);
+            EXPECT_GT(after.poisson, -1);
+        }
+}
+
 TEST(MaterialPair, RigidIndenter) {
     // E* = E/(1 - nu^2), G* = 4 G/(2 - nu)
     const MaterialPair rubber({}, {3, .5});

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <memory>
 
+#include "contact/combined_compliance.h"
+#include "contact/stieltjes_interpolation.h"
 #include "fem/condensed_compliance.h"
 #include "tests/unit/fem_layer_problems.h"
 
@@ -64,6 +67,39 @@ TEST(FemCondensedCompliance, GroundThatCarriesNothingIsSeen) {
         for (int d = 0; d < 3; ++d)
             EXPECT_NEAR((*missing)[d], half && d == 1 ? 0 : tractions.force[d],
                         1e-12 * std::abs(tractions.force[2]));
+    }
+}
+
+// Two materials, finite and infinite bulk moduli, distorted elements: where the shear moduli take a
+// factor, the interpolation between a few condensations is the condensation, to its own bound.
+TEST(FemCondensedCompliance, InterpolatesInTheShearModulus) {
+    const fem::LayerProblem relaxed = test::small_layer();
+    auto at = [&](double ratio) {
+        auto problem = std::make_shared<fem::LayerProblem>(relaxed);
+        for (auto& material : problem->materials) material = material.with_shear_ratio(ratio);
+        return std::make_shared<CondensedCompliance>(problem, fem::condense(*problem));
+    };
+    const contact::StieltjesInterpolation interpolation(6, 1e-5);
+    contact::CombinedCompliance::Parts parts;
+    for (const double x : interpolation.nodes()) parts.push_back(at(x));
+    contact::CombinedCompliance combined(parts, true);
+    for (const double x : {1., 2.2, 6.}) {
+        const auto direct = at(x);
+        combined.set_weights(interpolation.shares(x));
+        const auto n = static_cast<Eigen::Index>(3 * direct->points().size());
+        const Eigen::Map<const Eigen::MatrixXd> a(combined.dense(), n, n), b(direct->dense(), n, n);
+        const double worst = (a - b).norm() / b.norm();
+        EXPECT_LT(worst, 1e-5) << x;
+        EXPECT_GT(worst, 1e-9) << x;  // it is an interpolation
+        // Products are those of the matrix.
+        const Tractions t(direct->points());
+        std::vector<double> u(t.p.size()), v(t.p.size());
+        combined.normal(t.p, u);
+        direct->normal(t.p, v);
+        EXPECT_NEAR(u[3] / v[3], 1, 1e-4);
+        combined.normal_from_tangential(t.t, u);
+        direct->normal_from_tangential(t.t, v);
+        EXPECT_NEAR(u[3] / v[3], 1, 1e-3);
     }
 }
 

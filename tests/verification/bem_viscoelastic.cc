@@ -10,6 +10,7 @@
 
 #include "bem/model.h"
 #include "contact/load_path.h"
+#include "contact/relaxing_case.h"
 #include "tests/verification/bem_rig.h"
 
 namespace tricontact {
@@ -182,6 +183,117 @@ TEST(BemViscoelastic, ElasticLimits) {
     EXPECT_NEAR(force(solid(1e-9, tau), 3 * shear) / relaxed, 1, 1e-8);
     EXPECT_NEAR(force(solid(ratio, 1e-9), 3 * shear) / relaxed, 1, 1e-7);
     EXPECT_NEAR(force(solid(ratio, 1e9), 3 * shear) / glassy, 1, 1e-8);
+}
+
+/// A substrate whose bulk stays while its shear relaxes.
+Case shear_alone(double cells_per_radius) {
+    Case c = rubber(cells_per_radius);
+    c.substrate = {2 * shear * 1.3, .3};
+    c.relaxation->bulk = contact::Relaxation::Bulk::elastic;
+    return c;
+}
+
+// Lee and Radok again: 1/E* = 1/(4 G) + 3/(4 (3 K + G)), the creep of a relaxing spring alone, and
+// of one beside an elastic one. On the way Poisson's ratio goes from .05 to .3.
+TEST(BemViscoelastic, LeeAndRadokWhereShearRelaxesAlone) {
+    const double bulk = shear * 2 * 1.3 / (3 * (1 - .6)), force = hertz_force(shear, 3e-4);
+    const auto creep = [&](double spring, double t) {
+        const double relaxed = 1 / (1 + spring), glassy = 1 / (1 + ratio + spring);
+        const double late = tau * (1 + spring + ratio) / (1 + spring);
+        return relaxed - (relaxed - glassy) * std::exp(-t / late);
+    };
+    const auto exact = [&](double t) {
+        const double soft = (creep(0, t) + 3 * creep(3 * bulk / shear, t)) / (4 * shear);
+        return std::pow(3. / 4 * force * soft / std::sqrt(radius), 2. / 3);
+    };
+    const auto after = [&](int n_steps) {
+        const auto model = bem::make_model(shear_alone(15), 1);
+        const double end = 3 * tau;
+        double d = 0;
+        model->advance(step(NormalControl::Kind::force, force, 0));
+        for (int k = 1; k <= n_steps; ++k) {
+            d = model->advance(step(NormalControl::Kind::force, force, end / n_steps)).indentation;
+            EXPECT_NEAR(d / exact(k * end / n_steps), 1, .001) << k;
+        }
+        EXPECT_TRUE(model->audit().passed());
+        return d;
+    };
+    after(24);
+    // Second order in the step, on the same grid; exact where the force grows linearly.
+    const auto grown = [&](int n_steps, double power) {
+        const auto model = bem::make_model(shear_alone(15), 1);
+        double d = 0;
+        for (int k = 1; k <= n_steps; ++k)
+            d = model
+                    ->advance(step(NormalControl::Kind::force,
+                                   force * std::pow(1. * k / n_steps, power), 3 * tau / n_steps))
+                    .indentation;
+        return d;
+    };
+    EXPECT_NEAR(grown(2, 1) / grown(9, 1), 1, 1e-7);
+    const double coarse = grown(4, 2), middle = grown(8, 2), fine = grown(16, 2);
+    EXPECT_NEAR(std::log2((coarse - middle) / (middle - fine)), 2, .1);
+}
+
+// With friction, rolling, and normal and tangential contact coupled: the limits are elastic bodies
+// whose layer has another shear modulus, and the same bulk modulus or ground. 3e-6 is the contact
+// solvers' tolerance and the interpolation, over several steps.
+TEST(BemViscoelastic, ElasticLimitsWhereAPartRelaxes) {
+    Case c = shear_alone(8);
+    c.bem.spacing = 4e-4;
+    c.bem.cells_per_radius.reset();
+    c.layer.thickness = 4e-3;
+    c.load.normal_force = 20;
+    c.load.indentation.reset();
+    c.load.tangential_force.reset();
+    c.load.tangential_ratio = .4;
+    c.load.press_steps = 3;
+    c.rolling.emplace();
+    c.rolling->amplitude_ratio = .3;
+    c.rolling->steps_per_quarter = 2;
+    c.rolling->speed = 1e-3;
+    const auto path = contact::make_load_path(c, 20, hertz_scales(c).contact_radius);
+    // Every step takes a second.
+    const auto shift = [&](const Case& substrate) {
+        const auto model = bem::make_model(substrate, 1, bem::Body::layer);
+        StepRecord last;
+        for (const auto* steps : {&path.pressing, &path.loading, &path.period, &path.period})
+            for (LoadStep step : *steps) {
+                step.duration = 1;
+                last = model->advance(step);
+            }
+        EXPECT_TRUE(model->audit().passed());
+        return last.shift[0];
+    };
+    Case on_ground = c;
+    on_ground.relaxation->bulk = contact::Relaxation::Bulk::proportional;
+    on_ground.layer.base = Case::Base::half_space;
+    on_ground.layer.ground = contact::Material{4e6, .4};
+    for (Case part : {c, on_ground}) {
+        const double relaxed = shift(with_relaxing_ratio(part, 1));
+        const double glassy = shift(with_relaxing_ratio(part, 1 + ratio));
+        part.relaxation->branches[0].time = 1e-9;
+        EXPECT_NEAR(shift(part) / relaxed, 1, 3e-6);
+        part.relaxation->branches[0].time = 1e9;
+        EXPECT_NEAR(shift(part) / glassy, 1, 3e-6);
+        EXPECT_LT(glassy, .9 * relaxed);
+    }
+}
+
+// An indenter that does not relax has its share of the compliance: between a body that relaxes
+// wholly and one that does not at all, at the creep of both in series.
+TEST(BemViscoelastic, ElasticIndenterDoesNotRelax) {
+    Case c = rubber(15);
+    c.indenter.material = contact::Material{3 * shear, .5};
+    const auto model = bem::make_model(c, 1);
+    const double force = hertz_force(shear, 3e-4);
+    model->advance(step(NormalControl::Kind::force, force, 0));
+    for (int k = 1; k <= 10; ++k) {
+        const double d = model->advance(step(NormalControl::Kind::force, force, .1)).indentation;
+        const double soft = creep(k * .1) * shear + 1;
+        EXPECT_NEAR(d / (3e-4 * std::pow(soft, 2. / 3)), 1, .001) << k;
+    }
+    EXPECT_TRUE(model->audit().passed());
 }
 
 // rigs.md, 5: eta = 40 Pa s against G1 = 1.7 MPa at 0.2 Hz: the thesis may treat it as elastic.

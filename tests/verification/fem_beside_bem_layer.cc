@@ -39,10 +39,10 @@ TEST_P(FemBesideBemLayer, Agree) {
     const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     EXPECT_NEAR(fem.scales.indentation / bem.scales.indentation, 1, .003);
     EXPECT_NEAR(fem.limit_tangential_ratio / bem.limit_tangential_ratio, 1, .01);
-    // Sticking tractions are singular at the edge: 0.5 mm elements are 1 % too stiff there.
-    EXPECT_NEAR(fem.static_shift / bem.static_shift, 1, .012);
+    // Sticking tractions are singular at the edge, small f is worst: .9 % at .05.
+    EXPECT_NEAR(fem.static_shift / bem.static_shift, 1, .01);
     const auto &u = fem.shift_per_period, &v = bem.shift_per_period;
-    EXPECT_NEAR(u.back() / v.back(), 1, .012);
+    EXPECT_NEAR(u.back() / v.back(), 1, .01);
     // What it grows by where it ratchets for good.
     if (GetParam().f > 1.2 * bem.limit_tangential_ratio) {
         EXPECT_NEAR((u[5] - u[4]) / (v[5] - v[4]), 1, .03);
@@ -82,6 +82,60 @@ TEST(FemBesideBemLayer, RelaxingLayersAgree) {
     c.relaxation.reset();
     const History elastic = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     EXPECT_GT(std::abs(bem.shift_per_period[2] / elastic.shift_per_period[2] - 1), .01);
+}
+
+// What the contact says from its surface, and what the body says inside: energy and displacement of
+// a layer that has not yet relaxed.
+TEST(FemBesideBemLayer, InsideOfARelaxingLayer) {
+    Case c = rolling_case({8e-3, .24, .4}, 2e-3);
+    c.relaxation = contact::Relaxation{{{.8, .5}, {.3, 5}}, {}};
+    c.load.press_time = .4;
+    c.load.hold = .2;
+    const auto model = make_layer_model(c);
+    const auto path = contact::make_load_path(c, *c.load.normal_force, 5e-3);
+    contact::StepRecord last;
+    for (const auto* steps : {&path.pressing, &path.loading})
+        for (const auto& step : *steps) last = model->advance(step);
+    const auto inside = model->interior();
+    ASSERT_TRUE(inside);
+    EXPECT_NEAR(inside->strain_energy / last.stored_energy, 1, 1e-6);
+    const contact::Surface surface = model->surface();
+    double deepest = 0, lowest = 0;
+    for (const double u : surface.displacement_z) deepest = std::max(deepest, u);
+    for (const auto& u : inside->displacement) lowest = std::min(lowest, u[2]);
+    EXPECT_NEAR(-lowest / deepest, 1, 1e-6);
+    // The relaxed layer under these tractions would be displaced otherwise.
+    EXPECT_GT(last.normal_force * last.indentation, 2.2 * last.stored_energy);
+}
+
+// Shear relaxes and bulk does not: no common factor, and Poisson's ratio moves.
+TEST(FemBesideBemLayer, LayersWhoseShearRelaxesAloneAgree) {
+    Case c = rolling_case({8e-3, .24, .4}, 1e-3);
+    c.substrate.poisson = .35;
+    c.rolling->periods = 2;
+    c.rolling->steps_per_quarter = 2;
+    c.rolling->speed = 1e-3;
+    c.load.hold = 2;
+    c.relaxation = contact::Relaxation{{{.8, .5}, {.3, 5}}, contact::Relaxation::Bulk::elastic};
+    const History fem = contact::run(c, *make_layer_model(c));
+    const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
+    // 1 mm elements: 1.5 % in shifts for elastic layers as well.
+    EXPECT_NEAR(fem.scales.indentation / bem.scales.indentation, 1, .005);
+    EXPECT_NEAR(fem.static_shift / bem.static_shift, 1, .015);
+    for (std::size_t n = 0; n < 2; ++n)
+        EXPECT_NEAR(fem.shift_per_period[n] / bem.shift_per_period[n], 1, .02);
+    double of_fem = 0, of_bem = 0;
+    for (std::size_t k = 0; k < fem.steps.size(); ++k) {
+        of_fem += fem.steps[k].material_dissipation;
+        of_bem += bem.steps[k].material_dissipation;
+    }
+    EXPECT_NEAR(of_fem / of_bem, 1, .02);
+    // And it is another answer than that of a bulk that relaxes alike.
+    c.relaxation->bulk = contact::Relaxation::Bulk::proportional;
+    const History alike = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
+    double of_alike = 0;
+    for (const auto& step : alike.steps) of_alike += step.material_dissipation;
+    EXPECT_GT(std::abs(of_bem / of_alike - 1), .05);
 }
 
 }  // namespace

@@ -1,66 +1,32 @@
-#include "contact/surface_memory.h"
+#include "contact/relaxing_substrate.h"
 
-#include <array>
-#include <cmath>
+#include "contact/step_integrals.h"
 
 namespace tricontact::contact {
 
-namespace {
-
-template <class Field>
-auto components(Field& field) {
-    return std::array{&field.in_surface.x, &field.in_surface.y, &field.down};
-}
-
-SurfaceField zeros(std::size_t n) {
-    return {TangentialField(n), std::vector<double>(n)};
-}
-
-/// Integrals over a step of duration x tau of the dashpot's strain, which starts at e and is driven
-/// by w in all: dissipation/g = <e, e> ee + 2 <e, w> ew + <w, w> ww; mean strain = e mean + w
-/// drift.
-struct StepIntegrals {
-    explicit StepIntegrals(double x) {
-        if (x < small) {
-            ee = x - x * x + 2 * x * x * x / 3;
-            ew = x / 2 - x * x / 2 + 7 * x * x * x / 24;
-            ww = x / 3 - x * x / 4 + 7 * x * x * x / 60;
-            mean = 1 - x / 2 + x * x / 6;
-            drift = 1. / 2 - x / 6 + x * x / 24;
-            return;
-        }
-        const double once = -std::expm1(-x);
-        ee = -std::expm1(-2 * x) / 2;
-        ew = (once - ee) / x;
-        ww = std::isinf(x) ? 0 : (ee - 2 * once + x) / (x * x);
-        mean = once / x;
-        drift = (1 - mean) / x;
-    }
-    /// Below, the series' next terms are 1e-13 of their first, above, cancellation costs no more.
-    static constexpr double small = 1e-4;
-    double ee, ew, ww, mean, drift;
-};
-
-}  // namespace
-
-SurfaceMemory::SurfaceMemory(std::optional<Relaxation> relaxation, std::size_t n_points)
-    : relaxation_(std::move(relaxation)), n_(n_points) {
-    if (relaxation_) check(*relaxation_);
+RelaxingSubstrate::RelaxingSubstrate(std::shared_ptr<const Compliance> relaxed,
+                                     Relaxation relaxation)
+    : compliance_(std::move(relaxed)),
+      relaxation_(std::move(relaxation)),
+      n_(compliance_->points().size()) {
+    check(relaxation_);
     forget();
 }
 
-void SurfaceMemory::forget() {
-    if (absent()) return;
-    relaxed_ = offset_ = mean_ = before_ = zeros(n_);
-    branches_.assign(relaxation_->branches.size(), {zeros(n_), zeros(n_)});
+std::unique_ptr<Substrate> RelaxingSubstrate::fresh(bool) const {
+    return std::make_unique<RelaxingSubstrate>(compliance_, relaxation_);
 }
 
-void SurfaceMemory::begin(double duration, const SurfaceField& u) {
-    if (absent()) return;
-    const RelaxationStep step(*relaxation_, duration);
+void RelaxingSubstrate::forget() {
+    relaxed_ = offset_ = before_ = SurfaceField(n_);
+    branches_.assign(relaxation_.branches.size(), {SurfaceField(n_), SurfaceField(n_)});
+}
+
+bool RelaxingSubstrate::begin(double duration, const SurfaceField&, const SurfaceField& u) {
+    RelaxationStep step(relaxation_, duration);
     duration_ = duration;
-    decay_ = step.decay;
-    gain_ = step.gain;
+    decay_ = std::move(step.decay);
+    gain_ = std::move(step.gain);
     stiffness_ = step.stiffness;
     before_ = u;
     for (int d = 0; d < 3; ++d) {
@@ -73,18 +39,17 @@ void SurfaceMemory::begin(double duration, const SurfaceField& u) {
                     decay_[b] * (*components(branches_[b].displacement)[d])[i] - gain_[b] * old[i];
         }
     }
+    return false;
 }
 
-SurfaceMemory::Energies SurfaceMemory::end(const SurfaceField& t, const SurfaceField& u,
-                                           const std::vector<double>& area) {
+Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
+    const auto& area = compliance_->points().area;
     Energies energies;
     std::vector<StepIntegrals> integrals;
-    for (const auto& branch : relaxation_->branches)
-        integrals.emplace_back(duration_ / branch.time);
+    for (const auto& branch : relaxation_.branches) integrals.emplace_back(duration_ / branch.time);
     for (int d = 0; d < 3; ++d)
         for (std::size_t i = 0; i < n_; ++i) {
             auto& relaxed = (*components(relaxed_)[d])[i];
-            auto& mean = (*components(mean_)[d])[i];
             const double displacement = (*components(u)[d])[i];
             const double change = displacement - (*components(before_)[d])[i];
             // t = stiffness K u_new + sum (decay_i K h_i - gain_i K u_old)
@@ -94,11 +59,11 @@ SurfaceMemory::Energies SurfaceMemory::end(const SurfaceField& t, const SurfaceF
                     decay_[b] * (*components(branches_[b].traction)[d])[i] - gain_[b] * relaxed;
             const double next = ((*components(t)[d])[i] - remembered) / stiffness_;
             const double driven = next - relaxed;
-            mean = (relaxed + next) / 2;
+            double mean = (relaxed + next) / 2;  // traction in the step
             relaxed = next;
             double stored = next * displacement, dissipated = 0;
             for (std::size_t b = 0; b < branches_.size(); ++b) {
-                const double ratio = relaxation_->branches[b].ratio;
+                const double ratio = relaxation_.branches[b].ratio;
                 const StepIntegrals& s = integrals[b];
                 auto& h = (*components(branches_[b].displacement)[d])[i];
                 auto& k_h = (*components(branches_[b].traction)[d])[i];
@@ -111,12 +76,34 @@ SurfaceMemory::Energies SurfaceMemory::end(const SurfaceField& t, const SurfaceF
             }
             energies.stored += area[i] / 2 * stored;
             energies.dissipated += area[i] * dissipated;
+            energies.work += area[i] * mean * change;
         }
     return energies;
 }
 
-void SurfaceMemory::write(StateWriter& out) const {
-    if (absent()) return;
+/// Strains are those of the tractions K u; energies add up over springs and branches.
+std::unique_ptr<const Interior> RelaxingSubstrate::interior(const SurfaceField& t) const {
+    auto elastic = [&](const SurfaceField& field) {
+        return compliance_->interior(field.down, field.in_surface);
+    };
+    const auto stressed = elastic(t);
+    if (!stressed) return nullptr;
+    const auto strained = elastic(relaxed_);
+    auto inside = std::make_unique<Interior>(*stressed);
+    inside->displacement = strained->displacement;
+    inside->strain_energy = strained->strain_energy;
+    inside->energy_density = strained->energy_density;
+    for (std::size_t b = 0; b < branches_.size(); ++b) {
+        const auto branch = elastic(branches_[b].traction);
+        const double ratio = relaxation_.branches[b].ratio;
+        inside->strain_energy += branch->strain_energy / ratio;
+        for (std::size_t k = 0; k < inside->energy_density.size(); ++k)
+            inside->energy_density[k] += branch->energy_density[k] / ratio;
+    }
+    return inside;
+}
+
+void RelaxingSubstrate::write(StateWriter& out) const {
     auto add = [&](const SurfaceField& field) {
         for (const auto* component : components(field)) out.add(*component);
     };
@@ -127,8 +114,7 @@ void SurfaceMemory::write(StateWriter& out) const {
     }
 }
 
-void SurfaceMemory::read(StateReader& in) {
-    if (absent()) return;
+void RelaxingSubstrate::read(StateReader& in) {
     auto get = [&](SurfaceField& field) {
         for (auto* component : components(field)) in.get(*component);
     };

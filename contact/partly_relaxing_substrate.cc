@@ -1,0 +1,179 @@
+#include "contact/partly_relaxing_substrate.h"
+
+#include <cmath>
+
+#include "contact/step_integrals.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+constexpr double interpolation_error = 1e-7;  // the contact solvers' tolerance
+
+void add(SurfaceField& sum, double factor, const SurfaceField& field) {
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < field.down.size(); ++i)
+            (*components(sum)[d])[i] += factor * (*components(field)[d])[i];
+}
+
+SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
+    const std::size_t n = t.down.size();
+    SurfaceField u(n), other(n);
+    compliance.tangential(t.in_surface, u.in_surface);
+    compliance.normal(t.down, u.down);
+    if (!coupled) return u;
+    compliance.tangential_from_normal(t.down, other.in_surface);
+    compliance.normal_from_tangential(t.in_surface, other.down);
+    add(u, 1, other);
+    return u;
+}
+
+}  // namespace
+
+StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
+    return StieltjesInterpolation(relaxation.instantaneous_ratio(), interpolation_error);
+}
+
+PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,
+                                                 Relaxation relaxation, bool coupled)
+    : parts_(std::move(parts)),
+      interpolation_(std::move(interpolation)),
+      relaxation_(std::move(relaxation)),
+      n_(parts_.front()->points().size()),
+      step_(parts_, coupled),
+      relaxed_(parts_, coupled) {
+    relaxed_.set_weights(interpolation_.shares(1));
+    for (const double pole : interpolation_.poles())
+        modes_.push_back({Retardation(relaxation_, pole), {}, {}});
+    forget();
+}
+
+std::unique_ptr<Substrate> PartlyRelaxingSubstrate::fresh(bool coupled) const {
+    return std::make_unique<PartlyRelaxingSubstrate>(parts_, interpolation_, relaxation_, coupled);
+}
+
+void PartlyRelaxingSubstrate::forget() {
+    offset_ = traction_ = displacement_ = SurfaceField(n_);
+    for (Mode& mode : modes_) {
+        mode.displacement = SurfaceField(n_);
+        mode.branches.assign(mode.creep.branches.size(), {SurfaceField(n_), SurfaceField(n_)});
+    }
+}
+
+bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, const SurfaceField& u) {
+    duration_ = duration;
+    traction_ = t;
+    displacement_ = u;
+    offset_ = SurfaceField(n_);
+    std::vector<double> weights(parts_.size());
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+        const Mode& mode = modes_[m];
+        double of_step = mode.creep.relaxed;
+        for (std::size_t b = 0; b < mode.branches.size(); ++b) {
+            const auto [compliance, time] = mode.creep.branches[b];
+            const double mean = StepIntegrals(duration / time).mean;
+            of_step -= compliance * mean;
+            add(offset_, compliance * std::exp(-duration / time), mode.branches[b].displacement);
+            add(offset_, -compliance * mean, mode.displacement);
+        }
+        for (std::size_t j = 0; j < parts_.size(); ++j)
+            weights[j] += interpolation_.weight(m, j) * of_step;
+    }
+    if (weights == step_.weights()) return false;
+    step_.set_weights(std::move(weights));
+    return true;
+}
+
+/// X_m t for each mode.
+std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(
+    const SurfaceField& t) const {
+    std::vector<SurfaceField> modal(modes_.size(), SurfaceField(n_));
+    for (std::size_t j = 0; j < parts_.size(); ++j) {
+        const SurfaceField part = displaced(*parts_[j], t, step_.is_coupled());
+        for (std::size_t m = 0; m < modes_.size(); ++m)
+            add(modal[m], interpolation_.weight(m, j), part);
+    }
+    return modal;
+}
+
+/// Of the energies' sums only what the branches add to those of t and u.
+Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
+    const auto& area = step_.points().area;
+    Energies energies;
+    // Partial integration of the work: the displacement's mean over the step is known.
+    for (int d = 0; d < 3; ++d) {
+        const auto &t0 = *components(traction_)[d], &u0 = *components(displacement_)[d];
+        const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
+        for (std::size_t i = 0; i < n_; ++i) {
+            energies.stored += area[i] / 2 * t1[i] * u1[i];
+            energies.work += area[i] * (t1[i] * u1[i] - t0[i] * u0[i]);
+        }
+    }
+    const std::vector<SurfaceField> now = modal_displacements(t);
+    for (std::size_t m = 0; m < modes_.size(); ++m) advance(modes_[m], now[m], t, energies);
+    return energies;
+}
+
+void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const SurfaceField& t,
+                                      Energies& energies) {
+    const auto& area = step_.points().area;
+    std::vector<StepIntegrals> integrals;
+    std::vector<double> decay;
+    for (const auto& [compliance, time] : mode.creep.branches) {
+        integrals.emplace_back(duration_ / time);
+        decay.push_back(std::exp(-duration_ / time));
+    }
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double t0 = (*components(traction_)[d])[i], t1 = (*components(t)[d])[i];
+            auto& x_t = (*components(mode.displacement)[d])[i];
+            const double x_t1 = (*components(now)[d])[i];
+            const double w = t1 - t0, x_w = x_t1 - x_t;
+            double mean_displacement = mode.creep.relaxed * (x_t + x_t1) / 2;
+            double stored = 0, dissipated = 0;
+            for (std::size_t b = 0; b < mode.branches.size(); ++b) {
+                const double compliance = mode.creep.branches[b].compliance;
+                const StepIntegrals& s = integrals[b];
+                auto& e = (*components(mode.branches[b].traction)[d])[i];
+                auto& x_e = (*components(mode.branches[b].displacement)[d])[i];
+                dissipated +=
+                    compliance * (e * x_e * s.ee + (e * x_w + w * x_e) * s.ew + w * x_w * s.ww);
+                mean_displacement -= compliance * (x_e * s.mean + x_w * s.drift);
+                e = decay[b] * e + s.mean * w;
+                x_e = decay[b] * x_e + s.mean * x_w;
+                stored -= compliance * (t1 - e) * x_e;
+            }
+            x_t = x_t1;
+            energies.stored += area[i] / 2 * stored;
+            energies.dissipated += area[i] * dissipated;
+            energies.work -= area[i] * w * mean_displacement;
+        }
+}
+
+void PartlyRelaxingSubstrate::write(StateWriter& out) const {
+    auto add = [&](const SurfaceField& field) {
+        for (const auto* component : components(field)) out.add(*component);
+    };
+    for (const Mode& mode : modes_) {
+        add(mode.displacement);
+        for (const Branch& branch : mode.branches) {
+            add(branch.traction);
+            add(branch.displacement);
+        }
+    }
+}
+
+void PartlyRelaxingSubstrate::read(StateReader& in) {
+    auto get = [&](SurfaceField& field) {
+        for (auto* component : components(field)) in.get(*component);
+    };
+    for (Mode& mode : modes_) {
+        get(mode.displacement);
+        for (Branch& branch : mode.branches) {
+            get(branch.traction);
+            get(branch.displacement);
+        }
+    }
+}
+
+}  // namespace tricontact::contact
