@@ -170,9 +170,11 @@ for _ in $(seq 1 200); do
     [ -s twice/results.sqlite ] && break
     sleep 0.01
 done
+kill -STOP "$child"  # or it might be done before the other loses patience
 message=$(sweep --output "$work/twice" --jobs 1 --quiet 2>&1)
 [ $? -eq 2 ] || complain "exit code of a second sweep: $message"
 [[ $message == *"is in use by another program"* ]] || complain "two sweeps: $message"
+kill -CONT "$child"
 wait "$child"
 same_table twice "while a second sweep wanted to run"
 
