@@ -112,6 +112,8 @@ bool has_range(const Key& key) {
 
 // One end of a range, checked like a value of the case.
 double end_of(const Key& key, const Entry& part) {
+    if (kind_of(part.value).starts_with("a list"))
+        fail(part.place, part.subject(), "must be one value", "name one end of the range");
     Entry entry = entry_of(key, part.value, part.place);
     if (const auto* value = std::get_if<double>(&part.value)) entry.value = number(key, *value);
     read_field(key, entry, Field());
@@ -172,6 +174,11 @@ Study::Range read_range(const Document& document, const Key& key) {
         fail(to.place, to.subject(), "must be greater than from", "exchange or correct them");
     if (const Entry* points = document.find(name + ".points"))
         read_field(points_key(), *points, Field(&range.points.emplace()));
+    if (key.kind == Kind::integer && range.points && *range.points > range.to - range.from + 1)
+        fail(document.place_of(name + ".points"), name + ".points",
+             "there are not so many whole numbers from " + shortest(range.from) + " to " +
+                 shortest(range.to),
+             "take fewer points");
     if (const Entry* scale = document.find(name + ".scale")) {
         read_field(scale_key(), *scale, Field());
         range.logarithmic = std::get<std::string>(scale->value) == "log";

@@ -74,6 +74,9 @@ void check_known(const Document& document) {
             std::find(top_keys.begin(), top_keys.end(), entry.path) != top_keys.end() ||
             entry.path == sample_points_key().path || entry.path == seed_key().path;
         if (known) continue;
+        if (std::find(sections.begin(), sections.end(), entry.path) != sections.end())
+            fail(entry.key_place, entry.subject(), "this is the name of a section, not of a key",
+                 "write [" + entry.path + "] on its own line and its keys below");
         const std::string near(nearest(entry.path, top_keys));
         std::string remedy =
             "known are title, case, models, levels, latin_hypercube.points, "
