@@ -134,8 +134,10 @@ class Variants {
     LoadingOutcome as_the_run(const Case& c, const History& history) {
         const Case& as = rolled_.rolled;
         if (!as.rolling) return static_.run;
+        const bool longer = as.rolling->periods > c.rolling->periods;
         const bool same_steps = as.rolling->steps == c.rolling->steps;
-        if (same_steps && history.state != State::undecided) return outcome_of(history);
+        if (same_steps && !(longer && history.state == State::undecided))
+            return outcome_of(history);
         say_(fmt::format("{}: loading once more, rolled by turning points", name_));
         try {
             return outcome_of(contact::run(as, *model_.sibling(as.contact)));

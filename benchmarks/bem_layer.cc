@@ -49,22 +49,37 @@ void coupled_shakedown_point(benchmark::State& state) {
 }
 BENCHMARK(coupled_shakedown_point)->Unit(benchmark::kSecond);
 
-/// 12 periods of 60 steps per quarter on the half-space; argument: branches of the substrate.
-void rolling_with_branches(benchmark::State& state) {
+/// 12 periods of 60 steps per quarter on the half-space, on a substrate of so many branches.
+contact::Case fine_rolling(int n_branches) {
     contact::Case c = rig(0.24, 0.56);
     c.rolling->steps = contact::Case::Steps::per_quarter;
     c.rolling->steps_per_quarter = 60;
     c.rolling->run_all = true;
-    if (state.range(0) > 0) {
-        c.rolling->speed = 1e-3;
-        c.relaxation.emplace();
-        for (int b = 0; b < state.range(0); ++b)
-            c.relaxation->branches.push_back({.3, std::pow(10., b - 1)});
-    }
+    if (n_branches == 0) return c;
+    c.rolling->speed = 1e-3;
+    c.relaxation.emplace();
+    for (int b = 0; b < n_branches; ++b)
+        c.relaxation->branches.push_back({.3, std::pow(10., b - 1)});
+    return c;
+}
+
+void rolling_with_branches(benchmark::State& state) {
+    const contact::Case c = fine_rolling(static_cast<int>(state.range(0)));
     for (auto _ : state)
         benchmark::DoNotOptimize(contact::run(c, *bem::make_model(c, 1)).static_shift);
 }
 BENCHMARK(rolling_with_branches)->Arg(0)->Arg(1)->Arg(3)->Unit(benchmark::kSecond)->Iterations(1);
+
+/// The same, uncoupled, on a substrate whose bulk does not relax.
+void rolling_where_a_part_relaxes(benchmark::State& state) {
+    contact::Case c = fine_rolling(static_cast<int>(state.range(0)));
+    c.substrate.poisson = .45;
+    c.relaxation->bulk = contact::Relaxation::Bulk::elastic;
+    c.contact.coupling = false;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(contact::run(c, *bem::make_model(c, 1)).static_shift);
+}
+BENCHMARK(rolling_where_a_part_relaxes)->Arg(1)->Arg(3)->Unit(benchmark::kSecond)->Iterations(1);
 
 }  // namespace
 }  // namespace tricontact::benchmarks
