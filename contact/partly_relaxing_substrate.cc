@@ -1,5 +1,6 @@
 #include "contact/partly_relaxing_substrate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/step_integrals.h"
@@ -8,7 +9,8 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double interpolation_error = 1e-7;  // the contact solvers' tolerance
+// For real moduli; in time it becomes up to ten times as large, the contact solvers' tolerance.
+constexpr double interpolation_error = 1e-8;
 
 void add(SurfaceField& sum, double factor, const SurfaceField& field) {
     for (int d = 0; d < 3; ++d)
@@ -31,7 +33,9 @@ SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool
 }  // namespace
 
 StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
-    return StieltjesInterpolation(relaxation.instantaneous_ratio(), interpolation_error);
+    // A range is needed even where rounding leaves none.
+    return StieltjesInterpolation(std::max(relaxation.instantaneous_ratio(), 1 + 1e-9),
+                                  interpolation_error);
 }
 
 PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,

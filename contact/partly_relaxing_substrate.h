@@ -63,7 +63,7 @@ class PartlyRelaxingSubstrate final : public Substrate {
     SurfaceField offset_;
 };
 
-/// The points at which a body of this relaxation is needed; 1e-7 of its compliance is the error.
+/// The points at which a body of this relaxation is needed, for displacements to 1e-7 at any time.
 StieltjesInterpolation interpolation_of(const Relaxation& relaxation);
 
 }  // namespace tricontact::contact

@@ -42,26 +42,30 @@ double error_of(const std::vector<double>& points) {
 StieltjesInterpolation::StieltjesInterpolation(double range, double error) {
     if (!(range > 1) || !std::isfinite(range) || !(error > 0))
         throw std::logic_error("Stieltjes interpolation: range and error");
+    int n = 1;
+    while (error_of(zolotarev_points(n, Symmetric(range).k)) > error) ++n;
+    // As wide as so many points allow: close nodes would have large weights of either sign.
+    for (double wider = range; error_of(zolotarev_points(n, Symmetric(wider).k)) <= error;
+         wider = 1 + 1.1 * (wider - 1))
+        range = wider;
     const Symmetric map(range);
-    std::vector<double> points;
-    do points = zolotarev_points(static_cast<int>(points.size()) + 1, map.k);
-    while (error_of(points) > error);
+    const std::vector<double> points = zolotarev_points(n, map.k);
     error_ = error_of(points);
+    range_ = range;
     for (const double z : points) {
         nodes_.push_back(map.back(z));
         poles_.push_back(-map.back(-z));
     }
     // Inverse of Cauchy's matrix 1/(x_j + a_m), row m.
-    const std::size_t n = size();
-    weight_.resize(n * n);
-    for (std::size_t m = 0; m < n; ++m)
-        for (std::size_t j = 0; j < n; ++j) {
+    weight_.resize(size() * size());
+    for (std::size_t m = 0; m < size(); ++m)
+        for (std::size_t j = 0; j < size(); ++j) {
             double w = nodes_[j] + poles_[m];
-            for (std::size_t k = 0; k < n; ++k) {
+            for (std::size_t k = 0; k < size(); ++k) {
                 if (k != m) w *= (nodes_[j] + poles_[k]) / (poles_[k] - poles_[m]);
                 if (k != j) w *= (nodes_[k] + poles_[m]) / (nodes_[k] - nodes_[j]);
             }
-            weight_[m * n + j] = w;
+            weight_[m * size() + j] = w;
         }
 }
 

@@ -16,20 +16,21 @@ namespace tricontact::contact {
 /// Zolotarev (1877); Braess (1986), Nonlinear Approximation Theory, V.5.
 class StieltjesInterpolation {
   public:
-    /// `range` > 1. As few points as `error` [-] allows.
+    /// `range` > 1. As few points as `error` [-] allows, in a range as wide as these do.
     StieltjesInterpolation(double range, double error);
 
     std::size_t size() const { return nodes_.size(); }
-    const std::vector<double>& nodes() const { return nodes_; }  ///< x_j in (1, range)
+    const std::vector<double>& nodes() const { return nodes_; }  ///< x_j > 1
     const std::vector<double>& poles() const { return poles_; }  ///< > 0
     double error() const { return error_; }                      ///< the bound
+    double range() const { return range_; }                      ///< where it holds
     double weight(std::size_t m, std::size_t j) const { return weight_[m * size() + j]; }
     /// The share of C(node_j) in C(x).
     std::vector<double> shares(double x) const;
 
   private:
     std::vector<double> nodes_, poles_, weight_;
-    double error_ = 0;
+    double error_ = 0, range_ = 1;
 };
 
 }  // namespace tricontact::contact

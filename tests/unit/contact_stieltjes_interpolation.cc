@@ -34,28 +34,42 @@ double worst_error(const StieltjesInterpolation& interpolation, double range) {
 
 TEST(StieltjesInterpolation, ErrorIsBoundedWhateverTheBody) {
     for (const double range : {1.001, 1.3, 2.7, 30., 1e4})
-        for (const double error : {1e-2, 1e-4, 1e-7}) {
+        for (const double error : {1e-2, 1e-4, 1e-8}) {
             const StieltjesInterpolation interpolation(range, error);
             EXPECT_LE(interpolation.error(), error);
-            const double worst = worst_error(interpolation, range);
-            // The bound is met by some body; beyond it there is rounding alone, of weights 1e6 and
-            // more.
-            EXPECT_LT(worst, 1.001 * interpolation.error() + 5e-9) << range << ' ' << error;
-            if (error > 1e-7) {
+            EXPECT_GE(interpolation.range(), range);
+            const double worst = worst_error(interpolation, interpolation.range());
+            // The bound is met by some body; beyond it there is rounding alone, of weights 1e6.
+            EXPECT_LT(worst, 1.001 * interpolation.error() + 1e-8) << range << ' ' << error;
+            if (error > 1e-8) {
                 EXPECT_GT(worst, .5 * interpolation.error()) << range << ' ' << error;
             }
-            for (const double x : interpolation.nodes()) EXPECT_TRUE(x > 1 && x < range);
+            for (const double x : interpolation.nodes()) EXPECT_GT(x, 1);
             for (const double a : interpolation.poles()) EXPECT_GT(a, 0);
         }
 }
 
-// Few points: a modulus that doubles needs seven for 1e-7 or less, one that grows 1e4 times 22.
+// Few points, and as many more for each further digit.
 TEST(StieltjesInterpolation, ConvergesExponentially) {
-    EXPECT_LE(StieltjesInterpolation(2, 1e-7).size(), 7u);
-    EXPECT_LE(StieltjesInterpolation(1e4, 1e-7).size(), 22u);
-    const double third = StieltjesInterpolation(10, 1e-3).error();
-    const auto n = StieltjesInterpolation(10, 1e-3).size();
-    EXPECT_EQ(StieltjesInterpolation(10, third * third / 3).size(), 2 * n);  // 4 q^n: a factor 4
+    EXPECT_EQ(StieltjesInterpolation(2, 1e-8).size(), 7u);
+    EXPECT_EQ(StieltjesInterpolation(1e4, 1e-8).size(), 25u);
+    auto size = [](double error) {
+        return static_cast<double>(StieltjesInterpolation(30, error).size());
+    };
+    EXPECT_NEAR(size(1e-12) - size(1e-8), size(1e-8) - size(1e-4), 1);
+}
+
+// However small or large the range, weights of either sign stay small against what they add up to.
+TEST(StieltjesInterpolation, WeightsAreSmall) {
+    for (double excess = 1e-12; excess < 1e6; excess *= 3) {
+        const StieltjesInterpolation interpolation(1 + excess, 1e-8);
+        for (std::size_t m = 0; m < interpolation.size(); ++m)
+            for (std::size_t j = 0; j < interpolation.size(); ++j)
+                EXPECT_LT(std::abs(interpolation.weight(m, j)) /
+                              (interpolation.nodes()[j] + interpolation.poles()[m]),
+                          1e6)
+                    << excess;
+    }
 }
 
 TEST(StieltjesInterpolation, NeedsARange) {
