@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
+#include <memory>
 
 #include "bem/grid_compliance.h"
 #include "bem/periodic_compliance.h"
@@ -116,29 +116,24 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
     }
 }
 
-std::unique_ptr<GridCompliance> single_compliance(const contact::Case& c, int n_threads,
-                                                  Body body) {
-    std::optional<InfluenceTable> table;
-    if (c.bem.influence) table = read_influence(*c.bem.influence);
-    return fitting(c, spacing_of(c, hertz_scales(c).contact_radius), [&](auto grid) {
-        return grid_compliance(c, body, table ? &*table : nullptr, std::move(grid), n_threads);
-    });
+MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
+    std::shared_ptr<const InfluenceTable> table;
+    if (c.bem.influence)
+        table = std::make_shared<const InfluenceTable>(read_influence(*c.bem.influence));
+    return [=](contact::ContactPoints grid) {
+        return grid_compliance(c, body, table.get(), std::move(grid), n_threads);
+    };
 }
 
 /// All images of the indenter press alike: the cells of one contact with their periodic influence.
-std::unique_ptr<GridCompliance> periodic_compliance(const contact::Case& c, int n_threads,
-                                                    Body body) {
-    if (body == Body::half_space)
-        throw contact::InputError(
-            "bem: under a periodic load the half-space gives way without bound, its compliance at "
-            "k = 0 is infinite; take bem-layer or omit bem.period");
-    const double wanted = spacing_of(c, hertz_scales(c).contact_radius), period = *c.bem.period;
-    const auto whole = period_grid(period, wanted, !c.bem.spacing);
+/// `whole`: the cells of a period.
+MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoints& whole,
+                              int n_threads) {
     const int n = whole.n_x;
-    const double h = whole.spacing[0];
+    const double h = whole.spacing[0], period = *c.bem.period;
     const auto table = std::make_shared<const InfluenceTable>(
         PeriodicCompliance(theory::layers_of("bem-layer", c), whole, n_threads).influence());
-    return fitting(c, h, [&](contact::ContactPoints grid) {
+    return [=](contact::ContactPoints grid) {
         if (std::max(grid.n_x, grid.n_y) >= n)
             throw contact::InputError(fmt::format(
                 "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
@@ -150,7 +145,7 @@ std::unique_ptr<GridCompliance> periodic_compliance(const contact::Case& c, int 
                                  static_cast<int>(std::lround(y / h)) % n);
             },
             std::move(grid), true, n_threads);
-    });
+    };
 }
 
 }  // namespace
@@ -163,22 +158,29 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
             "bem.influence: the file's coefficients hold for one state of the material, but here a "
             "part of the stiffness relaxes and a part does not; omit bem.influence");
     if (c.bem.period)
-        return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), grid,
-                                                    n_threads);
-    return grid_compliance(c, body, nullptr, grid, n_threads);
+        return periodic_cells(c, period_grid(*c.bem.period, grid.spacing[0], false),
+                              n_threads)(grid);
+    return single_cells(c, n_threads, body)(grid);
 }
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body) {
-    if (c.bem.period) return periodic_compliance(c, n_threads, body);
-    return single_compliance(c, n_threads, body);
+    const double spacing = spacing_of(c, hertz_scales(c).contact_radius);
+    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body));
+    if (body == Body::half_space)
+        throw contact::InputError(
+            "bem: under a periodic load the half-space gives way without bound, its compliance at "
+            "k = 0 is infinite; take bem-layer or omit bem.period");
+    const auto whole = period_grid(*c.bem.period, spacing, !c.bem.spacing);
+    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads));
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
-    return single_compliance(c, n_threads, body)->influence();
+    const double spacing = spacing_of(c, hertz_scales(c).contact_radius);
+    return fitting(c, spacing, single_cells(c, n_threads, body))->influence();
 }
 
 void check_influence_file(const contact::Case& c) {

@@ -269,7 +269,9 @@ TEST(BemViscoelastic, ElasticLimitsWhereAPartRelaxes) {
     on_ground.relaxation->bulk = contact::Relaxation::Bulk::proportional;
     on_ground.layer.base = Case::Base::half_space;
     on_ground.layer.ground = contact::Material{4e6, .4};
-    for (Case part : {c, on_ground}) {
+    Case periodic = c;
+    periodic.bem.period = 40e-3;
+    for (Case part : {c, on_ground, periodic}) {
         const double relaxed = shift(with_relaxing_ratio(part, 1));
         const double glassy = shift(with_relaxing_ratio(part, 1 + ratio));
         part.relaxation->branches[0].time = 1e-9;
