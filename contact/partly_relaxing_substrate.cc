@@ -155,27 +155,21 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const
 }
 
 void PartlyRelaxingSubstrate::write(StateWriter& out) const {
-    auto add = [&](const SurfaceField& field) {
-        for (const auto* component : components(field)) out.add(*component);
-    };
     for (const Mode& mode : modes_) {
-        add(mode.displacement);
+        contact::write(mode.displacement, out);
         for (const Branch& branch : mode.branches) {
-            add(branch.traction);
-            add(branch.displacement);
+            contact::write(branch.traction, out);
+            contact::write(branch.displacement, out);
         }
     }
 }
 
 void PartlyRelaxingSubstrate::read(StateReader& in) {
-    auto get = [&](SurfaceField& field) {
-        for (auto* component : components(field)) in.get(*component);
-    };
     for (Mode& mode : modes_) {
-        get(mode.displacement);
+        contact::read(mode.displacement, in);
         for (Branch& branch : mode.branches) {
-            get(branch.traction);
-            get(branch.displacement);
+            contact::read(branch.traction, in);
+            contact::read(branch.displacement, in);
         }
     }
 }

@@ -104,24 +104,18 @@ std::unique_ptr<const Interior> RelaxingSubstrate::interior(const SurfaceField& 
 }
 
 void RelaxingSubstrate::write(StateWriter& out) const {
-    auto add = [&](const SurfaceField& field) {
-        for (const auto* component : components(field)) out.add(*component);
-    };
-    add(relaxed_);
+    contact::write(relaxed_, out);
     for (const Branch& branch : branches_) {
-        add(branch.displacement);
-        add(branch.traction);
+        contact::write(branch.displacement, out);
+        contact::write(branch.traction, out);
     }
 }
 
 void RelaxingSubstrate::read(StateReader& in) {
-    auto get = [&](SurfaceField& field) {
-        for (auto* component : components(field)) in.get(*component);
-    };
-    get(relaxed_);
+    contact::read(relaxed_, in);
     for (Branch& branch : branches_) {
-        get(branch.displacement);
-        get(branch.traction);
+        contact::read(branch.displacement, in);
+        contact::read(branch.traction, in);
     }
 }
 

@@ -2,6 +2,14 @@
 
 namespace tricontact::contact {
 
+void write(const SurfaceField& field, StateWriter& out) {
+    for (const auto* component : components(field)) out.add(*component);
+}
+
+void read(SurfaceField& field, StateReader& in) {
+    for (auto* component : components(field)) in.get(*component);
+}
+
 ElasticSubstrate::ElasticSubstrate(std::shared_ptr<const Compliance> compliance)
     : compliance_(std::move(compliance)),
       none_(compliance_->points().size()),
@@ -21,16 +29,14 @@ bool ElasticSubstrate::begin(double, const SurfaceField& t, const SurfaceField& 
 Substrate::Energies ElasticSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
     const auto& area = compliance_->points().area;
     Energies energies;
-    auto add = [&](const std::vector<double>& t0, const std::vector<double>& u0,
-                   const std::vector<double>& t1, const std::vector<double>& u1) {
+    for (int d = 0; d < 3; ++d) {
+        const auto &t0 = *components(traction_)[d], &u0 = *components(displacement_)[d];
+        const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
         for (std::size_t i = 0; i < area.size(); ++i) {
             energies.stored += area[i] / 2 * t1[i] * u1[i];
             energies.work += area[i] / 2 * (t0[i] + t1[i]) * (u1[i] - u0[i]);
         }
-    };
-    add(traction_.in_surface.x, displacement_.in_surface.x, t.in_surface.x, u.in_surface.x);
-    add(traction_.in_surface.y, displacement_.in_surface.y, t.in_surface.y, u.in_surface.y);
-    add(traction_.down, displacement_.down, t.down, u.down);
+    }
     return energies;
 }
 

@@ -25,6 +25,8 @@ template <class Field>
 auto components(Field& field) {
     return std::array{&field.in_surface.x, &field.in_surface.y, &field.down};
 }
+void write(const SurfaceField& field, StateWriter& out);
+void read(SurfaceField& field, StateReader& in);
 
 /// What lies below the contact: a compliance, and what it remembers of the past. A step takes it
 /// for an elastic one that was displaced beforehand: tractions t [Pa] and displacements u [m] at
