@@ -14,7 +14,7 @@ namespace tricontact::io {
 
 namespace {
 
-constexpr std::size_t largest = 1'000'000;  // bytes; a case has about a thousand
+constexpr std::size_t megabyte = 1'000'000;
 
 class Descriptor {
   public:
@@ -40,22 +40,28 @@ class Descriptor {
          remedy);
 }
 
+[[noreturn]] void refuse_size(const std::string& path, const std::string& kind,
+                              std::size_t most_mb) {
+    fail(path, "", "is larger than " + std::to_string(most_mb) + " MB: no " + kind,
+         "name a " + kind);
+}
+
 void check_kind(const std::string& path, const struct stat& status, const std::string& kind) {
     if (S_ISDIR(status.st_mode)) fail(path, "", "is a directory", "name a " + kind + " inside it");
     if (!S_ISREG(status.st_mode)) fail(path, "", "is not a regular file", "name a " + kind);
-    if (static_cast<std::size_t>(status.st_size) > largest)
-        fail(path, "", "is larger than 1 MB: no " + kind, "name a " + kind);
 }
 
 }  // namespace
 
-std::string read_input_file(const std::string& path, std::string_view what) {
+std::string read_input_file(const std::string& path, std::string_view what, std::size_t most_mb) {
     const std::string kind(what);
+    const std::size_t largest = most_mb * megabyte;
     // O_NONBLOCK: opening a named pipe must not wait for its writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
     if (file.get() < 0 || ::fstat(file.get(), &status) != 0) refuse(path, errno, kind);
     check_kind(path, status, kind);
+    if (static_cast<std::size_t>(status.st_size) > largest) refuse_size(path, kind, most_mb);
     std::string text;
     std::array<char, 65536> buffer{};
     while (text.size() <= largest) {
@@ -65,7 +71,7 @@ std::string read_input_file(const std::string& path, std::string_view what) {
         if (n == 0) return text;
         text.append(buffer.data(), static_cast<std::size_t>(n));
     }
-    fail(path, "", "is larger than 1 MB: no " + kind, "name a " + kind);
+    refuse_size(path, kind, most_mb);
 }
 
 }  // namespace tricontact::io

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace tricontact::io {
 
-/// Text of a regular file of at most 1 MB. Throws contact::InputError naming path, reason, remedy;
-/// `kind` is what the file should be.
-std::string read_input_file(const std::string& path, std::string_view kind = "case file");
+/// Text of a regular file of at most `most_mb` megabytes. Throws contact::InputError naming path,
+/// reason, remedy; `kind` is what the file should be.
+std::string read_input_file(const std::string& path, std::string_view kind = "case file",
+                            std::size_t most_mb = 1);
 
 }  // namespace tricontact::io
