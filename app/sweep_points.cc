@@ -170,28 +170,21 @@ class Points {
     }
 
     void add(const std::string& model, int level) {
-        SweepPoint point{.values = values_, .model = model, .level = level};
         try {
-            point.c = case_of(model, level);
+            points_.push_back(make_point(combination(model), model, level, study_.base.name));
+            points_.back().values = values_;
         } catch (const contact::InputError& error) {
             const std::string values = text_of(study_, values_);
             throw contact::InputError(fmt::format("{}: point {}{}{}, level {}: {}", study_.name,
                                                   values, values.empty() ? "" : ", ", model, level,
                                                   error.what()));
         }
-        point.resolved = io::write_case(point.c);
-        point.key = key_of(point.c);
-        points_.push_back(std::move(point));
     }
 
-    Case case_of(const std::string& model, int level) const {
+    Case combination(const std::string& model) const {
         Entries entries = entries_;
         entries.push_back(models_entry(model));
-        Case c = io::resolve_case(study_.base, entries);
-        c.title.clear();
-        c.output = {.vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none};
-        if (level == 0) return c;
-        return io::parse_case(io::write_case(c), study_.base.name, finer(model, c, level));
+        return io::resolve_case(study_.base, entries);
     }
 
     const Study& study_;
@@ -205,6 +198,18 @@ class Points {
 
 std::vector<SweepPoint> sweep_points(const Study& study) {
     return Points(study).all();
+}
+
+SweepPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
+    SweepPoint point{.values = {}, .model = model, .level = level, .c = c};
+    point.c.title.clear();
+    point.c.models = {model};
+    point.c.output = {.vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none};
+    if (level > 0)
+        point.c = io::parse_case(io::write_case(point.c), name, finer(model, point.c, level));
+    point.resolved = io::write_case(point.c);
+    point.key = key_of(point.c);
+    return point;
 }
 
 bool in_shard(const SweepPoint& point, int i, int n) {

@@ -28,6 +28,11 @@ inline constexpr std::size_t most_points = 100'000;
 /// contact::InputError.
 std::vector<SweepPoint> sweep_points(const io::Study& study);
 
+/// One model of a case at a level of refinement, with no values of a study. `name` stands for the
+/// case's file in messages. Throws contact::InputError.
+SweepPoint make_point(const contact::Case& c, const std::string& model, int level,
+                      const std::string& name);
+
 /// Shard i of n, from 1: by the point's key, so that a study that is extended keeps its shards.
 bool in_shard(const SweepPoint& point, int i, int n);
 

@@ -1,0 +1,68 @@
+#include "app/point_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <set>
+
+#include "app/compute_point.h"
+#include "app/worker_pool.h"
+#include "io/progress.h"
+
+namespace tricontact::app {
+
+namespace {
+
+// The same case may stand at several places of a study.
+std::vector<std::size_t> missing(const std::vector<SweepPoint>& points,
+                                 const io::ResultStore& store, bool retry_failed) {
+    std::vector<std::size_t> open;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!seen.insert(points[i].key).second) continue;
+        const auto found = store.find(points[i].key);
+        if (!found || (found->error && retry_failed)) open.push_back(i);
+    }
+    return open;
+}
+
+}  // namespace
+
+void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
+                     const PointRuns& runs) {
+    // Threads of BLAS beside other points would only be in each other's way.
+    ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
+    const std::vector<std::size_t> open = missing(points, store, runs.retry_failed);
+    const std::size_t n_found = points.size() - open.size();
+    if (n_found > 0 && !runs.quiet)
+        std::cerr << fmt::format("{} of {} points are there already\n", n_found, points.size());
+    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(runs.quiet), runs.name, {},
+                        "point");
+    int n_done = 0;
+    std::vector<std::size_t> killed;
+    const auto task = [&](std::size_t i) { return compute_point(points[i]); };
+    const auto keep = [&](std::size_t i, const WorkerReport& report) {
+        store.add(outcome_of(points[i], report));
+        bar.update(++n_done, static_cast<int>(open.size()));
+    };
+    run_in_processes(open, runs.jobs, task, [&](std::size_t i, const WorkerReport& report) {
+        if (report.killed)
+            killed.push_back(i);
+        else
+            keep(i, report);
+    });
+    // Killed for want of memory it may do better alone; killed by hand it is no failure.
+    run_in_processes(killed, 1, task, keep);
+    if (!open.empty()) bar.finish();
+}
+
+std::size_t n_without_result(const std::vector<SweepPoint>& points, const io::ResultStore& store) {
+    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const auto& p) {
+        const auto found = store.find(p.key);
+        return !found || found->error;
+    }));
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "app/sweep_points.h"
+#include "io/result_store.h"
+
+namespace tricontact::app {
+
+/// How points are computed.
+struct PointRuns {
+    std::string name;           ///< of the command, before its progress
+    int jobs = 1;               ///< processes side by side
+    bool retry_failed = false;  ///< points whose failure the store has
+    bool quiet = false;         ///< no progress
+};
+
+/// Computes the points that the store has not yet, in processes side by side, each stored as it
+/// ends; prints how far it is. This process must not have threads; the BLAS of its children has one
+/// each. Throws contact::InputError if the store cannot be written.
+void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
+                     const PointRuns& runs);
+
+/// How many of the points have failed, or have not been computed.
+std::size_t n_without_result(const std::vector<SweepPoint>& points, const io::ResultStore& store);
+
+}  // namespace tricontact::app
