@@ -3,31 +3,20 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/csv.h"
 #include "comparisons/point_results.h"
 
 namespace tricontact::app {
 
 namespace {
 
+using comparisons::csv_field;
+using comparisons::csv_line;
 using json = nlohmann::ordered_json;
-
-/// RFC 4180: quotes around what holds commas, quotes or line ends; quotes doubled.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
-}
 
 std::string field(const json& value) {
     if (value.is_null()) return {};
-    return value.is_string() ? field(value.get<std::string>()) : value.dump();
-}
-
-std::string line_of(const std::vector<std::string>& fields) {
-    std::string line;
-    for (const std::string& text : fields) line.append(line.empty() ? "" : ",").append(text);
-    return line + '\n';
+    return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
 }
 
 std::string heading(const io::Study& study) {
@@ -37,7 +26,7 @@ std::string heading(const io::Study& study) {
     const auto& results = comparisons::point_result_names();
     names.insert(names.end(), results.begin(), results.end());
     names.emplace_back("error");
-    return line_of(names);
+    return csv_line(names);
 }
 
 }  // namespace
@@ -47,15 +36,15 @@ std::string sweep_table(const io::Study& study, const std::vector<SweepPoint>& p
     std::string table = heading(study);
     for (const SweepPoint& point : points) {
         std::vector<std::string> fields;
-        for (const std::string& value : point.values) fields.push_back(field(value));
+        for (const std::string& value : point.values) fields.push_back(csv_field(value));
         fields.insert(fields.end(), {point.model, std::to_string(point.level)});
         const auto outcome = store.find(point.key);
         json results = json::object();
         if (outcome && outcome->results) results = json::parse(*outcome->results);
         for (const std::string& name : comparisons::point_result_names())
             fields.push_back(field(results.value(name, json())));
-        fields.push_back(outcome && outcome->error ? field(*outcome->error) : "");
-        table += line_of(fields);
+        fields.push_back(outcome && outcome->error ? csv_field(*outcome->error) : "");
+        table += csv_line(fields);
     }
     return table;
 }

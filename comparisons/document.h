@@ -79,7 +79,8 @@ struct Verdict {
 };
 
 struct DocumentSection {
-    std::string id, heading;
+    std::string id;  ///< letters, digits, underscores
+    std::string heading;
     std::vector<std::string> paragraphs = {};
     std::vector<Figure> figures = {};
     std::vector<DocumentTable> tables = {};
@@ -90,16 +91,19 @@ struct Document {
     std::string kind;  ///< small line above the title: "Half-space deviation"
     std::string title;
     std::string lead = {};  ///< one paragraph: what was asked
-    std::vector<Verdict> verdicts;
+    std::vector<Verdict> verdicts = {};
     std::vector<std::pair<std::string, std::string>> settings = {};  ///< name, value with unit
-    std::vector<DocumentSection> sections;
+    std::vector<DocumentSection> sections = {};
     std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
-    std::string command;                                          ///< that makes it again
-    std::string version;                                          ///< of the program
+    std::string command = {};                                     ///< that makes it again
+    std::string version = {};                                     ///< of the program
 };
 
 /// One HTML file that needs no network: verdicts, figures whose drawing (SVG) and data (CSV) can
-/// be downloaded, tables that sort; light and dark, for screen, phone and paper.
+/// be downloaded, tables that sort; light and dark, for screen, phone and paper. Texts are plain;
+/// symbols of formulas in them ("f_T") are typeset. Same document, same bytes. Throws
+/// std::invalid_argument for ids that are no words or occur twice and for columns that differ in
+/// length.
 std::string document_html(const Document& document);
 
 }  // namespace tricontact::comparisons

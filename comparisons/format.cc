@@ -49,6 +49,31 @@ std::string significant(std::optional<double> value, int digits) {
     return tidied(fmt::format("{:.{}f}", *value, std::max(0, digits - 1 - exponent)));
 }
 
+std::string with_error(double value, double error, int digits) {
+    if (!std::isfinite(value)) return undefined;
+    error = std::abs(error);
+    if (!std::isfinite(error)) return significant(value, digits) + " ± " + undefined;
+    if (error <= 1e-7 * std::abs(value))
+        return significant(value, digits) + " ± " + significant(error, 1);
+    // PDG (2024), Introduction, 5.3: 950 ... 999 rounds up and then shows two digits, "1.0".
+    const std::string leading = fmt::format("{:.2e}", error);  // "1.19e-01"
+    const int exponent = std::stoi(leading.substr(leading.find('e') + 1));
+    const int last = leading.substr(0, 4) < "3.55" ? exponent - 1 : exponent;
+    if (leading.substr(0, 4) >= "9.50") error = std::pow(10.0, exponent + 1);
+    const double unit = std::pow(10.0, last);
+    const double larger = std::max(std::abs(value), error);
+    const int power = static_cast<int>(std::floor(std::log10(larger)));
+    const bool scientific = power < -3 || power > 5;
+    const int decimals = std::max(0, (scientific ? power : 0) - last);
+    const double scale = scientific ? std::pow(10.0, -power) : 1;
+    const auto rounded = [&](double number) {
+        const double nearest = std::round(number / unit) * unit * scale + 0.0;  // no "−0"
+        return tidied(fmt::format("{:.{}f}", nearest, decimals));
+    };
+    const std::string text = rounded(value) + " ± " + rounded(error);
+    return scientific ? "(" + text + ")·10" + superscript(power) : text;
+}
+
 std::string as_given(double value) {
     std::string text = significant(value, 6);
     const std::size_t power = std::min(text.find("·"), text.size());

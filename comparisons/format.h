@@ -10,6 +10,12 @@ namespace tricontact::comparisons {
 /// powers of ten beyond 1e5 and below 1e-3 ("1.20·10⁻⁷"); an en dash where undefined.
 std::string significant(std::optional<double> value, int digits = 4);
 
+/// Value and half width of its interval as the Particle Data Group rounds them: the error to two
+/// digits where its leading three lie in 100 ... 354, else to one, the value to the same decimal
+/// ("0.83 ± 0.12", "(1.234 ± 0.005)·10⁻⁷"). Beside an error below 1e-7 of it, or an undefined
+/// one, the value has `digits` significant digits.
+std::string with_error(double value, double error, int digits = 4);
+
 /// A given number for people: at most six significant digits, no trailing zeros.
 std::string as_given(double value);
 

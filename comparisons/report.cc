@@ -9,13 +9,13 @@
 #include "comparisons/format.h"
 #include "comparisons/layer_report.h"
 #include "comparisons/loading_report.h"
+#include "comparisons/page_templates.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
 #include "comparisons/reading.h"
 #include "comparisons/refinement_report.h"
 #include "comparisons/relaxation_report.h"
 #include "comparisons/report_tables.h"
-#include "comparisons/report_template.h"
 #include "comparisons/resample.h"
 #include "comparisons/summary.h"
 
@@ -168,7 +168,7 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     data settings{data::type::list};
     for (const Table& table : setting_tables(c)) settings << to_data(table);
     data result{data::type::object};
-    result.set("style", std::string(report_style));
+    result.set("style", std::string(page_style) + report_style);
     result.set("table",
                data{kainjow::mustache::partial{[] { return std::string(report_table_template); }}});
     result.set("title", c.title.empty() ? "Frictional contact" : c.title);

@@ -27,6 +27,30 @@ TEST(Format, GivenQuantitiesHaveNoTrailingZeros) {
     EXPECT_EQ(given_quantity(5.2e6, "Pa"), "5.2 MPa");
 }
 
+TEST(Format, ErrorsAsTheParticleDataGroupRoundsThem) {
+    // The examples of PDG (2024), Introduction, 5.3, and both ends of its rule.
+    EXPECT_EQ(with_error(0.827, 0.119), "0.83 ± 0.12");
+    EXPECT_EQ(with_error(0.827, 0.367), "0.8 ± 0.4");
+    EXPECT_EQ(with_error(0.827, 0.354), "0.83 ± 0.35");
+    EXPECT_EQ(with_error(0.827, 0.949), "0.8 ± 0.9");
+    EXPECT_EQ(with_error(0.827, 0.950), "0.8 ± 1.0");
+    EXPECT_EQ(with_error(0.827, 0.0996), "0.83 ± 0.10");
+}
+
+TEST(Format, ErrorsOfAnyMagnitude) {
+    EXPECT_EQ(with_error(-1.2344, 0.0049), "−1.234 ± 0.005");
+    EXPECT_EQ(with_error(12345, 1200), "12300 ± 1200");
+    EXPECT_EQ(with_error(1.2344e-7, 4.9e-10), "(1.234 ± 0.005)·10⁻⁷");
+    EXPECT_EQ(with_error(5.2e6, 1.3e5), "(5.20 ± 0.13)·10⁶");
+    EXPECT_EQ(with_error(-0.01, 0.5), "0.0 ± 0.5");
+    EXPECT_EQ(with_error(0, 0.5), "0.0 ± 0.5");
+    EXPECT_EQ(with_error(1.5, 2e-12), "1.500 ± 2·10⁻¹²");
+    EXPECT_EQ(with_error(1.5, 0), "1.500 ± 0");
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(with_error(nan, 0.1), "–");
+    EXPECT_EQ(with_error(1.5, nan, 2), "1.5 ± –");
+}
+
 TEST(Format, ModelsAsAListInASentence) {
     EXPECT_EQ(display_names({}), "");
     EXPECT_EQ(display_names({"mdr"}), "MDR");

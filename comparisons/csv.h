@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tricontact::comparisons {
+
+/// RFC 4180: quotes around what holds commas, quotes or line ends; quotes doubled.
+std::string csv_field(const std::string& text);
+
+/// The shortest number that reads back the same; nothing where undefined or infinite.
+std::string csv_field(double value);
+
+/// Fields with commas between them and a line end.
+std::string csv_line(const std::vector<std::string>& fields);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,163 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <kainjow/mustache.hpp>
+#include <stdexcept>
+
+#include "comparisons/base64.h"
+#include "comparisons/csv.h"
+#include "comparisons/document.h"
+#include "comparisons/document_check.h"
+#include "comparisons/document_csv.h"
+#include "comparisons/format.h"
+#include "comparisons/page_templates.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using kainjow::mustache::data;
+
+/// Class and word of a verdict's standing: colour is never the only difference.
+std::pair<std::string, std::string> words_of(Verdict::Standing standing) {
+    switch (standing) {
+        case Verdict::Standing::holds:
+            return {"holds", "holds"};
+        case Verdict::Standing::fails:
+            return {"fails", "fails"};
+        case Verdict::Standing::cannot_tell:
+            return {"cannot_tell", "cannot tell"};
+        case Verdict::Standing::finding:
+            break;
+    }
+    return {"finding", "finding"};
+}
+
+data verdicts(const std::vector<Verdict>& list) {
+    data result{data::type::list};
+    for (const Verdict& verdict : list) {
+        const auto [name, word] = words_of(verdict.standing);
+        data item{data::type::object};
+        item.set("class", name);
+        item.set("standing", word);
+        item.set("sentence", typeset(verdict.sentence));
+        result << item;
+    }
+    return result;
+}
+
+data cell(const Cell& content, int digits) {
+    data result{data::type::object};
+    const auto* words = std::get_if<std::string>(&content);
+    result.set("is_words", words != nullptr);
+    std::string value;
+    if (words) {
+        result.set("text", typeset(*words));
+    } else if (const auto* number = std::get_if<double>(&content)) {
+        value = csv_field(*number);
+        result.set("text", significant(*number, digits));
+    } else {
+        const auto& measured = std::get<WithError>(content);
+        value = csv_field(measured.value);
+        result.set("text", with_error(measured.value, measured.error, digits));
+    }
+    result.set("has_value", !value.empty());
+    result.set("value", value);
+    return result;
+}
+
+data table(const DocumentTable& content) {
+    data columns{data::type::list};
+    for (const DocumentTable::Column& column : content.columns)
+        columns << data{"text", typeset(column.heading)};
+    data rows{data::type::list};
+    for (const std::vector<Cell>& row : content.rows) {
+        data cells{data::type::list};
+        for (std::size_t i = 0; i < row.size(); ++i)
+            cells << cell(row[i], content.columns[i].digits);
+        rows << data{"cells", cells};
+    }
+    data result{data::type::object};
+    result.set("id", content.id);
+    result.set("title", typeset(content.title));
+    result.set("title_text", content.title);
+    result.set("note", typeset(content.note));
+    result.set("columns", columns);
+    result.set("rows", rows);
+    result.set("csv", base64(table_csv(content)));
+    return result;
+}
+
+data figure(const Figure& content) {
+    data result{data::type::object};
+    result.set("id", content.id);
+    result.set("title", typeset(content.title));
+    result.set("title_text", content.title);
+    result.set("caption", typeset(content.caption));
+    result.set("csv", base64(figure_csv(content)));
+    return result;
+}
+
+data section(const DocumentSection& content) {
+    data paragraphs{data::type::list}, figures{data::type::list}, tables{data::type::list};
+    for (const std::string& text : content.paragraphs) paragraphs << data{"text", typeset(text)};
+    for (const Figure& each : content.figures) figures << figure(each);
+    for (const DocumentTable& each : content.tables) tables << table(each);
+    data result{data::type::object};
+    result.set("id", content.id);
+    result.set("heading", typeset(content.heading));
+    result.set("paragraphs", paragraphs);
+    result.set("has_figures", !content.figures.empty());
+    result.set("figures", figures);
+    result.set("tables", tables);
+    return result;
+}
+
+void set_origin(const Document& document, data& page) {
+    data settings{data::type::list}, files{data::type::list};
+    for (const auto& [name, value] : document.settings) {
+        data item{data::type::object};
+        item.set("name", typeset(name));
+        item.set("value", typeset(value));
+        settings << item;
+    }
+    for (const auto& [text, path] : document.files) {
+        data item{data::type::object};
+        item.set("text", text);
+        item.set("path", path);
+        files << item;
+    }
+    page.set("has_settings", !document.settings.empty());
+    page.set("settings", settings);
+    page.set("has_files", !document.files.empty());
+    page.set("files", files);
+    page.set("has_command", !document.command.empty());
+    page.set("command", document.command);
+    page.set("has_origin", !document.files.empty() || !document.command.empty());
+}
+
+}  // namespace
+
+std::string document_html(const Document& document) {
+    check_document(document);
+    data sections{data::type::list};
+    for (const DocumentSection& each : document.sections) sections << section(each);
+    data page{data::type::object};
+    page.set("style", std::string(page_style) + document_style);
+    page.set("version", document.version);
+    page.set("kind", document.kind);
+    page.set("title", document.title);
+    page.set("title_html", typeset(document.title));
+    page.set("has_lead", !document.lead.empty());
+    page.set("lead", typeset(document.lead));
+    page.set("has_verdicts", !document.verdicts.empty());
+    page.set("verdicts", verdicts(document.verdicts));
+    page.set("sections", sections);
+    set_origin(document, page);
+    kainjow::mustache::mustache engine{document_template};
+    if (!engine.is_valid())
+        throw std::logic_error("document.html.mustache: " + engine.error_message());
+    return engine.render(page);
+}
+
+}  // namespace tricontact::comparisons

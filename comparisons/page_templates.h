@@ -1,0 +1,17 @@
+#pragma once
+
+namespace tricontact::comparisons {
+
+// *.html.mustache and *.css of this folder, embedded when the program is built.
+
+/// What every page shares: colours by day, night and on paper, letters, tables, figures.
+extern const char* const page_style;
+
+extern const char* const report_template;
+extern const char* const report_table_template;
+extern const char* const report_style;
+
+extern const char* const document_template;
+extern const char* const document_style;
+
+}  // namespace tricontact::comparisons
