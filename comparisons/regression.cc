@@ -88,11 +88,14 @@ Fit with_errors(const std::vector<double>& parameters, const std::vector<double>
     fit.explained_sum_of_squares = total - fit.residual_sum_of_squares;
     const double variance = fit.residual_sum_of_squares / fit.degrees_of_freedom;
     fit.residual_standard_deviation = std::sqrt(variance);
-    const double t = student_t(options.confidence, fit.degrees_of_freedom);
+    const double scale = options.weights_are_absolute ? 1 : variance;
+    const double t = options.weights_are_absolute
+                         ? gsl_cdf_ugaussian_Pinv((1 + options.confidence) / 2)
+                         : student_t(options.confidence, fit.degrees_of_freedom);
     for (std::size_t k = 0; k < m; ++k) {
         std::vector<double> row;
         for (std::size_t l = 0; l < m; ++l)
-            row.push_back(variance * gsl_matrix_get(&unit_covariance, k, l));
+            row.push_back(scale * gsl_matrix_get(&unit_covariance, k, l));
         const double error = std::sqrt(row[k]);
         fit.parameters.push_back(
             {parameters[k], error, parameters[k] - t * error, parameters[k] + t * error});
@@ -203,7 +206,9 @@ Fit fit_nonlinear(const FitModel& model, const std::vector<double>& y,
             gsl_multifit_nlinear_driver(most_iterations, parameter_tolerance, gradient_tolerance, 0,
                                         nullptr, nullptr, &info, work.get());
     if (problem.failure) std::rethrow_exception(problem.failure);
-    // No progress: the sum of squares is as small as rounding lets it become.
+    // No progress: the sum of squares is as small as rounding lets it become. At the first step the
+    // driver calls that something else.
+    if (info == GSL_ENOPROG) status = GSL_ENOPROG;
     if (status != GSL_SUCCESS && status != GSL_ENOPROG)
         throw contact::NotConverged(fmt::format("least squares after {} iterations: {}",
                                                 gsl_multifit_nlinear_niter(work.get()),

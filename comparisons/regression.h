@@ -35,6 +35,9 @@ struct FitOptions {
     double confidence = 0.95;
     std::vector<double> weights =
         {};  ///< 1/variance up to a factor, one per observation; empty: equal
+    /// The weights are 1/variance: nothing is estimated from the residuals, and errors are normal
+    /// instead of Student's.
+    bool weights_are_absolute = false;
 };
 
 /// y = sum_k parameters[k] columns[k], a column per parameter with one value per observation.

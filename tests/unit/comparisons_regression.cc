@@ -67,6 +67,20 @@ TEST(Regression, CurveIsNistsMisra1a) {
     }
 }
 
+// A mean of two readings whose errors are .5 each.
+TEST(Regression, KnownErrorsAreNotEstimated) {
+    const Fit fit = fit_linear({{1, 1}}, {2, 4}, {.weights = {4, 4}, .weights_are_absolute = true});
+    EXPECT_NEAR(fit.parameters[0].standard_error, .5 / std::sqrt(2), 1e-14);
+    EXPECT_NEAR(fit.parameters[0].high - 3, 1.959963984540054 * .5 / std::sqrt(2), 1e-14);
+}
+
+TEST(Regression, StartsAtTheLeastSquaresToo) {
+    const FitModel model = [](const std::vector<double>& p) {
+        return std::vector<double>{p[0], p[0], p[0]};
+    };
+    EXPECT_NEAR(fit_nonlinear(model, {1, 2, 3}, {2}).parameters[0].value, 2, 1e-12);
+}
+
 // Tables of Student's distribution: two-sided 95 %, and DIN 1319-3's 68.26 % for five readings.
 TEST(Regression, StudentsFactors) {
     EXPECT_NEAR(student_t(.95, 1), 12.706, 5e-4);
