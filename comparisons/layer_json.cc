@@ -1,7 +1,7 @@
 // The layer's section of summary.json.
 
-#include <cmath>
 
+#include "comparisons/json_number.h"
 #include "comparisons/layer.h"
 
 namespace tricontact::comparisons {
@@ -10,11 +10,6 @@ namespace {
 
 using contact::Case;
 using json = nlohmann::ordered_json;
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
 
 json values_json(const PressedValues& values) {
     json result = json::object();

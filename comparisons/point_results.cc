@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "comparisons/json_number.h"
 #include "comparisons/relaxation_study.h"
 #include "comparisons/summary.h"
 
@@ -23,11 +23,6 @@ struct Column {
     const char* name;
     json (*value)(const Input& in);
 };
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
 
 json last(const std::vector<std::optional<double>>& values) {
     return values.empty() ? json() : number(values.back());

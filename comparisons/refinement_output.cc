@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/format.h"
+#include "comparisons/json_number.h"
 #include "comparisons/refinement.h"
 
 namespace tricontact::comparisons {
@@ -15,11 +16,6 @@ namespace tricontact::comparisons {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
 
 json to_json(const RefinedQuantity& q) {
     return {{"values", q.values},

@@ -1,8 +1,8 @@
 // The relaxing substrate's section of summary.json.
 
-#include <cmath>
 #include <numbers>
 
+#include "comparisons/json_number.h"
 #include "comparisons/relaxation_report.h"
 
 namespace tricontact::comparisons {
@@ -11,11 +11,6 @@ namespace {
 
 using contact::Case;
 using json = nlohmann::ordered_json;
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
-}
 
 json branches_json(const Case& c) {
     json result = json::array();

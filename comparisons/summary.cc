@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/json_number.h"
 #include "comparisons/reference.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/oscillating_rolling.h"
@@ -17,11 +18,6 @@ using json = nlohmann::ordered_json;
 
 std::optional<double> finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-json number(std::optional<double> value) {
-    if (!value || !std::isfinite(*value)) return nullptr;
-    return *value;
 }
 
 template <class Values>
