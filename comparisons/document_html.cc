@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-
-#include <cmath>
+#include <algorithm>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
 #include "comparisons/base64.h"
+#include "comparisons/chart_json.h"
+#include "comparisons/chart_library.h"
 #include "comparisons/csv.h"
 #include "comparisons/document.h"
 #include "comparisons/document_check.h"
@@ -46,10 +46,11 @@ data verdicts(const std::vector<Verdict>& list) {
     return result;
 }
 
-data cell(const Cell& content, int digits) {
+data cell(const Cell& content, int digits, bool first) {
     data result{data::type::object};
     const auto* words = std::get_if<std::string>(&content);
     result.set("is_words", words != nullptr);
+    result.set("is_heading", words && first);
     std::string value;
     if (words) {
         result.set("text", typeset(*words));
@@ -66,15 +67,26 @@ data cell(const Cell& content, int digits) {
     return result;
 }
 
+/// Whether a column holds nothing but words, under which its heading aligns left.
+bool is_words(const DocumentTable& content, std::size_t column) {
+    return std::all_of(content.rows.begin(), content.rows.end(), [&](const auto& row) {
+        return std::holds_alternative<std::string>(row[column]);
+    });
+}
+
 data table(const DocumentTable& content) {
     data columns{data::type::list};
-    for (const DocumentTable::Column& column : content.columns)
-        columns << data{"text", typeset(column.heading)};
+    for (std::size_t i = 0; i < content.columns.size(); ++i) {
+        data column{data::type::object};
+        column.set("text", typeset(content.columns[i].heading));
+        column.set("is_words", is_words(content, i));
+        columns << column;
+    }
     data rows{data::type::list};
     for (const std::vector<Cell>& row : content.rows) {
         data cells{data::type::list};
         for (std::size_t i = 0; i < row.size(); ++i)
-            cells << cell(row[i], content.columns[i].digits);
+            cells << cell(row[i], content.columns[i].digits, i == 0);
         rows << data{"cells", cells};
     }
     data result{data::type::object};
@@ -94,6 +106,7 @@ data figure(const Figure& content) {
     result.set("title", typeset(content.title));
     result.set("title_text", content.title);
     result.set("caption", typeset(content.caption));
+    result.set("caption_text", content.caption);
     result.set("csv", base64(figure_csv(content)));
     return result;
 }
@@ -107,10 +120,27 @@ data section(const DocumentSection& content) {
     result.set("id", content.id);
     result.set("heading", typeset(content.heading));
     result.set("paragraphs", paragraphs);
-    result.set("has_figures", !content.figures.empty());
+    result.set("section_has_figures", !content.figures.empty());
     result.set("figures", figures);
     result.set("tables", tables);
     return result;
+}
+
+/// The figures' data and the scripts that draw them.
+void set_scripts(const Document& document, data& page) {
+    std::vector<Figure> figures;
+    for (const DocumentSection& each : document.sections)
+        figures.insert(figures.end(), each.figures.begin(), each.figures.end());
+    using Json = nlohmann::ordered_json;
+    const std::string plain =
+        chart_json(figures).dump(-1, ' ', false, Json::error_handler_t::replace);
+    std::string json;
+    // An angle bracket could end the script.
+    for (const char c : plain) json += c == '<' ? "\\u003c" : std::string(1, c);
+    page.set("has_figures", !figures.empty());
+    page.set("figures", json);
+    page.set("library", std::string(figures.empty() ? "" : chart_library()));
+    page.set("script", std::string(document_script));
 }
 
 void set_origin(const Document& document, data& page) {
@@ -154,6 +184,7 @@ std::string document_html(const Document& document) {
     page.set("verdicts", verdicts(document.verdicts));
     page.set("sections", sections);
     set_origin(document, page);
+    set_scripts(document, page);
     kainjow::mustache::mustache engine{document_template};
     if (!engine.is_valid())
         throw std::logic_error("document.html.mustache: " + engine.error_message());

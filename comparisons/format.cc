@@ -29,6 +29,45 @@ std::string tidied(std::string text) {
     return text;
 }
 
+bool is_alphanumeric(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_byte_of_greek(char c) {
+    return (static_cast<unsigned char>(c) & 0x80) != 0;
+}
+
+/// Where the symbol begins whose index begins at `index`: one letter, Latin or Greek (two bytes),
+/// that ends no word; npos if there is none.
+std::size_t symbol_before(const std::string& text, std::size_t index) {
+    const std::size_t end = index - 1;  // of the underscore
+    if (end >= 2 && is_byte_of_greek(text[end - 1])) return end - 2;
+    const bool letter = end >= 1 && std::isalpha(static_cast<unsigned char>(text[end - 1]));
+    const bool word = end >= 2 && (is_alphanumeric(text[end - 2]) || text[end - 2] == '_');
+    return letter && !word ? end - 1 : std::string::npos;
+}
+
+/// "f_T,lim" -> f with its index: letters and digits, a comma only before a lower-case letter.
+std::string with_symbols(const std::string& text) {
+    std::string html;
+    std::size_t copied = 0;
+    for (std::size_t at = text.find('_'); at != std::string::npos; at = text.find('_', at + 1)) {
+        const std::size_t symbol = symbol_before(text, at + 1);
+        std::size_t end = at + 1;
+        while (end < text.size() && is_alphanumeric(text[end])) ++end;
+        if (end + 1 < text.size() && text[end] == ',' && text[end + 1] >= 'a' &&
+            text[end + 1] <= 'z')
+            for (++end; end < text.size() && is_alphanumeric(text[end]);) ++end;
+        if (symbol == std::string::npos || end == at + 1 || (end < text.size() && text[end] == '_'))
+            continue;
+        html += text.substr(copied, symbol - copied);
+        html += fmt::format("<i>{}</i><sub>{}</sub>", text.substr(symbol, at - symbol),
+                            text.substr(at + 1, end - at - 1));
+        copied = end;
+    }
+    return html + text.substr(copied);
+}
+
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
     for (std::size_t at = text.find(from); at != std::string::npos;
          at = text.find(from, at + to.size()))
@@ -85,15 +124,7 @@ std::string as_given(double value) {
 }
 
 std::string typeset(const std::string& sentence) {
-    constexpr std::array symbols{"f_T,lim", "f_T",   "F_T", "F_N",   "u_stat", "U_stat",
-                                 "u_end",   "U_end", "u_x", "U_max", "p_0",    "τ_x"};
-    std::string html = kainjow::mustache::html_escape(sentence);
-    for (const std::string_view symbol : symbols) {
-        const std::size_t split = symbol.find('_');
-        replace_all(html, symbol,
-                    fmt::format("<i>{}</i><sub>{}</sub>", symbol.substr(0, split),
-                                symbol.substr(split + 1)));
-    }
+    std::string html = with_symbols(kainjow::mustache::html_escape(sentence));
     replace_all(html, " = ", "\u00a0=\u00a0");
     for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
         for (const char* end : {" ", ")", ",", ".", ":"})

@@ -2,7 +2,7 @@
 
 namespace tricontact::comparisons {
 
-// *.html.mustache and *.css of this folder, embedded when the program is built.
+// *.html.mustache, *.css and *.js of this folder, embedded when the program is built.
 
 /// What every page shares: colours by day, night and on paper, letters, tables, figures.
 extern const char* const page_style;
@@ -13,5 +13,6 @@ extern const char* const report_style;
 
 extern const char* const document_template;
 extern const char* const document_style;
+extern const char* const document_script;
 
 }  // namespace tricontact::comparisons

@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <regex>
 
 #include "comparisons/base64.h"
+#include "comparisons/chart_json.h"
+#include "comparisons/chart_library.h"
 #include "comparisons/csv.h"
 #include "comparisons/document.h"
 #include "comparisons/document_csv.h"
@@ -69,6 +70,11 @@ std::size_t count(const std::string& text, const std::string& part) {
     return n;
 }
 
+std::string without_library(std::string page) {
+    const std::size_t at = page.find(chart_library());
+    return at == std::string::npos ? page : page.erase(at, chart_library().size());
+}
+
 TEST(Csv, Rfc4180) {
     EXPECT_EQ(csv_field(std::string("a")), "a");
     EXPECT_EQ(csv_field(std::string("a,\"b\"\n")), "\"a,\"\"b\"\"\n\"");
@@ -95,6 +101,38 @@ TEST(DocumentCsv, TablesWithAllDigits) {
               "model,u [1],κ [1],± κ [1]\nbem,0.123456,1.06,0.119\n\"a \"\"b\"\", c\",,,\n");
 }
 
+TEST(ChartJson, GapsAreNull) {
+    const auto json = chart_json({curves(), contour_map()});
+    EXPECT_EQ(json["figures"][0]["curves"][0]["y"].dump(), "[0.5,null]");
+    EXPECT_EQ(json["figures"][1]["map"]["rows"].dump(), "[[1.0,2.0],[3.0,null],[5.0,6.0]]");
+    EXPECT_TRUE(json["figures"][0]["map"].is_null());
+    EXPECT_TRUE(json["figures"][1]["x"]["logarithmic"]);
+    EXPECT_EQ(json["figures"][0]["x"]["label"], "<i>f</i><sub>T</sub> [1]");
+}
+
+TEST(ChartJson, StylesFollowNamesAndColours) {
+    Figure figure = curves();
+    figure.curves = {{.name = "BEM", .x = {}, .y = {}},
+                     {.name = "MDR", .x = {}, .y = {}, .colour = 0},
+                     {.name = "limit", .x = {}, .y = {}, .theory = true},
+                     {.name = "FEM", .x = {}, .y = {}},
+                     {.name = "BEM", .x = {}, .y = {}},
+                     {.name = "exact", .x = {}, .y = {}, .theory = true, .colour = 1}};
+    std::string styles;
+    const auto json = chart_json({figure});
+    for (const auto& curve : json["figures"][0]["curves"]) styles += curve["style"].dump() + " ";
+    EXPECT_EQ(styles, "2 0 null 3 2 1 ");  // 0 and 1 are taken
+}
+
+TEST(ChartLibrary, CanStandInAPageAndNamesItsLicence) {
+    const std::string library(chart_library());
+    EXPECT_TRUE(library.starts_with("/*!\nMIT License\n"));
+    EXPECT_TRUE(contains(library, "Permission is hereby granted, free of charge"));
+    EXPECT_TRUE(contains(library, "window.Plotly = Plotly;"));
+    EXPECT_FALSE(contains(library, "</script"));
+    EXPECT_FALSE(contains(library, "<!--"));
+}
+
 TEST(DocumentHtml, VerdictsComeFirstAndInWords) {
     const std::string page = document_html(document());
     EXPECT_TRUE(contains(page, "<li class=\"holds\"><b>holds</b> <span>The limit holds."));
@@ -110,14 +148,15 @@ TEST(DocumentHtml, TextsAreEscapedAndTypeset) {
     EXPECT_TRUE(contains(page, "How far does <i>f</i><sub>T</sub> go?"));
     EXPECT_TRUE(contains(page, "Words &lt;i&gt;."));
     EXPECT_TRUE(contains(page, "tricontact sweep &quot;a b.toml&quot;"));
-    EXPECT_FALSE(contains(page, "{{"));
+    EXPECT_FALSE(contains(without_library(page), "{{"));
 }
 
 TEST(DocumentHtml, CellsAsReadAndAsSorted) {
     const std::string page = document_html(document());
-    EXPECT_TRUE(contains(page,
-                         "<td class=\"words\">bem</td><td data-value=\"0.123456\">0.123</td>"
-                         "<td data-value=\"1.06\">1.06 ± 0.12</td>"));
+    EXPECT_TRUE(
+        contains(page,
+                 "<th scope=\"row\" data-words>bem</th><td data-value=\"0.123456\">0.123</td>"
+                 "<td data-value=\"1.06\">1.06 ± 0.12</td>"));
     EXPECT_TRUE(contains(page, "<td>–</td><td>–</td>"));
 }
 
@@ -131,8 +170,25 @@ TEST(DocumentHtml, DataAreLinksThatNeedNoScript) {
     EXPECT_TRUE(contains(page, "<a href=\"points.csv\">all points</a>"));
 }
 
+TEST(DocumentHtml, NeedsNoNetworkAndNoOtherFile) {
+    const std::string page = without_library(document_html(document()));
+    for (const char* part :
+         {"http:", "https:", " src=", "<link rel=\"stylesheet", "@import", "url("})
+        EXPECT_FALSE(contains(page, part)) << part;
+}
+
+TEST(DocumentHtml, TextsCannotEndTheScript) {
+    Document hostile = document();
+    hostile.sections[0].figures[0].title = "</script><script>alert(1)</script>";
+    hostile.sections[0].figures[0].curves[0].name = "</script>\n<!-- \xff";
+    const std::string page = without_library(document_html(hostile));
+    EXPECT_EQ(count(page, "<script"), 3u);  // data, library, drawing
+    EXPECT_EQ(count(page, "</script"), 3u);
+    EXPECT_FALSE(contains(page, "<!--"));
+}
+
 TEST(DocumentHtml, ElementsAreClosed) {
-    const std::string page = document_html(document());
+    const std::string page = without_library(document_html(document()));
     for (const std::string element :
          {"section", "table", "tbody", "thead", "tr", "th",     "td",         "ul",   "li",  "p",
           "div",     "dl",    "dt",    "dd",    "a",  "figure", "figcaption", "span", "pre", "b"})

@@ -1,0 +1,204 @@
+"use strict";
+// Draws the figures of the page with plotly.js and makes its tables sortable. Without this script
+// the page still has its texts, tables and data.
+
+(() => {
+const content = JSON.parse(document.getElementById("figures").textContent);
+// In the order of plot_style.h.
+const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
+                 "circle-open", "square-open", "diamond-open"];
+const dashes = ["solid", "dot", "dashdot", "longdashdot"];
+// Viridis (Smith, van der Walt) without its dark end, so that black lines and numbers stand out.
+const ground = ["#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"]
+    .map((colour, i, all) => [i / (all.length - 1), colour]);
+const most_grounds = 30;
+const on_paper = {width: 640, height: 340};  // three to a page in portrait
+const on_screen = {width: undefined, height: 400};
+const drawing = {width: 720, height: 450};
+
+const paper = {text: "#000000", soft: "#333333", line: "#d0d0d0", panel: "#ffffff"};
+function screen() {
+    const style = getComputedStyle(document.documentElement);
+    const colour = name => style.getPropertyValue("--" + name).trim();
+    return {text: colour("text"), soft: colour("soft"), line: colour("line"),
+            panel: colour("panel")};
+}
+
+function colour_of(style, theme) {
+    return style === null ? theme.soft : content.colours[style % content.colours.length];
+}
+
+function error_bars(errors) {
+    return errors.length ? {type: "data", array: errors, thickness: 1.2, width: 3} : undefined;
+}
+
+function curve_trace(curve, theme, in_legend) {
+    const style = curve.style ?? 0;
+    const points = curve.kind !== "line", lines = curve.kind !== "points";
+    return {
+        type: "scatter", name: curve.name, x: curve.x, y: curve.y,
+        mode: lines ? (points ? "lines+markers" : "lines") : "markers",
+        legendgroup: "curve " + curve.name, showlegend: in_legend,
+        error_x: error_bars(curve.x_error), error_y: error_bars(curve.y_error),
+        line: {
+            color: colour_of(curve.style, theme), width: 1.8,
+            dash: curve.theory ? "dash" : dashes[Math.floor(style / markers.length) % dashes.length],
+        },
+        marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[style % markers.length]},
+        connectgaps: false,
+    };
+}
+
+// One closed outline per stretch without gaps.
+function band_traces(band, theme) {
+    const stretches = [[]];
+    band.x.forEach((x, i) => {
+        if (x === null || band.low[i] === null || band.high[i] === null) stretches.push([]);
+        else stretches.at(-1).push([x, band.low[i], band.high[i]]);
+    });
+    return stretches.filter(stretch => stretch.length > 1).map((stretch, i) => {
+        const back = [...stretch].reverse();
+        return {
+            type: "scatter", mode: "lines", name: band.name, fill: "toself", hoverinfo: "skip",
+            x: stretch.map(p => p[0]).concat(back.map(p => p[0])),
+            y: stretch.map(p => p[1]).concat(back.map(p => p[2])),
+            line: {width: 0}, opacity: 0.25, fillcolor: colour_of(band.style, theme),
+            legendgroup: "band " + band.name, showlegend: i === 0 && band.name !== "",
+        };
+    });
+}
+
+// 1, 2 or 5 times a power of ten, not below the given one: so are the tics beside the map.
+function round_step(least) {
+    if (!(least > 0)) return 1;
+    const power = 10 ** Math.floor(Math.log10(least));
+    return power * [1, 2, 5, 10].find(factor => factor * power >= least);
+}
+
+// A ground of many even steps; the lines at any levels lie over it.
+function map_traces(map, theme) {
+    const values = map.rows.flat().filter(value => value !== null);
+    if (!values.length) return [];
+    const low = values.reduce((a, b) => Math.min(a, b));
+    const high = values.reduce((a, b) => Math.max(a, b));
+    const step = round_step((high - low) / most_grounds);
+    const grid = {type: "contour", x: map.x, y: map.y, z: map.rows, connectgaps: false};
+    const line = {color: "#1a1a1a", width: 1};
+    const label = {size: 11, color: "#000000"};
+    const traces = [{
+        ...grid, colorscale: ground, zmin: low, zmax: high, line: {width: 0},
+        contours: {coloring: "fill", size: step, end: high,
+                   start: Math.ceil(low / step) * step},
+        colorbar: {title: {text: map.label, side: "right"}, thickness: 14, outlinewidth: 0,
+                   tickfont: {color: theme.text}},
+        hovertemplate: "%{x:.4g}, %{y:.4g}: %{z:.4g}<extra></extra>",
+    }];
+    const levels = map.levels.filter(level => level > low && level < high);
+    for (const value of levels)
+        traces.push({
+            ...grid, line, showlegend: false, hoverinfo: "skip",
+            contours: {type: "constraint", operation: "=", value, showlabels: true, labelfont: label},
+        });
+    if (!map.levels.length)
+        traces.push({
+            ...grid, line, colorscale: [[0, line.color], [1, line.color]], showscale: false,
+            hoverinfo: "skip", ncontours: 8,
+            contours: {coloring: "lines", showlabels: true, labelfont: label},
+        });
+    return traces;
+}
+
+function traces_of(figure, theme) {
+    const named = new Set();
+    const curves = figure.curves.map(curve => {
+        const first = curve.name !== "" && !named.has(curve.name);
+        named.add(curve.name);
+        return curve_trace(curve, theme, first);
+    });
+    return [...(figure.map ? map_traces(figure.map, theme) : []),
+            ...figure.bands.flatMap(band => band_traces(band, theme)), ...curves];
+}
+
+function axis_of(axis, theme) {
+    return {
+        title: {text: axis.label, standoff: 8}, type: axis.logarithmic ? "log" : "linear",
+        automargin: true, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
+        linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,
+    };
+}
+
+function layout_of(figure, theme) {
+    const empty = !figure.map && figure.curves.every(curve => !curve.x.length) && !figure.bands.length;
+    return {
+        xaxis: axis_of(figure.x, theme), yaxis: axis_of(figure.y, theme),
+        autosize: true, margin: {l: 60, r: 16, t: 16, b: 48},
+        paper_bgcolor: theme.panel, plot_bgcolor: theme.panel,
+        font: {family: "system-ui, 'Liberation Sans', Arial, sans-serif", size: 13, color: theme.text},
+        showlegend: true, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
+        hovermode: "closest",
+        // A finger scrolls the page, a mouse zooms.
+        dragmode: matchMedia("(pointer: coarse)").matches ? false : "zoom",
+        annotations: empty ? [{text: "no data", showarrow: false, xref: "paper", yref: "paper",
+                               x: 0.5, y: 0.5}] : [],
+    };
+}
+
+function draw(theme, size) {
+    for (const figure of content.figures)
+        Plotly.react("chart_" + figure.id, traces_of(figure, theme),
+                     {...layout_of(figure, theme), ...size}, {displayModeBar: false, responsive: true});
+}
+
+async function save_drawing(figure) {
+    const layout = {...layout_of(figure, paper), ...drawing, title: {text: figure.title},
+                    margin: {l: 60, r: 16, t: 90, b: 48}};
+    const uri = await Plotly.toImage({data: traces_of(figure, paper), layout},
+                                     {format: "svg", ...drawing});
+    const link = document.createElement("a");
+    link.href = uri;
+    link.download = figure.id + ".svg";
+    link.click();
+}
+
+// Undefined values come last in either order.
+function compare(a, b, direction) {
+    if (a === undefined || b === undefined) return (a === undefined) - (b === undefined);
+    return direction * (typeof a === "number" ? a - b : a.localeCompare(b, "en", {numeric: true}));
+}
+
+function value_of(cell) {
+    if (cell.dataset.value !== undefined) return Number(cell.dataset.value);
+    return cell.dataset.words === undefined ? undefined : cell.textContent;
+}
+
+function sort_by(heading) {
+    const ascending = heading.getAttribute("aria-sort") !== "ascending";
+    for (const other of heading.parentElement.cells) other.removeAttribute("aria-sort");
+    heading.setAttribute("aria-sort", ascending ? "ascending" : "descending");
+    const body = heading.closest("table").tBodies[0];
+    const keyed = [...body.rows].map(row => [value_of(row.cells[heading.cellIndex]), row]);
+    keyed.sort((a, b) => compare(a[0], b[0], ascending ? 1 : -1));
+    body.append(...keyed.map(pair => pair[1]));
+}
+
+function make_sortable(heading) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.append(...heading.childNodes);
+    button.addEventListener("click", () => sort_by(heading));
+    heading.append(button);
+}
+
+document.querySelectorAll(".data thead th").forEach(make_sortable);
+if (content.figures.length) {
+    draw(screen(), on_screen);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw(screen(), on_screen));
+    addEventListener("beforeprint", () => draw(paper, on_paper));
+    addEventListener("afterprint", () => draw(screen(), on_screen));
+    for (const figure of content.figures) {
+        const button = document.querySelector("#figure_" + figure.id + " button");
+        button.hidden = false;
+        button.addEventListener("click", () => save_drawing(figure));
+    }
+}
+})();
