@@ -76,6 +76,24 @@ double LineLoad::value(double x) const {
     return sum;
 }
 
+// Over s, x = begin + length s^2 (first piece: x = length s), the integrand is a polynomial of the
+// rule's degree.
+double LineLoad::integral(double x) const {
+    double sum = 0;
+    for (int piece = 0; piece <= piece_of(x); ++piece) {
+        const double begin = mesh_.ends_[piece], length = mesh_.ends_[piece + 1] - begin;
+        const double part = std::min((x - begin) / length, 1.);
+        const double s_end = piece == 0 ? part : std::sqrt(part);
+        for (std::size_t i = 0; i < mesh_.rule_.points.size(); ++i) {
+            const double s = s_end * mesh_.rule_.points[i];
+            const double position = piece == 0 ? length * s : begin + length * s * s;
+            const double slope = piece == 0 ? length : 2 * length * s;
+            sum += s_end * mesh_.rule_.weights[i] * slope * value(position);
+        }
+    }
+    return sum;
+}
+
 // Over sigma = sqrt(x^2 - r^2)/sqrt(a^2 - r^2) the integrand is [q(r) - q(x)]/sigma^2, regular at
 // 0. Behind a break at sigma_0, sigma = sigma_0 + length u^2 as on the mesh.
 double LineLoad::pressure(double r) const {

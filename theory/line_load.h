@@ -42,6 +42,10 @@ class LineLoad {
     /// q(x) [N/m] at 0 <= x <= a.
     double value(double x) const;
 
+    /// ∫_0^x q dx [N] at 0 <= x <= a: half the force on a strip of the half width x; exact for the
+    /// series.
+    double integral(double x) const;
+
     /// Pressure p(r) [Pa] at r >= 0, zero for r >= a:
     ///   pi p(r) = q(r)/sqrt(a^2 - r^2) + ∫_r^a [q(r) - q(x)] x/(x^2 - r^2)^(3/2) dx,
     /// which is -∫ q'(x)/sqrt(x^2 - r^2) dx by parts and holds for q(a) > 0, too (then it is
