@@ -1,0 +1,218 @@
+#include "comparisons/experiment_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/repeats.h"
+#include "contact/error.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::Experiment;
+using contact::State;
+
+constexpr double equal_amplitudes = 0.02;  // of repeats, relative
+constexpr int many = 1'000'000;            // degrees of freedom of a known standard error
+
+Estimate with_error(double value, double error, double confidence, int degrees_of_freedom) {
+    const double half = error * student_t(confidence, degrees_of_freedom);
+    return {value, error, value - half, value + half};
+}
+
+// Of one run, by noise and drift.
+Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
+    const StageEvaluation& stage = run.stages.front();
+    return with_error(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
+}
+
+State joint_state(const std::vector<RunEvaluation>& runs) {
+    State joint = State::undecided;
+    for (const RunEvaluation& run : runs) {
+        const State state = run.stages.front().by_walk;
+        if (state == State::undecided) continue;
+        if (joint != State::undecided && joint != state) return State::undecided;
+        joint = state;
+    }
+    return joint;
+}
+
+void check_amplitudes(const std::vector<RunEvaluation>& runs) {
+    const double first = runs.front().stages.front().amplitude;
+    for (const RunEvaluation& run : runs) {
+        const double other = run.stages.front().amplitude;
+        if (std::abs(other - first) > equal_amplitudes * first)
+            throw contact::InputError(fmt::format(
+                "{}: the amplitude is {:.4g} mm, but {:.4g} mm in {}; repeats are runs under equal "
+                "conditions: evaluate others apart",
+                run.name, 1e3 * other, 1e3 * first, runs.front().name));
+    }
+}
+
+void put_together(ExperimentEvaluation& e) {
+    std::vector<Estimate> settled, increment;
+    std::vector<std::vector<Estimate>> shift(static_cast<std::size_t>(e.periods) + 1);
+    for (const RunEvaluation& run : e.runs) {
+        for (std::size_t n = 0; n < shift.size(); ++n)
+            shift[n].push_back(value_at(run, n, e.confidence));
+        settled.push_back(run.stages.front().settling.settled);
+        increment.push_back(run.stages.front().increment);
+    }
+    for (const auto& of_runs : shift)
+        e.shift.push_back(repeated(of_runs, e.confidence).at_confidence);
+    e.static_shift = repeated(shift.front(), e.confidence);
+    e.final_shift = repeated(shift.back(), e.confidence);
+    e.settled_shift = repeated(settled, e.confidence);
+    e.increment = repeated(increment, e.confidence);
+}
+
+void read_limits(ExperimentEvaluation& e) {
+    std::vector<Estimate> middle, low, shift;
+    for (const RunEvaluation& run : e.runs) {
+        const auto limit =
+            e.limits.emplace_back(read_limit(run, &StageEvaluation::by_walk, e.confidence));
+        if (!limit) continue;
+        const double half = (limit->amplitude_high - limit->amplitude_low) / 2;
+        const double mean = limit->amplitude_low + half;
+        // Anywhere between the stages with equal probability: half width over sqrt(3).
+        middle.push_back({mean, half / std::sqrt(3.), mean - half, mean + half});
+        low.push_back({limit->amplitude_low, 0, limit->amplitude_low, limit->amplitude_low});
+        shift.push_back(limit->lines.shift);
+    }
+    if (middle.empty()) return;
+    e.limit_amplitude = repeated(middle, e.confidence);
+    e.last_shakedown = repeated(low, e.confidence);
+    e.limit_shift = repeated(shift, e.confidence);
+    // What all repeats share, the width of the steps, does not average out.
+    if (middle.size() < 2) return;
+    for (Estimate* of_all : {&e.limit_amplitude->at_confidence, &e.limit_amplitude->at_95}) {
+        const double half = (middle.front().high - middle.front().low) / 2;
+        of_all->standard_error = std::hypot(of_all->standard_error, half / std::sqrt(3.));
+        of_all->low = of_all->value - std::hypot(of_all->value - of_all->low, half);
+        of_all->high = of_all->value + std::hypot(of_all->high - of_all->value, half);
+    }
+}
+
+std::vector<theory::Uncertain> inputs_of(const Case& c,
+                                         const std::vector<CaseQuantity>& quantities) {
+    std::vector<theory::Uncertain> inputs;
+    Case copy = c;
+    for (const CaseQuantity& quantity : quantities)
+        inputs.push_back({quantity.of_case(copy), quantity.standard_error});
+    return inputs;
+}
+
+}  // namespace
+
+bool Deviation::differs() const {
+    return comparisons::differ(measured, predicted);
+}
+
+Repeated repeated(const std::vector<Estimate>& of_runs, double confidence) {
+    Repeated r;
+    r.runs = static_cast<int>(of_runs.size());
+    if (of_runs.size() == 1) {
+        const Estimate& only = of_runs.front();
+        const double t = student_t(0.95, many) / student_t(confidence, many);
+        r.at_confidence = only;
+        r.at_95 = {only.value, only.standard_error, only.value - t * (only.value - only.low),
+                   only.value + t * (only.high - only.value)};
+        return r;
+    }
+    std::vector<double> values;
+    for (const Estimate& e : of_runs) values.push_back(e.value);
+    r.at_confidence = mean_of(values, confidence);
+    r.at_95 = mean_of(values, 0.95);
+    return r;
+}
+
+ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
+    ExperimentEvaluation e;
+    e.kind = experiment.kind;
+    e.title = experiment.title;
+    e.confidence = experiment.confidence;
+    for (const auto& record : experiment.records)
+        e.runs.push_back(evaluate_run(record, experiment));
+    check_amplitudes(e.runs);
+    e.state = joint_state(e.runs);
+    e.periods = e.runs.front().stages.front().periods();
+    for (const RunEvaluation& run : e.runs) {
+        e.periods = std::min(e.periods, run.stages.front().periods());
+        e.amplitude += run.stages.front().amplitude / static_cast<double>(e.runs.size());
+    }
+    put_together(e);
+    if (e.kind == Experiment::Kind::limit) read_limits(e);
+    return e;
+}
+
+void normalise(ExperimentEvaluation& e, const Case& c,
+               const std::vector<CaseQuantity>& quantities) {
+    std::vector<theory::Uncertain> inputs = inputs_of(c, quantities);
+    const auto uncertain = [](const Estimate& of) {
+        return theory::Uncertain{of.value, of.standard_error};
+    };
+    const std::size_t n = inputs.size();
+    inputs.insert(inputs.end(),
+                  {uncertain(e.static_shift.at_confidence), uncertain(e.final_shift.at_confidence),
+                   uncertain(e.increment.at_confidence)});
+    // A function of the case with the given numbers, and of the shift of that place.
+    const auto propagated = [&](auto&& f, std::size_t place) {
+        return theory::propagate(
+                   [&](const std::vector<double>& x) {
+                       Case changed = c;
+                       for (std::size_t i = 0; i < n; ++i) quantities[i].of_case(changed) = x[i];
+                       return f(changed, x[place]);
+                   },
+                   inputs)
+            .result;
+    };
+    const auto over_unit = [](const Case& changed, double shift) {
+        return shift / contact::hertz_scales(changed).unit_shift;
+    };
+    NormalisedResults r;
+    r.tangential_ratio = propagated(
+        [](const Case& changed, double) {
+            if (changed.load.tangential_ratio) return *changed.load.tangential_ratio;
+            return *changed.load.tangential_force /
+                   (changed.friction_coefficient * contact::hertz_scales(changed).normal_force);
+        },
+        n);
+    const double amplitude = e.amplitude;
+    r.amplitude_ratio = propagated(
+        [amplitude](const Case& changed, double) {
+            return amplitude / contact::hertz_scales(changed).contact_radius;
+        },
+        n);
+    r.unit_shift = propagated(
+        [](const Case& changed, double) { return contact::hertz_scales(changed).unit_shift; }, n);
+    r.static_ratio = propagated(over_unit, n);
+    r.final_ratio = propagated(over_unit, n + 1);
+    r.increment_ratio = propagated(over_unit, n + 2);
+    e.normalised = r;
+}
+
+void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
+    const auto add = [&](const char* name, const Repeated& measured, auto&& of) {
+        const double value = of(prediction.shift);
+        double variance = 0;
+        for (const auto& raised : prediction.raised) {
+            const double change = of(raised) - value;
+            variance += change * change;
+        }
+        e.deviations.push_back({prediction.model, name, measured.at_confidence,
+                                with_error(value, std::sqrt(variance), e.confidence, many)});
+    };
+    add("u_stat", e.static_shift, [](const std::vector<double>& u) { return u.front(); });
+    if (e.kind == Experiment::Kind::shakedown)
+        add("u_sd", e.final_shift, [](const std::vector<double>& u) { return u.back(); });
+    else
+        add("Du", e.increment,
+            [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
+    e.predictions.push_back(std::move(prediction));
+}
+
+}  // namespace tricontact::comparisons

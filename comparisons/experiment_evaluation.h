@@ -1,0 +1,103 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/experiment_limit.h"
+#include "comparisons/experiment_run.h"
+#include "contact/case.h"
+#include "contact/experiment.h"
+#include "theory/error_propagation.h"
+
+namespace tricontact::comparisons {
+
+/// A quantity over all runs: mean and interval by their scatter from two runs on, else the only
+/// run's own.
+struct Repeated {
+    Estimate at_confidence, at_95;
+    int runs = 0;  ///< that have it
+};
+
+/// A number of the case with its standard error.
+struct CaseQuantity {
+    std::string name;                                ///< "friction.coefficient"
+    double standard_error = 0;                       ///< SI unit
+    std::function<double&(contact::Case&)> of_case;  ///< the number
+};
+
+/// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
+struct NormalisedResults {
+    theory::Uncertain tangential_ratio;                            ///< f_T = F_T/(mu F_N)
+    theory::Uncertain amplitude_ratio;                             ///< w = W/a
+    theory::Uncertain unit_shift;                                  ///< U_max [m]
+    theory::Uncertain static_ratio, final_ratio, increment_ratio;  ///< over U_max
+};
+
+/// What a model says about the same runs.
+struct ModelPrediction {
+    std::string model;
+    std::vector<double> shift;  ///< u_0 ... u_N [m]
+    contact::State state{};
+    /// `shift` when a quantity of the case grows by its standard error, one each.
+    std::vector<std::vector<double>> raised;
+};
+
+/// A quantity measured and by a model [m].
+struct Deviation {
+    std::string model, quantity;
+    Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
+
+    double ratio() const { return measured.value / predicted.value; }
+    bool differs() const;  ///< the intervals exclude each other
+};
+
+/// Verdicts of a model over the amplitudes of a limit run.
+struct ModelLimit {
+    std::string model;
+    std::vector<contact::State> states;  ///< one per stage of the first run
+};
+
+struct ExperimentEvaluation {
+    contact::Experiment::Kind kind{};
+    std::string title;
+    double confidence = 0;
+    std::vector<RunEvaluation> runs;
+    contact::State state{};       ///< by the walk, of all runs that can tell; undecided if none or
+                                  ///< if they contradict each other
+    int periods = 0;              ///< of the shortest run, of the first stage
+    double amplitude = 0;         ///< mean of the first stages [m]; 0: unknown
+    Repeated static_shift;        ///< u_stat [m]
+    Repeated final_shift;         ///< u_sd: upright after the last common period [m]
+    Repeated settled_shift;       ///< extrapolated [m]
+    Repeated increment;           ///< Du, second half of the periods [m]
+    std::vector<Estimate> shift;  ///< per period, at `confidence` [m]
+
+    /// Limit runs, by the walk: per run, empty where it cannot be read.
+    std::vector<std::optional<LimitReading>> limits;
+    std::optional<Repeated> limit_amplitude;  ///< middle between the two stages [m]
+    std::optional<Repeated> last_shakedown;   ///< amplitude of the thesis' rule [m]
+    std::optional<Repeated> limit_shift;      ///< U_lim by the lines [m]
+
+    std::optional<NormalisedResults> normalised;  ///< with a case
+    std::vector<ModelPrediction> predictions;
+    std::vector<Deviation> deviations;
+    std::vector<ModelLimit> model_limits;
+};
+
+/// Evaluates all records and puts the runs together. Throws contact::InputError, also if the
+/// amplitudes of runs differ by more than 2 %.
+ExperimentEvaluation evaluate_experiment(const contact::Experiment& experiment);
+
+/// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4).
+void normalise(ExperimentEvaluation& evaluation, const contact::Case& c,
+               const std::vector<CaseQuantity>& quantities);
+
+/// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting).
+void add_prediction(ExperimentEvaluation& evaluation, ModelPrediction prediction);
+
+/// The scatter of one measured quantity over the runs.
+Repeated repeated(const std::vector<Estimate>& of_runs, double confidence);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/drive_timeline.h"
+#include "comparisons/record_noise.h"
+#include "comparisons/regression.h"
+#include "comparisons/settling_fit.h"
+#include "contact/experiment.h"
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// Level of the intervals that verdicts are based on.
+inline constexpr double verdict_confidence = 0.95;
+/// A walk that could add less than this part of the shift over the whole interval is none.
+inline constexpr double negligible_walk = 0.05;
+
+/// What the shift did while the amplitude was the same. Shifts are counted from the unsheared state
+/// if the record holds it, and are rid of the drift.
+struct StageEvaluation {
+    double amplitude = 0;  ///< W [m]; 0: unknown
+    double period = 0;     ///< [s]
+    /// With the roller upright: before the first period and after each.
+    std::vector<double> time;                  ///< [s]
+    std::vector<double> shift;                 ///< [m]
+    std::vector<double> shift_error;           ///< standard error by noise and drift [m]
+    SettlingFit settling;                      ///< at verdict_confidence; drift's error included
+    Estimate curvature;                        ///< of period values, at verdict_confidence [-]
+    double sampled_curvature = 0;              ///< of all samples, as the thesis takes it [-]
+    Estimate increment;                        ///< Du: slope of the second half, `confidence` [m]
+    contact::State by_walk{}, by_curvature{};  ///< undecided: cannot tell
+
+    int periods() const { return static_cast<int>(shift.size()) - 1; }
+};
+
+/// A slope of the rest with its standard error [m/s].
+struct Drift {
+    double value = 0, standard_error = 0;
+};
+
+/// One record evaluated.
+struct RunEvaluation {
+    std::string name;
+    std::vector<StageEvaluation> stages;
+    RecordNoise noise;                ///< of the rest before rolling
+    Drift before;                     ///< of the rest before rolling
+    std::optional<Drift> after;       ///< of the rest after it
+    Drift drift;                      ///< what was subtracted: mean of both
+    bool drift_changes = false;       ///< both differ by more than three standard errors
+    std::optional<Estimate> wobble;   ///< dU/dW of the second half of the periods [-], one stage
+    std::vector<double> time, shift;  ///< the record, corrected as above [s], [m]
+    int degrees_of_freedom = 0;       ///< of the noise: independent samples of the rest, less two
+};
+
+/// Evaluates one record. Throws contact::InputError about it: see drive_timeline(), rest of fewer
+/// than 30 samples before rolling, fewer than 5 periods of an amplitude, an amplitude that changes
+/// although the kind says one.
+RunEvaluation evaluate_run(const contact::Record& record, const contact::Experiment& experiment);
+
+/// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
+/// of the last shift over the interval; else ratcheting if the lower end is positive.
+contact::State judge_walk(const Estimate& increment, int periods, double last_shift);
+
+/// Verdict by the curvature: its interval on one side of 0 (5.1.7, 5.1.8).
+contact::State judge_curvature(const Estimate& curvature);
+
+/// Slope of the straight line through the second half of the shifts at the ends of periods.
+Estimate late_increment(const std::vector<double>& shift, double confidence);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,261 @@
+#include "io/experiment_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "io/csv_table.h"
+#include "io/field_reader.h"
+#include "io/input_file.h"
+#include "io/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Experiment;
+using contact::Record;
+using Kind = Key::Kind;
+
+constexpr std::array<std::string_view, 3> sections{"record", "drive", "errors"};
+
+// Up to a day of three columns at 20 samples per second.
+const CsvForm& form() {
+    static const CsvForm form{"record", "time [s], shift [um], drive [mm]", 2'000'000,
+                              "leave out every second row", 100};
+    return form;
+}
+
+const std::array<Key, 11>& keys() {
+    constexpr double longest = 1e9;  // [s], as in cases
+    static const std::array<Key, 11> keys{
+        {{.path = "title", .example = R"("title")", .text = "what was measured"},
+         {.path = "kind",
+          .kind = Kind::choice,
+          .choices = {{"shakedown", int(Experiment::Kind::shakedown)},
+                      {"ratcheting", int(Experiment::Kind::ratcheting)},
+                      {"limit", int(Experiment::Kind::limit)}},
+          .example = R"("shakedown")",
+          .text = "procedure"},
+         {.path = "case", .example = R"("case.toml")", .text = "the case file"},
+         {.path = "confidence",
+          .kind = Kind::number,
+          .range = {0.5, 0.999},
+          .example = "0.683",
+          .text = "level of the intervals"},
+         {.path = "record.resolution",
+          .kind = Kind::quantity,
+          .dimension = Dimension::length,
+          .range = {0, 1, false, true},
+          .example = R"("80 nm")",
+          .text = "step of the recorded shift"},
+         {.path = "record.loading",
+          .kind = Kind::quantity,
+          .dimension = Dimension::time,
+          .range = {-longest, longest},
+          .example = R"("10 s")",
+          .text = "when the tangential load was applied"},
+         {.path = "drive.start",
+          .kind = Kind::quantity,
+          .dimension = Dimension::time,
+          .range = {-longest, longest},
+          .example = R"("60 s")",
+          .text = "when rolling began"},
+         {.path = "drive.period",
+          .kind = Kind::quantity,
+          .dimension = Dimension::time,
+          .range = {0, longest, false, true},
+          .example = R"("4.5 s")",
+          .text = "of the rolling"},
+         {.path = "drive.amplitude",
+          .kind = Kind::quantity,
+          .dimension = Dimension::length,
+          .range = {0, 1, false, true},
+          .example = R"("1.1 mm")",
+          .text = "rolling amplitude"},
+         {.path = "drive.speed",
+          .kind = Kind::quantity,
+          .dimension = Dimension::velocity,
+          .range = {0, 1e9, false, true},
+          .example = R"("1 mm/s")",
+          .text = "speed of the drive"},
+         {.path = "drive.periods",
+          .kind = Kind::integer,
+          .range = {1, 100'000},
+          .example = "12",
+          .text = "rolling periods"}}};
+    return keys;
+}
+
+bool is_nested_section(std::string_view path) {
+    return path.starts_with("errors.");
+}
+
+void check_known(const Document& document) {
+    for (const auto& section : document.sections) {
+        if (is_nested_section(section.name) ||
+            std::find(sections.begin(), sections.end(), section.name) != sections.end())
+            continue;
+        fail(section.place, "", "unknown section [" + section.name + "]",
+             "known are record, drive and errors");
+    }
+    std::vector<std::string_view> paths{"runs"};
+    for (const Key& key : keys()) paths.push_back(key.path);
+    for (const Entry& entry : document.entries) {
+        if (is_nested_section(entry.path) ||
+            std::find(paths.begin(), paths.end(), entry.path) != paths.end())
+            continue;
+        const std::string near(nearest(entry.path, paths));
+        fail(entry.key_place, "", "unknown key " + entry.path,
+             near.empty() ? "docs/experiment.md lists the keys" : "did you mean " + near + "?");
+    }
+}
+
+const Key& key_of(std::string_view path) {
+    return *std::find_if(keys().begin(), keys().end(),
+                         [&](const Key& key) { return key.path == path; });
+}
+
+// Into a field of a type that cases have too.
+template <class T>
+void read(const Document& document, std::string_view path, T* field) {
+    if (const Entry* entry = document.find(path)) read_field(key_of(path), *entry, Field(field));
+}
+
+Experiment::Kind read_kind(const Document& document) {
+    const Key& key = key_of("kind");
+    const Entry* entry = document.find(key.path);
+    if (!entry)
+        fail(document.name + ":1:1", "", "missing key kind",
+             R"(add kind = "shakedown", "ratcheting" or "limit")");
+    read_field(key, *entry, Field());
+    const auto& word = std::get<std::string>(entry->value);
+    const auto choice = std::find_if(key.choices.begin(), key.choices.end(),
+                                     [&](const Choice& c) { return c.word == word; });
+    return static_cast<Experiment::Kind>(choice->enumerator);
+}
+
+std::string path_from(const Document& document, const std::string& file) {
+    return (std::filesystem::path(document.name).parent_path() / file).lexically_normal().string();
+}
+
+Record read_record(const std::string& path) {
+    const CsvTable table = read_csv_table(path, form());
+    Record record{.name = table.name(),
+                  .time = table.values("time", Dimension::time),
+                  .shift = table.values("shift", Dimension::length),
+                  .drive = {}};
+    if (table.has("drive")) record.drive = table.values("drive", Dimension::length);
+    for (const auto& column : table.columns())
+        if (column.name != "time" && column.name != "shift" && column.name != "drive")
+            table.refuse_header("the column " + toml_string(shortened(column.heading, 40)) +
+                                " is none of time, shift and drive");
+    for (std::size_t i = 1; i < record.time.size(); ++i)
+        if (!(record.time[i] > record.time[i - 1]))
+            table.refuse_value(i, "time", "times must increase from row to row",
+                               "sort the table, or remove the row");
+    return record;
+}
+
+std::vector<Record> read_records(const Document& document) {
+    const Entry* entry = document.find("runs");
+    const std::string remedy = R"(write for example runs = ["run_1.csv", "run_2.csv"])";
+    if (!entry) fail(document.name + ":1:1", "", "missing key runs", remedy);
+    const auto* files = std::get_if<std::vector<std::string>>(&entry->value);
+    if (!files || files->empty())
+        fail(entry->place, entry->subject(), "must be a list of files", remedy);
+    std::vector<Record> records;
+    for (auto file = files->begin(); file != files->end(); ++file) {
+        if (std::find(files->begin(), file, *file) != file)
+            fail(entry->place, entry->subject(), toml_string(*file) + " stands twice",
+                 "a record counts once");
+        records.push_back(read_record(path_from(document, *file)));
+    }
+    return records;
+}
+
+std::vector<ExperimentInput::CaseError> read_errors(const Document& document) {
+    std::vector<ExperimentInput::CaseError> errors;
+    for (const Entry& entry : document.entries) {
+        if (!is_nested_section(entry.path)) continue;
+        const std::string path = entry.path.substr(std::string_view("errors.").size());
+        const Key* key = find_key(path);
+        if (!key || (key->kind != Kind::quantity && key->kind != Kind::number)) {
+            std::vector<std::string_view> paths;
+            for (const Key& k : case_keys()) paths.push_back(k.path);
+            const std::string near(nearest(path, paths));
+            fail(entry.key_place, "",
+                 "unknown key " + entry.path + ": the case has no number " + path,
+                 near.empty() || key ? "docs/case-file.md lists the keys"
+                                     : "did you mean " + near + "?");
+        }
+        double error = 0;
+        read_field(*key, entry, Field(&error));
+        if (!(error > 0))
+            fail(entry.place, entry.subject(), "a standard error must be positive",
+                 "omit what is exact");
+        errors.push_back({key, error, entry.place});
+    }
+    if (!errors.empty() && !document.find("case"))
+        fail(document.find_section("errors") ? document.find_section("errors")->place
+                                             : errors.front().place,
+             "", "[errors] are those of a case, but there is none", "add case = \"case.toml\"");
+    return errors;
+}
+
+// What the drive did, if no column says it.
+void check_drive(const Experiment& e, const Document& document) {
+    const bool all =
+        std::ranges::all_of(e.records, [](const Record& r) { return !r.drive.empty(); });
+    const bool none =
+        std::ranges::all_of(e.records, [](const Record& r) { return r.drive.empty(); });
+    const std::string place = document.place_of("drive.start");
+    if (!all && !none)
+        fail(place, "", "some runs have a column drive, others have not",
+             "add it to all, or evaluate them in two files");
+    if (all && document.find_section("drive"))
+        fail(document.find_section("drive")->place, "",
+             "[drive] and the column drive of the runs say it twice", "omit one of the two");
+    if (all) return;
+    if (e.kind == Experiment::Kind::limit)
+        fail(place, "", "amplitudes that rise in steps need the column drive",
+             "record the drive: time [s], shift [um], drive [mm]");
+    if (!e.drive.start || !e.drive.periods)
+        fail(place, "", "without a column drive its start and number of periods must be known",
+             "add start = \"60 s\" and periods = 12 below [drive]");
+    if (e.drive.period && e.drive.speed)
+        fail(document.place_of("drive.speed"), "drive.speed", "period and speed say the same",
+             "omit one of the two");
+    if (e.drive.speed && !e.drive.amplitude)
+        fail(document.place_of("drive.speed"), "drive.speed",
+             "gives the period only together with drive.amplitude", "add amplitude = \"1.1 mm\"");
+}
+
+}  // namespace
+
+ExperimentInput read_experiment(const std::string& path) {
+    const Document document =
+        parse_document(read_input_file(path, "experiment file"), path, is_nested_section);
+    check_known(document);
+    ExperimentInput input;
+    Experiment& e = input.experiment;
+    read(document, "title", &e.title);
+    e.kind = read_kind(document);
+    read(document, "confidence", &e.confidence);
+    read(document, "record.resolution", &e.resolution);
+    read(document, "record.loading", &e.loading);
+    read(document, "drive.start", &e.drive.start);
+    read(document, "drive.period", &e.drive.period);
+    read(document, "drive.amplitude", &e.drive.amplitude);
+    read(document, "drive.speed", &e.drive.speed);
+    if (document.find("drive.periods")) read(document, "drive.periods", &e.drive.periods.emplace());
+    std::string case_file;
+    read(document, "case", &case_file);
+    if (!case_file.empty()) input.case_file = path_from(document, case_file);
+    input.errors = read_errors(document);
+    e.records = read_records(document);
+    check_drive(e, document);
+    return input;
+}
+
+}  // namespace tricontact::io
