@@ -75,9 +75,10 @@ struct SweepOptions {
     int jobs = 1;        ///< processes side by side
     bool retry_failed = false;
     bool quiet = false;
+    bool report = true;
 };
 /// Computes the points of a study that its store has not yet, each stored as it ends, and writes
-/// the table of all. Throws InputError; std::runtime_error at the end if points failed.
+/// the table of all and a report. Throws InputError; std::runtime_error at the end if points failed.
 void sweep_command(const SweepOptions& options);
 
 struct MergeOptions {

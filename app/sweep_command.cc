@@ -8,7 +8,10 @@
 #include "app/commands.h"
 #include "app/point_runs.h"
 #include "app/sweep_points.h"
+#include "app/sweep_report.h"
 #include "app/sweep_table.h"
+#include "comparisons/document.h"
+#include "comparisons/sweep_document.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"
 #include "io/result_store.h"
@@ -19,6 +22,7 @@ namespace tricontact::app {
 namespace {
 
 constexpr const char* table_name = "results.csv";
+constexpr const char* report_name = "report.html";
 
 struct Shard {
     int i = 1, n = 1;
@@ -58,6 +62,18 @@ std::vector<SweepPoint> points_of(const io::Study& study, const SweepOptions& op
     return points;
 }
 
+std::string report_of(const io::Study& study, const std::vector<SweepPoint>& points,
+                      const io::ResultStore& store, const std::string& shard) {
+    comparisons::Document document = comparisons::sweep_document(sweep_of(study, points, store));
+    if (!shard.empty()) document.settings.emplace_back("shard", shard);
+    document.files = {{"table of all points", table_name},
+                      {"everything that is stored, for SQLite", io::result_store_name}};
+    document.command = "tricontact sweep " + study.name;
+    if (!shard.empty()) document.command += " --shard " + shard;
+    document.version = TRICONTACT_VERSION;
+    return comparisons::document_html(document);
+}
+
 }  // namespace
 
 void sweep_command(const SweepOptions& options) {
@@ -67,12 +83,16 @@ void sweep_command(const SweepOptions& options) {
 
     io::make_output_folder(folder);
     io::ResultStore store(folder + '/' + io::result_store_name);
-    const std::string table = folder + '/' + table_name;
+    const std::string table = folder + '/' + table_name, report = folder + '/' + report_name;
     std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    std::filesystem::remove(table, ignored);  // it must not pass for that of an unfinished sweep
+    for (const std::string& old : {table, report})  // of an unfinished sweep they must not seem
+        std::filesystem::remove(old, ignored);
     compute_missing(points, store, {"sweep", options.jobs, options.retry_failed, options.quiet});
     io::write_file(table, sweep_table(study, points, store));
-    if (!options.quiet) std::cerr << fmt::format("{} points in {}\n", points.size(), table);
+    if (options.report) io::write_file(report, report_of(study, points, store, options.shard));
+    if (!options.quiet)
+        std::cerr << fmt::format("{} points in {}{}\n", points.size(), table,
+                                 options.report ? " (open report.html)" : "");
     if (const std::size_t n = n_without_result(points, store))
         throw std::runtime_error(
             fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "

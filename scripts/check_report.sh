@@ -3,11 +3,11 @@
 # request to the network, every chart drawn in the page's colours, no sideways scrolling, every link
 # and button within reach of the keyboard, tables that sort, drawings that can be saved.
 # usage: check_report.sh REPORT.html...
-# Exit codes: 0 nothing to complain about, 1 complaints, 2 wrong call or no chromium.
+# Exit codes: 0 nothing to complain about, 1 complaints, 2 wrong call, or no chromium and not root.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
 [ $# -gt 0 ] || { sed -n '/^# usage/s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
-command -v chromium >/dev/null || { echo "error: no chromium" >&2; exit 2; }
+"$scripts/setup.sh" report
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0

@@ -57,6 +57,9 @@ for name in final_shift_ratio contact_radius_m limit_tangential_ratio; do
         complain "$name differs from that of a run alone: $alone"
 done
 
+grep -q '12 points computed, none failed' a/report.html || complain "the report's verdict"
+[ "$(grep -c '<figure id="figure_static_shift_[12]"' a/report.html)" -eq 2 ] || complain "figures of the report"
+
 # 2. Called again nothing is computed; a study with more points takes over what is there.
 "$program" sweep a.toml --output a 2>log || complain "the second call"
 grep -q '^12 of 12 points are there already$' log || complain "computed again: $(cat log)"
@@ -65,7 +68,8 @@ study b.toml 'load.tangential_ratio = [0.3, 0.1, 0.2]' \
 cp -r a b
 "$program" sweep b.toml --output b 2>log || complain "the changed study"
 grep -q '^8 of 12 points are there already$' log || complain "shared points: $(cat log)"
-"$program" sweep b.toml --output b_alone --quiet
+"$program" sweep b.toml --output b_alone --quiet --no-report
+[ -e b/report.html ] && [ ! -e b_alone/report.html ] || complain "--no-report"
 cmp -s b/results.csv b_alone/results.csv || complain "the changed study differs from a new one"
 
 # 3. Shards are disjoint and complete; merged they are the whole, twice merged too.
@@ -111,6 +115,7 @@ message=$("$program" sweep failing.toml --output failing --quiet 2>&1)
 [[ $message == "error: 2 of 4 points failed"*"--retry-failed"* ]] || complain "failed: $message"
 [ "$(column state failing/results.csv | sed -n 1p)" != "" ] || complain "the other points"
 [ "$(tail -n 1 failing/results.csv | grep -c 'reaches the friction limit')" -eq 1 ] || complain "no error in the table"
+grep -q '2 of 4 points failed' failing/report.html || complain "failures in the report"
 
 # refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
 refused() {

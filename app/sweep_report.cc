@@ -1,0 +1,62 @@
+#include "app/sweep_report.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "comparisons/format.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Cell;
+using comparisons::Sweep;
+
+/// Numbers as numbers, words as words.
+Cell cell_of(const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) return number;
+    return text;
+}
+
+Sweep::Axis axis_of(const io::Study::Axis& axis) {
+    const auto* range = std::get_if<io::Study::Range>(&axis.values);
+    const io::Dimension dimension = axis.key->dimension;
+    const bool has_unit = dimension != io::Dimension::none;
+    return {.key = std::string(axis.key->path),
+            .unit = std::string(has_unit ? io::si_unit(dimension) : ""),
+            .logarithmic = range && range->logarithmic};
+}
+
+Sweep::Point point_of(const SweepPoint& point, const io::ResultStore& store) {
+    Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
+    for (const std::string& value : point.values) result.values.push_back(cell_of(value));
+    const auto outcome = store.find(point.key);
+    if (outcome && outcome->results)
+        result.results = nlohmann::ordered_json::parse(*outcome->results);
+    if (outcome && outcome->error) result.error = *outcome->error;
+    return result;
+}
+
+}  // namespace
+
+comparisons::Sweep sweep_of(const io::Study& study, const std::vector<SweepPoint>& points,
+                            const io::ResultStore& store) {
+    Sweep sweep{.title = study.title.empty() ? study.name : study.title,
+                .settings = {{"case", study.base.name},
+                             {"models", comparisons::display_names(study.models)}},
+                .levels = study.levels,
+                .axes = {},
+                .points = {}};
+    if (study.levels > 1) sweep.settings.emplace_back("levels", std::to_string(study.levels));
+    for (const io::Entry& entry : study.settings)
+        sweep.settings.emplace_back(entry.path, io::shown(entry.value));
+    for (const io::Study::Axis& axis : study.axes) sweep.axes.push_back(axis_of(axis));
+    for (const SweepPoint& point : points) sweep.points.push_back(point_of(point, store));
+    return sweep;
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "app/sweep_points.h"
+#include "comparisons/sweep_document.h"
+#include "io/result_store.h"
+#include "io/study_reader.h"
+
+namespace tricontact::app {
+
+/// Study and results as a report tells them.
+comparisons::Sweep sweep_of(const io::Study& study, const std::vector<SweepPoint>& points,
+                            const io::ResultStore& store);
+
+}  // namespace tricontact::app

@@ -1,0 +1,149 @@
+#include "comparisons/sweep_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "comparisons/format.h"
+#include "comparisons/sweep_figures.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr std::size_t most_rows = 300;  // of a table in the page; the CSV has all
+
+/// "4 ... 32 mm, 4 values".
+std::string range_of(const Sweep& sweep, std::size_t axis, const SweepScale& scale) {
+    if (!scale.is_number) {
+        std::set<std::string> words;
+        for (const Sweep::Point& point : sweep.points)
+            if (const auto* word = std::get_if<std::string>(&point.values[axis]))
+                words.insert(*word);
+        std::string list;
+        for (const std::string& word : words) list.append(list.empty() ? "" : ", ").append(word);
+        return list;
+    }
+    if (scale.values.empty()) return "no values";
+    const std::string unit = scale.unit.symbol.empty() ? "" : " " + scale.unit.symbol;
+    const std::string first = as_given(*scale.values.begin());
+    if (scale.values.size() == 1) return first + unit;
+    return fmt::format("{} ... {}{}, {} values", first, as_given(*scale.values.rbegin()), unit,
+                       scale.values.size());
+}
+
+Cell in_unit(const Cell& value, const SweepScale& scale) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? Cell(*number / scale.unit.factor) : value;
+}
+
+/// The points that `wanted` wants, with their results or errors.
+template <class Wanted>
+DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales, bool failures,
+                       const Wanted& wanted) {
+    constexpr std::pair<const char*, const char*> results[] = {
+        {"static_shift_ratio", "u_stat [U_max]"},
+        {"final_shift_ratio", "u_end [U_max]"},
+        {"shift_increment_ratio", "Δu [U_max]"},
+        {"kappa", "κ [1]"},
+        {"eta", "η [1]"}};
+    DocumentTable table{.id = failures ? "failed_points" : "points",
+                        .title = failures ? "Points that failed" : "Points",
+                        .columns = {{"model"}},
+                        .rows = {}};
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        table.columns.push_back({heading_of(sweep.axes[i], scales[i])});
+    table.columns.push_back({failures ? "error" : "state"});
+    if (!failures)
+        for (const auto& [name, heading] : results) table.columns.push_back({heading});
+    for (const Sweep::Point& point : sweep.points) {
+        if (!wanted(point)) continue;
+        std::vector<Cell>& row = table.rows.emplace_back();
+        row.emplace_back(name_of(point, sweep));
+        for (std::size_t i = 0; i < scales.size(); ++i)
+            row.push_back(in_unit(point.values[i], scales[i]));
+        row.emplace_back(failures ? point.error : state_of(point));
+        if (!failures)
+            for (const auto& [name, heading] : results) row.emplace_back(number_of(point, name));
+    }
+    return table;
+}
+
+std::string counted(std::size_t n, const std::string& singular, const std::string& plural) {
+    return fmt::format("{} {}", n, n == 1 ? singular : plural);
+}
+
+bool has_failed(const Sweep::Point& point) {
+    return point.results.is_null();
+}
+
+std::vector<Verdict> verdicts_of(const Sweep& sweep) {
+    const std::size_t n = sweep.points.size();
+    const auto n_failed = static_cast<std::size_t>(
+        std::count_if(sweep.points.begin(), sweep.points.end(), has_failed));
+    std::vector<Verdict> verdicts;
+    if (n_failed == 0)
+        verdicts.push_back(
+            {Verdict::Standing::holds, counted(n, "point", "points") + " computed, none failed."});
+    else
+        verdicts.push_back({Verdict::Standing::fails, fmt::format("{} of {} failed.", n_failed,
+                                                                  counted(n, "point", "points"))});
+    std::vector<std::string> models;
+    std::map<std::string, std::map<std::string, int>> states;
+    for (const Sweep::Point& point : sweep.points) {
+        if (!states.contains(point.model)) models.push_back(point.model);
+        ++states[point.model][state_of(point)];
+    }
+    for (const std::string& model : models) {
+        auto& of_model = states[model];
+        const int n_rolled = of_model["shakedown"] + of_model["ratcheting"] + of_model["undecided"];
+        if (n_rolled == 0) continue;
+        verdicts.push_back(
+            {Verdict::Standing::finding,
+             fmt::format("{}: of {} rolling {}, {} shake down, {} ratchet, {} stay undecided.",
+                         display_name(model), n_rolled, n_rolled == 1 ? "point" : "points",
+                         of_model["shakedown"], of_model["ratcheting"], of_model["undecided"])});
+    }
+    return verdicts;
+}
+
+DocumentSection points_section(const Sweep& sweep, const std::vector<SweepScale>& scales) {
+    DocumentSection section{.id = "points", .heading = "All points"};
+    if (sweep.points.size() <= most_rows) {
+        section.tables.push_back(table_of(sweep, scales, false, [](const auto&) { return true; }));
+        section.tables.back().note =
+            "u_stat before rolling, u_end and Δu after and during the last period; κ only after "
+            "shakedown, η only while ratcheting.";
+    } else {
+        section.paragraphs.push_back(fmt::format(
+            "{} points are too many for a page: results.csv has them all.", sweep.points.size()));
+    }
+    std::size_t n_failed = 0;
+    DocumentTable failed = table_of(sweep, scales, true, [&](const Sweep::Point& point) {
+        return has_failed(point) && ++n_failed <= most_rows;
+    });
+    if (n_failed > most_rows) failed.note = fmt::format("The first {} of {}.", most_rows, n_failed);
+    if (n_failed > 0) section.tables.push_back(std::move(failed));
+    return section;
+}
+
+}  // namespace
+
+Document sweep_document(const Sweep& sweep) {
+    const std::vector<SweepScale> scales = scales_of(sweep);
+    Document document{.kind = "Sweep", .title = sweep.title};
+    document.verdicts = verdicts_of(sweep);
+    document.settings = sweep.settings;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i)
+        document.settings.emplace_back(sweep.axes[i].key, range_of(sweep, i, scales[i]));
+    document.sections = shift_sections(sweep, scales);
+    document.sections.push_back(points_section(sweep, scales));
+    if (sweep.points.size() > most_drawn)
+        document.sections.back().paragraphs.push_back(
+            fmt::format("Figures are drawn of at most {} points.", most_drawn));
+    return document;
+}
+
+}  // namespace tricontact::comparisons

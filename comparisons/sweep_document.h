@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparisons/document.h"
+
+namespace tricontact::comparisons {
+
+/// What a sweep varied and found.
+struct Sweep {
+    struct Axis {
+        std::string key;   ///< of the case: "substrate.thickness"
+        std::string unit;  ///< SI unit of its values; empty: none, or words
+        bool logarithmic = false;
+    };
+    struct Point {
+        std::vector<Cell> values;  ///< one per axis, SI unit
+        std::string model;
+        int level = 0;                             ///< of refinement
+        nlohmann::ordered_json results = nullptr;  ///< of point_results; null: failed
+        std::string error = {};                    ///< of a point that failed
+    };
+    std::string title;
+    std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
+    int levels = 1;                                             ///< of refinement
+    std::vector<Axis> axes;
+    std::vector<Point> points;  ///< in the order of the study
+};
+
+/// A sweep as it is, without theory: how many points failed, shook down, ratcheted; shifts over
+/// each axis of numbers; all points as a table while they are few. Files, command and version are
+/// the caller's.
+Document sweep_document(const Sweep& sweep);
+
+}  // namespace tricontact::comparisons

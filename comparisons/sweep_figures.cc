@@ -1,0 +1,168 @@
+#include "comparisons/sweep_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "comparisons/csv.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What is drawn over the axes, in points of one state (empty: whatever the state).
+struct Quantity {
+    const char *id, *result, *state, *title, *label;
+};
+constexpr Quantity quantities[] = {
+    {"settled", "final_shift_ratio", "shakedown", "Settled shift", "u [U_max]"},
+    {"increment", "shift_increment_ratio", "ratcheting", "Shift per period", "Δu [U_max]"},
+    {"static_shift", "static_shift_ratio", "", "Static shift", "u_stat [U_max]"},
+};
+
+double value_of(const Sweep::Point& point, const Quantity& quantity) {
+    const std::string state = quantity.state;
+    return state.empty() || state_of(point) == state ? number_of(point, quantity.result) : nan;
+}
+
+SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
+    SweepScale scale;
+    std::set<double> values;
+    for (const Sweep::Point& point : sweep.points) {
+        const auto* value = std::get_if<double>(&point.values[axis]);
+        if (!value) return {.is_number = false, .unit = {}, .values = {}};
+        values.insert(*value);
+    }
+    const double largest =
+        values.empty() ? 0 : std::max(std::abs(*values.begin()), std::abs(*values.rbegin()));
+    const std::string& base = sweep.axes[axis].unit;
+    if (base == "rad")
+        scale.unit = {std::numbers::pi / 180, "°"};
+    else if (!base.empty())
+        scale.unit = fitting_unit(largest, base);
+    for (const double value : values) scale.values.insert(value / scale.unit.factor);
+    return scale;
+}
+
+/// All that a point has besides one axis: points that agree in it lie on one line.
+std::string rest_of(const Sweep::Point& point, std::size_t axis) {
+    std::string rest;
+    for (std::size_t i = 0; i < point.values.size(); ++i) {
+        if (i == axis) continue;
+        const auto* number = std::get_if<double>(&point.values[i]);
+        rest += (number ? csv_field(*number) : std::get<std::string>(point.values[i])) + '\n';
+    }
+    return rest;
+}
+
+/// One curve per model and level, its lines apart by gaps.
+std::vector<Curve> curves_over(const Sweep& sweep, std::size_t axis, const SweepScale& scale,
+                               const Quantity& quantity) {
+    std::vector<std::string> names;
+    std::map<std::string, std::map<std::string, std::map<double, double>>> lines;
+    for (const Sweep::Point& point : sweep.points) {
+        const std::string name = name_of(point, sweep);
+        if (!lines.contains(name)) names.push_back(name);
+        const double x = std::get<double>(point.values[axis]) / scale.unit.factor;
+        lines[name][rest_of(point, axis)][x] = value_of(point, quantity);
+    }
+    std::vector<Curve> curves;
+    for (const std::string& name : names) {
+        Curve curve{.name = name, .x = {}, .y = {}, .kind = Curve::Kind::points};
+        for (const auto& [rest, line] : lines[name]) {
+            if (line.size() > 1) curve.kind = Curve::Kind::line_and_points;
+            if (!curve.x.empty()) {
+                curve.x.push_back(nan);
+                curve.y.push_back(nan);
+            }
+            for (const auto& [x, y] : line) {
+                curve.x.push_back(x);
+                curve.y.push_back(y);
+            }
+        }
+        curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+std::string caption_of(const Sweep& sweep, const Quantity& quantity,
+                       const std::vector<Curve>& curves) {
+    const bool lines = std::any_of(curves.begin(), curves.end(), [](const Curve& curve) {
+        return curve.kind == Curve::Kind::line_and_points;
+    });
+    const std::string state = quantity.state;
+    std::string text = state == "shakedown"    ? "Points that shake down. "
+                       : state == "ratcheting" ? "Points that ratchet, last period. "
+                                               : "Before rolling. ";
+    if (lines && sweep.axes.size() > 1) text += "Lines join points that differ in nothing else. ";
+    return text + "U_max is each model's own.";
+}
+
+std::vector<Figure> figures_of(const Sweep& sweep, const std::vector<SweepScale>& scales,
+                               const Quantity& quantity) {
+    const bool defined = std::any_of(
+        sweep.points.begin(), sweep.points.end(),
+        [&](const Sweep::Point& point) { return std::isfinite(value_of(point, quantity)); });
+    std::vector<Figure> figures;
+    if (!defined || sweep.points.size() > most_drawn) return figures;
+    for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {
+        const SweepScale& scale = scales[axis];
+        if (!scale.is_number || scale.values.size() < 2) continue;
+        const std::string& key = sweep.axes[axis].key;
+        Figure& figure = figures.emplace_back();
+        figure.id = fmt::format("{}_{}", quantity.id, axis + 1);
+        figure.title = fmt::format("{} over {}", quantity.title, key);
+        figure.x = {heading_of(sweep.axes[axis], scale), sweep.axes[axis].logarithmic};
+        figure.y.label = quantity.label;
+        figure.curves = curves_over(sweep, axis, scale, quantity);
+        figure.caption = caption_of(sweep, quantity, figure.curves);
+    }
+    return figures;
+}
+
+}  // namespace
+
+std::vector<SweepScale> scales_of(const Sweep& sweep) {
+    std::vector<SweepScale> scales;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) scales.push_back(scale_of(sweep, i));
+    return scales;
+}
+
+std::string heading_of(const Sweep::Axis& axis, const SweepScale& scale) {
+    return scale.unit.symbol.empty() ? axis.key
+                                     : fmt::format("{} [{}]", axis.key, scale.unit.symbol);
+}
+
+double number_of(const Sweep::Point& point, const std::string& name) {
+    const auto found = point.results.find(name);
+    return found != point.results.end() && found->is_number() ? found->get<double>() : nan;
+}
+
+std::string state_of(const Sweep::Point& point) {
+    const auto found = point.results.find("state");
+    return found != point.results.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::string name_of(const Sweep::Point& point, const Sweep& sweep) {
+    const std::string model = display_name(point.model);
+    return sweep.levels == 1 ? model : fmt::format("{}, level {}", model, point.level);
+}
+
+std::vector<DocumentSection> shift_sections(const Sweep& sweep,
+                                            const std::vector<SweepScale>& scales) {
+    std::vector<DocumentSection> sections;
+    for (const Quantity& quantity : quantities) {
+        std::vector<Figure> figures = figures_of(sweep, scales, quantity);
+        if (figures.empty()) continue;
+        sections.push_back({quantity.id, quantity.title, {}, std::move(figures)});
+    }
+    return sections;
+}
+
+}  // namespace tricontact::comparisons
