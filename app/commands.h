@@ -78,7 +78,8 @@ struct SweepOptions {
     bool report = true;
 };
 /// Computes the points of a study that its store has not yet, each stored as it ends, and writes
-/// the table of all and a report. Throws InputError; std::runtime_error at the end if points failed.
+/// the table of all and a report. Throws InputError; std::runtime_error at the end if points
+/// failed.
 void sweep_command(const SweepOptions& options);
 
 struct MergeOptions {
