@@ -3,6 +3,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "comparisons/format.h"
 #include "comparisons/plot_style.h"
@@ -14,6 +16,15 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr std::size_t n_colours = 5;  // of plot_style.h, before they repeat
+
+/// Typeset for plotly.js, which knows tags, but of the escaped characters not the quotes.
+std::string label(const std::string& text) {
+    std::string html = typeset(text);
+    for (const auto& [escaped, plain] : {std::pair{"&apos;", "'"}, {"&quot;", "\""}})
+        for (std::size_t at = html.find(escaped); at != std::string::npos; at = html.find(escaped))
+            html.replace(at, std::string_view(escaped).size(), plain);
+    return html;
+}
 
 /// Gives curves their style, figure by figure.
 class Styles {
@@ -39,12 +50,12 @@ class Styles {
 };
 
 json axis(const FigureAxis& content) {
-    return {{"label", typeset(content.label)}, {"logarithmic", content.logarithmic}};
+    return {{"label", label(content.label)}, {"logarithmic", content.logarithmic}};
 }
 
 json curve(const Curve& content, Styles& styles) {
     constexpr const char* kinds[] = {"line", "points", "line_and_points"};
-    return {{"name", typeset(content.name)},
+    return {{"name", label(content.name)},
             {"x", content.x},
             {"y", content.y},
             {"x_error", content.x_error},
@@ -55,7 +66,7 @@ json curve(const Curve& content, Styles& styles) {
 }
 
 json band(const Band& content) {
-    return {{"name", typeset(content.name)},
+    return {{"name", label(content.name)},
             {"x", content.x},
             {"low", content.low},
             {"high", content.high},
@@ -68,7 +79,7 @@ json map(const ContourMap& content) {
         const auto begin = content.values.begin() + row * content.x.size();
         rows.push_back(std::vector<double>(begin, begin + content.x.size()));
     }
-    return {{"label", typeset(content.label)},
+    return {{"label", label(content.label)},
             {"x", content.x},
             {"y", content.y},
             {"rows", rows},
@@ -77,7 +88,7 @@ json map(const ContourMap& content) {
 
 json figure(const Figure& content) {
     json result{{"id", content.id},
-                {"title", typeset(content.title)},
+                {"title", label(content.title)},
                 {"x", axis(content.x)},
                 {"y", axis(content.y)},
                 {"curves", json::array()},

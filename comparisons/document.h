@@ -61,7 +61,7 @@ using Cell = std::variant<std::string, double, WithError>;
 struct DocumentTable {
     struct Column {
         std::string heading;  ///< with unit
-        int digits = 4;       ///< significant, of numbers
+        int digits = 4;       ///< significant, of numbers; none where all are whole
     };
     std::string id;  ///< of its file: letters, digits, underscores
     std::string title;

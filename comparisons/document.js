@@ -42,7 +42,7 @@ function curve_trace(curve, theme, in_legend) {
         error_x: error_bars(curve.x_error), error_y: error_bars(curve.y_error),
         line: {
             color: colour_of(curve.style, theme), width: 1.8,
-            dash: curve.theory ? "dash" : dashes[Math.floor(style / markers.length) % dashes.length],
+            dash: curve.theory ? "dash" : dashes[Math.floor(style / content.colours.length) % dashes.length],
         },
         marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[style % markers.length]},
         connectgaps: false,

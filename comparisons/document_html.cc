@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
@@ -46,47 +46,61 @@ data verdicts(const std::vector<Verdict>& list) {
     return result;
 }
 
-data cell(const Cell& content, int digits, bool first) {
+/// How the cells of a column are written.
+struct ColumnStyle {
+    bool first = false;  ///< words in it are headings of their rows
+    bool words = true;   ///< nothing else: aligned left
+    bool whole = true;   ///< numbers, if any, are whole: written without decimals
+    int digits = 4;      ///< significant, of other numbers
+};
+
+ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
+    constexpr double most = 1e6;  // beyond, numbers are magnitudes and no counts
+    ColumnStyle style{.first = column == 0, .digits = content.columns[column].digits};
+    for (const std::vector<Cell>& row : content.rows) {
+        style.words = style.words && std::holds_alternative<std::string>(row[column]);
+        if (const auto* number = std::get_if<double>(&row[column]))
+            style.whole = style.whole && (std::isnan(*number) || (std::abs(*number) < most &&
+                                                                  std::rint(*number) == *number));
+    }
+    return style;
+}
+
+data cell(const Cell& content, const ColumnStyle& style) {
     data result{data::type::object};
     const auto* words = std::get_if<std::string>(&content);
     result.set("is_words", words != nullptr);
-    result.set("is_heading", words && first);
+    result.set("is_heading", words && style.first);
     std::string value;
     if (words) {
         result.set("text", typeset(*words));
     } else if (const auto* number = std::get_if<double>(&content)) {
         value = csv_field(*number);
-        result.set("text", significant(*number, digits));
+        result.set("text", style.whole ? as_given(*number) : significant(*number, style.digits));
     } else {
         const auto& measured = std::get<WithError>(content);
         value = csv_field(measured.value);
-        result.set("text", with_error(measured.value, measured.error, digits));
+        result.set("text", with_error(measured.value, measured.error, style.digits));
     }
     result.set("has_value", !value.empty());
     result.set("value", value);
     return result;
 }
 
-/// Whether a column holds nothing but words, under which its heading aligns left.
-bool is_words(const DocumentTable& content, std::size_t column) {
-    return std::all_of(content.rows.begin(), content.rows.end(), [&](const auto& row) {
-        return std::holds_alternative<std::string>(row[column]);
-    });
-}
-
 data table(const DocumentTable& content) {
     data columns{data::type::list};
+    std::vector<ColumnStyle> styles;
     for (std::size_t i = 0; i < content.columns.size(); ++i) {
+        styles.push_back(style_of(content, i));
         data column{data::type::object};
         column.set("text", typeset(content.columns[i].heading));
-        column.set("is_words", is_words(content, i));
+        column.set("is_words", styles[i].words);
         columns << column;
     }
     data rows{data::type::list};
     for (const std::vector<Cell>& row : content.rows) {
         data cells{data::type::list};
-        for (std::size_t i = 0; i < row.size(); ++i)
-            cells << cell(row[i], content.columns[i].digits, i == 0);
+        for (std::size_t i = 0; i < row.size(); ++i) cells << cell(row[i], styles[i]);
         rows << data{"cells", cells};
     }
     data result{data::type::object};

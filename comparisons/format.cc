@@ -14,6 +14,7 @@ namespace tricontact::comparisons {
 namespace {
 
 constexpr const char* undefined = "–";
+constexpr std::string_view infinity = "∞";
 
 std::string superscript(int exponent) {
     constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -47,13 +48,15 @@ std::size_t symbol_before(const std::string& text, std::size_t index) {
     return letter && !word ? end - 1 : std::string::npos;
 }
 
-/// "f_T,lim" -> f with its index: letters and digits, a comma only before a lower-case letter.
+/// "f_T,lim" -> f with its index: letters, digits, infinity, a comma only before a lower-case
+/// letter.
 std::string with_symbols(const std::string& text) {
     std::string html;
     std::size_t copied = 0;
     for (std::size_t at = text.find('_'); at != std::string::npos; at = text.find('_', at + 1)) {
         const std::size_t symbol = symbol_before(text, at + 1);
         std::size_t end = at + 1;
+        if (text.compare(end, infinity.size(), infinity) == 0) end += infinity.size();
         while (end < text.size() && is_alphanumeric(text[end])) ++end;
         if (end + 1 < text.size() && text[end] == ',' && text[end + 1] >= 'a' &&
             text[end + 1] <= 'z')

@@ -107,6 +107,9 @@ TEST(ChartJson, GapsAreNull) {
     EXPECT_EQ(json["figures"][1]["map"]["rows"].dump(), "[[1.0,2.0],[3.0,null],[5.0,6.0]]");
     EXPECT_TRUE(json["figures"][0]["map"].is_null());
     EXPECT_TRUE(json["figures"][1]["x"]["logarithmic"]);
+    Figure quoted = curves();
+    quoted.x.label = "Poisson's \"ν\" < 1";
+    EXPECT_EQ(chart_json({quoted})["figures"][0]["x"]["label"], "Poisson's \"ν\" &lt; 1");
     EXPECT_EQ(json["figures"][0]["x"]["label"], "<i>f</i><sub>T</sub> [1]");
 }
 
@@ -158,6 +161,15 @@ TEST(DocumentHtml, CellsAsReadAndAsSorted) {
                  "<th scope=\"row\" data-words>bem</th><td data-value=\"0.123456\">0.123</td>"
                  "<td data-value=\"1.06\">1.06 ± 0.12</td>"));
     EXPECT_TRUE(contains(page, "<td>–</td><td>–</td>"));
+}
+
+TEST(DocumentHtml, ColumnsOfWholeNumbersHaveNoDecimals) {
+    Document whole = document();
+    whole.sections[0].tables = {
+        {.id = "t", .title = "T", .columns = {{"n"}, {"x"}}, .rows = {{3., 3.}, {nan, 0.5}}}};
+    EXPECT_TRUE(contains(document_html(whole),
+                         "<td data-value=\"3\">3</td>"
+                         "<td data-value=\"3\">3.000</td>"));
 }
 
 TEST(DocumentHtml, DataAreLinksThatNeedNoScript) {

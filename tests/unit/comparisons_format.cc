@@ -101,6 +101,7 @@ TEST(Format, TypesettingEscapesFirst) {
     EXPECT_EQ(typeset("limit f_T,lim"), "limit <i>f</i><sub>T,lim</sub>");
     EXPECT_EQ(typeset("Δu_x, τ_x/p_0"),
               "Δ<i>u</i><sub>x</sub>, <i>τ</i><sub>x</sub>/<i>p</i><sub>0</sub>");
+    EXPECT_EQ(typeset("u_∞ is"), "<i>u</i><sub>∞</sub> is");
     EXPECT_EQ(typeset("rig_layer, a_b_c, f_, _x"), "rig_layer, a_b_c, f_, _x");
     EXPECT_EQ(typeset("u = 1"), "u\u00a0=\u00a01");
 }
