@@ -89,6 +89,16 @@ struct MergeOptions {
 /// Brings the stores of sweeps together; prints what came from where. Throws InputError.
 void merge_command(const MergeOptions& options);
 
+struct ExperimentOptions {
+    std::string data_file;
+    std::string output;  ///< empty: results/<name of the data file>
+    int threads = 1;
+    bool quiet = false;
+};
+/// Evaluates records of a rig and draws the models of their case beside them. Throws InputError,
+/// NotConverged.
+void experiment_command(const ExperimentOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

@@ -62,6 +62,19 @@ const CLI::App* add_merge(CLI::App& app, tricontact::app::MergeOptions& options)
     return merge;
 }
 
+const CLI::App* add_experiment(CLI::App& app, tricontact::app::ExperimentOptions& options) {
+    auto* experiment =
+        app.add_subcommand("experiment", "Evaluate records of a rig; compare with the models");
+    experiment->add_option("data", options.data_file, "Experiment file (TOML)")
+        ->required()
+        ->type_name("DATA.toml");
+    experiment->add_option("--output", options.output, "Folder (results/<data>)")->type_name("DIR");
+    experiment->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    experiment->add_flag("--quiet", options.quiet, "No progress, no closing line");
+    return experiment;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
@@ -133,6 +146,9 @@ int run_program(int argc, char** argv) {
     tricontact::app::SweepOptions sweep_options;
     sweep_options.jobs = options.threads;
     const auto* sweep = add_sweep(app, sweep_options);
+    tricontact::app::ExperimentOptions experiment_options;
+    experiment_options.threads = options.threads;
+    const auto* experiment = add_experiment(app, experiment_options);
     tricontact::app::MergeOptions merge_options;
     const auto* merge = add_merge(app, merge_options);
 
@@ -157,6 +173,7 @@ int run_program(int argc, char** argv) {
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*influence) tricontact::app::influence_command(influence_options);
     if (*sweep) tricontact::app::sweep_command(sweep_options);
+    if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*merge) tricontact::app::merge_command(merge_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM

@@ -19,7 +19,7 @@ using contact::State;
 constexpr double equal_amplitudes = 0.02;  // of repeats, relative
 constexpr int many = 1'000'000;            // degrees of freedom of a known standard error
 
-Estimate with_error(double value, double error, double confidence, int degrees_of_freedom) {
+Estimate interval_of(double value, double error, double confidence, int degrees_of_freedom) {
     const double half = error * student_t(confidence, degrees_of_freedom);
     return {value, error, value - half, value + half};
 }
@@ -27,7 +27,7 @@ Estimate with_error(double value, double error, double confidence, int degrees_o
 // Of one run, by noise and drift.
 Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
     const StageEvaluation& stage = run.stages.front();
-    return with_error(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
+    return interval_of(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
 }
 
 State joint_state(const std::vector<RunEvaluation>& runs) {
@@ -192,6 +192,15 @@ void normalise(ExperimentEvaluation& e, const Case& c,
     r.static_ratio = propagated(over_unit, n);
     r.final_ratio = propagated(over_unit, n + 1);
     r.increment_ratio = propagated(over_unit, n + 2);
+    std::vector<Estimate> wobble;
+    for (const RunEvaluation& run : e.runs)
+        if (run.wobble) wobble.push_back(*run.wobble);
+    if (!wobble.empty()) {
+        inputs.push_back(uncertain(repeated(wobble, e.confidence).at_confidence));
+        r.pivot_height = propagated(
+            [](const Case& changed, double slope) { return changed.indenter.radius * slope; },
+            n + 3);
+    }
     e.normalised = r;
 }
 
@@ -204,7 +213,7 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
             variance += change * change;
         }
         e.deviations.push_back({prediction.model, name, measured.at_confidence,
-                                with_error(value, std::sqrt(variance), e.confidence, many)});
+                                interval_of(value, std::sqrt(variance), e.confidence, many)});
     };
     add("u_stat", e.static_shift, [](const std::vector<double>& u) { return u.front(); });
     if (e.kind == Experiment::Kind::shakedown)

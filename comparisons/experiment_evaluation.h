@@ -33,6 +33,9 @@ struct NormalisedResults {
     theory::Uncertain amplitude_ratio;                             ///< w = W/a
     theory::Uncertain unit_shift;                                  ///< U_max [m]
     theory::Uncertain static_ratio, final_ratio, increment_ratio;  ///< over U_max
+    /// Dh = R dU/dW, the pivot's height over the contact that would make the table wobble so
+    /// (5.1.11) [m]; empty without a recorded wobble.
+    std::optional<theory::Uncertain> pivot_height;
 };
 
 /// What a model says about the same runs.

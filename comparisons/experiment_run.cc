@@ -47,7 +47,8 @@ std::vector<double> mean_weights(std::size_t n) {
 
 RecordNoise noise_of(const Part& rest, double resolution) {
     const double slope = weighted(weights_of_slope(rest.time), rest.shift);
-    const double first = weighted(weights_of_line_at(rest.time.front(), rest.time), rest.shift);
+    const double first =
+        weighted(weights_of_polynomial_at(rest.time.front(), rest.time, 1), rest.shift);
     std::vector<double> residuals;
     for (std::size_t i = 0; i < rest.time.size(); ++i)
         residuals.push_back(rest.shift[i] - first - slope * (rest.time[i] - rest.time.front()));
@@ -116,13 +117,12 @@ class Corrections {
         add(stage, timeline_.start(), rest_, mean_weights(rest_.time.size()));
     }
 
-    /// Near an instant with the roller upright: the value at offset 0 of the straight line over the
-    /// offset, free of what the table adds in proportion to it.
+    /// Near an instant with the roller upright: the value at offset 0 of the parabola over the
+    /// offset, free of what the table adds in proportion to it, and of what the contact adds to
+    /// both sides alike.
     void add_upright(StageEvaluation& stage, double upright, double period) const {
         const Part part = rest(upright - window * period, upright + window * period);
-        const auto [low, high] = std::ranges::minmax(part.offset);
-        add(stage, upright, part,
-            high > low ? weights_of_line_at(0, part.offset) : mean_weights(part.time.size()));
+        add(stage, upright, part, weights_of_polynomial_at(0, part.offset, 2));
     }
 
     Part rest(double from, double to) const { return part_of(run_, timeline_.offset, from, to); }

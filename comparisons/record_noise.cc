@@ -22,6 +22,13 @@ Spread spread_of(const std::vector<double>& x) {
     return s;
 }
 
+constexpr double independent = 1e-10;  // of squared norms: what is left of a dependent power
+
+// Over the places of the values; the last element belongs to the place that is asked for.
+double inner(const std::vector<double>& p, const std::vector<double>& q) {
+    return std::inner_product(p.begin(), p.end() - 1, q.begin(), 0.);
+}
+
 }  // namespace
 
 RecordNoise::RecordNoise(const std::vector<double>& residuals, double resolution)
@@ -62,12 +69,29 @@ double RecordNoise::correlated_samples() const {
     return 2 * std::accumulate(autocorrelation_.begin(), autocorrelation_.end(), 0.) - 1;
 }
 
-std::vector<double> weights_of_line_at(double place, const std::vector<double>& x) {
-    const Spread s = spread_of(x);
-    std::vector<double> weights;
-    for (const double value : x)
-        weights.push_back(1 / static_cast<double>(x.size()) +
-                          (value - s.mean) * (place - s.mean) / s.sum_of_squares);
+std::vector<double> weights_of_polynomial_at(double place, const std::vector<double>& x,
+                                             int degree) {
+    double scale = 0;
+    for (const double value : x) scale = std::max(scale, std::abs(value - x.front()));
+    // Powers made orthogonal over x one after another (Gram and Schmidt), the place among them.
+    std::vector<std::vector<double>> basis;
+    std::vector<double> weights(x.size(), 0.);
+    for (int power = 0; power <= degree; ++power) {
+        std::vector<double> p;
+        for (const double value : x) p.push_back(std::pow((value - x.front()) / scale, power));
+        p.push_back(std::pow((place - x.front()) / scale, power));
+        if (power > 0 && scale == 0) return weights;
+        if (power == 0) p.assign(p.size(), 1.);
+        const double before = inner(p, p);
+        for (const auto& other : basis) {
+            const double part = inner(p, other) / inner(other, other);
+            for (std::size_t i = 0; i < p.size(); ++i) p[i] -= part * other[i];
+        }
+        const double norm = inner(p, p);
+        if (norm < independent * before) return weights;
+        for (std::size_t i = 0; i < x.size(); ++i) weights[i] += p[i] * p.back() / norm;
+        basis.push_back(std::move(p));
+    }
     return weights;
 }
 

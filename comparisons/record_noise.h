@@ -28,9 +28,12 @@ class RecordNoise {
     std::vector<double> autocorrelation_{1};
 };
 
-/// Weights of the values y(x) in the straight line of least squares: its value at a place, and its
-/// slope. Throws std::invalid_argument for fewer than two different x.
-std::vector<double> weights_of_line_at(double place, const std::vector<double>& x);
+/// Weights of the values y(x) in the polynomial of least squares: its value at a place. Powers that
+/// too few different x leave open are omitted.
+std::vector<double> weights_of_polynomial_at(double place, const std::vector<double>& x,
+                                             int degree);
+/// The same for the slope of the straight line. Throws std::invalid_argument for fewer than two
+/// different x.
 std::vector<double> weights_of_slope(const std::vector<double>& x);
 
 /// sum_i weights[i] values[i].

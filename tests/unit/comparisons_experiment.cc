@@ -220,6 +220,8 @@ TEST(Experiment, NormalisedErrorsAreThoseOfTheFormulas) {
     const double own = e.final_shift.at_95.standard_error / e.final_shift.at_95.value;
     EXPECT_NEAR(r.final_ratio.standard_error / r.final_ratio.value,
                 std::hypot(mu, force * 2 / 3, own), 1e-7);
+    // 5.1.11: the wobble of 1.5 um per mm of the record is a pivot 0.0015 R = 60 um too high.
+    EXPECT_NEAR(r.pivot_height->value, 60 * um, 5 * r.pivot_height->standard_error);
 }
 
 TEST(Experiment, ModelsDifferOnlyIfIntervalsExcludeEachOther) {

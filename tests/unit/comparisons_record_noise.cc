@@ -44,10 +44,17 @@ TEST(RecordNoise, RoundingWithoutNoiseDoesNotAverageOut) {
     EXPECT_LT(dithered.standard_error(std::vector<double>(50, 0.02)), 0.2);
 }
 
-TEST(RecordNoise, WeightsOfAStraightLineReproduceStraightLines) {
+TEST(RecordNoise, WeightsOfAPolynomialReproduceIt) {
     const std::vector<double> x{0, 1, 2.5, 3, 7}, y{2, 5, 9.5, 11, 23};  // 2 + 3 x
     EXPECT_NEAR(weighted(weights_of_slope(x), y), 3, 1e-14);
-    EXPECT_NEAR(weighted(weights_of_line_at(-2, x), y), -4, 1e-13);
+    for (const int degree : {1, 2, 3})
+        EXPECT_NEAR(weighted(weights_of_polynomial_at(-2, x, degree), y), -4, 1e-12);
+    EXPECT_NEAR(weighted(weights_of_polynomial_at(-2, x, 0), y), 10.1, 1e-13);
+    // x^2 at 1.5 from three places, more powers than which nobody knows.
+    for (const int degree : {2, 5})
+        EXPECT_NEAR(weighted(weights_of_polynomial_at(1.5, {0, 1, 3}, degree), {0, 1, 9}), 2.25,
+                    1e-12);
+    EXPECT_EQ(weights_of_polynomial_at(0, {2, 2}, 2), (std::vector<double>{0.5, 0.5}));
     EXPECT_THROW(weights_of_slope({1, 1}), std::invalid_argument);
 }
 

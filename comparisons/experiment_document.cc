@@ -1,0 +1,220 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparisons/experiment_report.h"
+#include "comparisons/experiment_tables.h"
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Experiment;
+
+constexpr double um = 1e6, mm = 1e3;
+constexpr std::size_t most_drawn = 1500;  // samples of a curve: more than a screen has columns
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+    std::vector<double> result = values;
+    for (double& value : result) value *= factor;
+    return result;
+}
+
+std::vector<double> counts(std::size_t n) {
+    std::vector<double> result(n);
+    for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<double>(i);
+    return result;
+}
+
+Curve measured_curve(const ExperimentEvaluation& e) {
+    Curve curve{.name = "measured", .x = counts(e.shift.size()), .y = {}};
+    curve.kind = Curve::Kind::points;
+    curve.colour = 0;
+    for (const Estimate& u : e.shift) {
+        curve.y.push_back(um * u.value);
+        curve.y_error.push_back(um * (u.high - u.low) / 2);
+    }
+    return curve;
+}
+
+Figure periods_figure(const ExperimentEvaluation& e) {
+    Figure figure{.id = "shift_over_periods",
+                  .title = "Shift over the rolling periods",
+                  .caption = fmt::format(
+                      "U with the roller upright, before the first period (n = 0) and after each; "
+                      "bars: {:.4g} %, by the scatter of the runs or, for one run, by noise and "
+                      "drift. Lines: the models on the case, same amplitude and periods.",
+                      100 * e.confidence),
+                  .x = {"period n [-]"},
+                  .y = {"shift U [µm]"}};
+    figure.curves.push_back(measured_curve(e));
+    int colour = 1;
+    for (const ModelPrediction& p : e.predictions) {
+        Curve curve{
+            .name = display_name(p.model), .x = counts(p.shift.size()), .y = scaled(p.shift, um)};
+        curve.colour = colour++;
+        figure.curves.push_back(curve);
+    }
+    return figure;
+}
+
+// Figure 5.9 of the thesis, by values of periods.
+Figure criterion_figure(const ExperimentEvaluation& e) {
+    const StageEvaluation& stage = e.runs.front().stages.front();
+    const double rise = stage.shift.back() - stage.shift.front();
+    Figure figure{.id = "criterion",
+                  .title = "Curvature, and transient with a walk",
+                  .caption = fmt::format(
+                      "{}: shift and time of the interval normalised to run from 0 to 1, the "
+                      "thesis' parabola (its curvature {} is its criterion), and the fit of a "
+                      "geometric transient with a steady walk, which the verdict is based on.",
+                      e.runs.front().name, significant(stage.curvature.value, 3)),
+                  .x = {"time (t - t_0)/(t_N - t_0) [-]"},
+                  .y = {"shift (U - u_0)/(u_N - u_0) [-]"}};
+    Curve values{.name = "values upright", .x = {}, .y = {}};
+    values.kind = Curve::Kind::points;
+    Curve walk{.name = "transient and walk", .x = {}, .y = {}};
+    for (std::size_t n = 0; n < stage.shift.size(); ++n) {
+        const double t =
+            (stage.time[n] - stage.time.front()) / (stage.time.back() - stage.time.front());
+        values.x.push_back(t);
+        values.y.push_back((stage.shift[n] - stage.shift.front()) / rise);
+        walk.x.push_back(t);
+        walk.y.push_back((stage.settling.fitted[n] - stage.shift.front()) / rise);
+    }
+    const std::vector<double> ones(values.x.size(), 1.);
+    std::vector<double> squares;
+    for (const double t : values.x) squares.push_back(t * t);
+    Curve parabola{.name = "parabola of the thesis", .x = values.x, .y = {}};
+    parabola.y = fit_linear({ones, values.x, squares}, values.y).fitted;
+    parabola.theory = true;
+    figure.curves = {values, walk, parabola};
+    return figure;
+}
+
+Curve record_curve(const RunEvaluation& run) {
+    Curve curve{.name = run.name, .x = {}, .y = {}};
+    const std::size_t every = run.time.size() / most_drawn + 1;
+    for (std::size_t i = 0; i < run.time.size(); i += every) {
+        curve.x.push_back(run.time[i]);
+        curve.y.push_back(um * run.shift[i]);
+    }
+    return curve;
+}
+
+Figure records_figure(const ExperimentEvaluation& e) {
+    Figure figure{.id = "records",
+                  .title = "Records",
+                  .caption = fmt::format("U(t) of each run, rid of the drift; at most {} of the "
+                                         "samples are drawn.",
+                                         most_drawn),
+                  .x = {"time t [s]"},
+                  .y = {"shift U [µm]"}};
+    for (const RunEvaluation& run : e.runs) figure.curves.push_back(record_curve(run));
+    return figure;
+}
+
+Curve line(const StageEvaluation& stage, const LineIntersection& lines, double slope,
+           const std::string& name) {
+    Curve curve{.name = name, .x = {}, .y = {}};
+    curve.theory = true;
+    for (const double t : {std::min(stage.time.front(), lines.time), lines.time,
+                           std::max(stage.time.back(), lines.time)}) {
+        curve.x.push_back(t);
+        curve.y.push_back(um * (lines.shift.value + slope * (t - lines.time)));
+    }
+    return curve;
+}
+
+Figure limit_figure(const RunEvaluation& run, const LimitReading& limit) {
+    const StageEvaluation &before = run.stages[limit.shakedown],
+                          &after = run.stages[limit.ratcheting];
+    Figure figure{
+        .id = "limit",
+        .title = "The last amplitude that shakes down, the first that ratchets",
+        .caption = fmt::format(
+            "{}: values upright of both intervals, W = {} mm and {} mm, and the straight "
+            "lines of least squares through them (5.1.9); they meet at U_lim (5.1.10).",
+            run.name, significant(mm * before.amplitude, 4), significant(mm * after.amplitude, 4)),
+        .x = {"time t [s]"},
+        .y = {"shift U [µm]"}};
+    for (const auto* stage : {&before, &after}) {
+        Curve values{.name = stage == &before ? "shakedown" : "ratcheting",
+                     .x = stage->time,
+                     .y = scaled(stage->shift, um)};
+        values.kind = Curve::Kind::points;
+        figure.curves.push_back(values);
+    }
+    figure.curves.push_back(line(before, limit.lines, limit.lines.slopes[0], "line, shakedown"));
+    figure.curves.push_back(line(after, limit.lines, limit.lines.slopes[1], "line, ratcheting"));
+    return figure;
+}
+
+DocumentSection limit_section(const ExperimentEvaluation& e) {
+    DocumentSection section{.id = "limit", .heading = "Limit"};
+    for (std::size_t i = 0; i < e.runs.size(); ++i)
+        if (e.limits[i] && section.figures.empty())
+            section.figures.push_back(limit_figure(e.runs[i], *e.limits[i]));
+    section.tables = {stages_table(e), limits_table(e)};
+    return section;
+}
+
+DocumentSection values_section(const ExperimentEvaluation& e) {
+    DocumentSection section{.id = "values", .heading = "Shift over the periods"};
+    section.figures = {periods_figure(e)};
+    section.tables = {values_table(e)};
+    if (e.normalised) section.tables.push_back(normalised_table(*e.normalised));
+    if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
+    return section;
+}
+
+DocumentSection criteria_section(const ExperimentEvaluation& e) {
+    return {.id = "criteria",
+            .heading = "Shakedown or ratcheting",
+            .paragraphs =
+                {fmt::format(
+                     "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values upright; "
+                     "shakedown if the upper end of the {:.4g} % interval of the walk Du adds less "
+                     "than {:.4g} % of the shift over the interval, else ratcheting if its lower "
+                     "end is positive, else nobody can tell.",
+                     100 * verdict_confidence, 100 * negligible_walk),
+                 "The thesis takes the sign of a parabola's curvature. Steady ratcheting has none: "
+                 "the sign is then that of the noise, or of the transient before it."},
+            .figures = {criterion_figure(e)},
+            .tables = {criteria_table(e)}};
+}
+
+}  // namespace
+
+Document experiment_document(const ExperimentEvaluation& e) {
+    Document document;
+    document.kind = "Evaluated experiment";
+    document.title = e.title.empty() ? "Experiment" : e.title;
+    const bool limit = e.kind == Experiment::Kind::limit;
+    document.lead =
+        limit ? "At which rolling amplitude does the contact begin to walk, and where was it then?"
+              : "Did the contact settle or walk, how far, and what do the models say?";
+    document.verdicts = experiment_verdicts(e);
+    document.settings = {{"runs", std::to_string(e.runs.size())},
+                         {"periods", std::to_string(e.periods)},
+                         {"confidence", fmt::format("{:.4g} %", 100 * e.confidence)}};
+    if (e.amplitude > 0)
+        document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
+                                     significant(mm * e.amplitude, 4) + " mm"});
+    if (limit) {
+        document.sections.push_back(limit_section(e));
+    } else {
+        document.sections.push_back(values_section(e));
+        document.sections.push_back(criteria_section(e));
+    }
+    document.sections.push_back({.id = "measurement",
+                                 .heading = "Records and their noise",
+                                 .figures = {records_figure(e)},
+                                 .tables = {noise_table(e)}});
+    return document;
+}
+
+}  // namespace tricontact::comparisons

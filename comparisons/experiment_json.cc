@@ -1,0 +1,153 @@
+#include <nlohmann/json.hpp>
+
+#include "comparisons/experiment_report.h"
+#include "comparisons/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json numbers(const std::vector<double>& values) {
+    json list = json::array();
+    for (const double value : values) list.push_back(number(value));
+    return list;
+}
+
+json estimate(const Estimate& e) {
+    return {{"value", number(e.value)},
+            {"standard_error", number(e.standard_error)},
+            {"low", number(e.low)},
+            {"high", number(e.high)}};
+}
+
+json repeated_json(const Repeated& r) {
+    return {{"runs", r.runs},
+            {"at_confidence", estimate(r.at_confidence)},
+            {"at_95_percent", estimate(r.at_95)}};
+}
+
+json uncertain(const theory::Uncertain& u) {
+    return {{"value", number(u.value)}, {"standard_error", number(u.standard_error)}};
+}
+
+json drift_json(const Drift& d) {
+    return {{"value", number(d.value)}, {"standard_error", number(d.standard_error)}};
+}
+
+json stage_json(const StageEvaluation& s) {
+    return {{"amplitude_m", s.amplitude > 0 ? json(s.amplitude) : json()},
+            {"period_s", s.period},
+            {"time_s", numbers(s.time)},
+            {"shift_m", numbers(s.shift)},
+            {"shift_standard_error_m", numbers(s.shift_error)},
+            {"increment_m", estimate(s.increment)},
+            {"steady_walk_m", estimate(s.settling.increment)},
+            {"settled_shift_m", estimate(s.settling.settled)},
+            {"transient_ratio", number(s.settling.ratio)},
+            {"residual_deviation_m", number(s.settling.residual_deviation)},
+            {"state_by_walk", contact::name_of(s.by_walk)},
+            {"curvature", estimate(s.curvature)},
+            {"curvature_of_samples", number(s.sampled_curvature)},
+            {"state_by_curvature", contact::name_of(s.by_curvature)}};
+}
+
+json run_json(const RunEvaluation& run) {
+    json stages = json::array();
+    for (const StageEvaluation& stage : run.stages) stages.push_back(stage_json(stage));
+    return {{"name", run.name},
+            {"noise_m", number(run.noise.standard_deviation())},
+            {"resolution_m", number(run.noise.resolution())},
+            {"correlated_samples", number(run.noise.correlated_samples())},
+            {"drift_before_m_per_s", drift_json(run.before)},
+            {"drift_after_m_per_s", run.after ? drift_json(*run.after) : json()},
+            {"drift_m_per_s", drift_json(run.drift)},
+            {"drift_changes", run.drift_changes},
+            {"wobble_ratio", run.wobble ? estimate(*run.wobble) : json()},
+            {"stages", stages}};
+}
+
+json limit_json(const std::optional<LimitReading>& limit) {
+    if (!limit) return nullptr;
+    return {{"last_shakedown_m", limit->amplitude_low},
+            {"first_ratcheting_m", limit->amplitude_high},
+            {"intersection_time_s", number(limit->lines.time)},
+            {"intersection_shift_m", estimate(limit->lines.shift)}};
+}
+
+json limits_json(const ExperimentEvaluation& e) {
+    if (e.kind != contact::Experiment::Kind::limit) return nullptr;
+    json runs = json::array();
+    for (const auto& limit : e.limits) runs.push_back(limit_json(limit));
+    const auto all = [](const std::optional<Repeated>& r) {
+        return r ? repeated_json(*r) : json();
+    };
+    return {{"runs", runs},
+            {"amplitude_m", all(e.limit_amplitude)},
+            {"last_shakedown_m", all(e.last_shakedown)},
+            {"shift_m", all(e.limit_shift)}};
+}
+
+json normalised_json(const std::optional<NormalisedResults>& n) {
+    if (!n) return nullptr;
+    return {{"tangential_ratio", uncertain(n->tangential_ratio)},
+            {"amplitude_ratio", uncertain(n->amplitude_ratio)},
+            {"unit_shift_m", uncertain(n->unit_shift)},
+            {"static_shift_ratio", uncertain(n->static_ratio)},
+            {"final_shift_ratio", uncertain(n->final_ratio)},
+            {"increment_ratio", uncertain(n->increment_ratio)},
+            {"pivot_height_m", n->pivot_height ? uncertain(*n->pivot_height) : json()}};
+}
+
+json models_json(const ExperimentEvaluation& e) {
+    json models = json::array();
+    for (const ModelPrediction& p : e.predictions) {
+        json deviations = json::array();
+        for (const Deviation& d : e.deviations)
+            if (d.model == p.model)
+                deviations.push_back({{"quantity", d.quantity},
+                                      {"measured_m", estimate(d.measured)},
+                                      {"predicted_m", estimate(d.predicted)},
+                                      {"measured_over_predicted", number(d.ratio())},
+                                      {"differs", d.differs()}});
+        models.push_back({{"model", p.model},
+                          {"state", contact::name_of(p.state)},
+                          {"shift_m", numbers(p.shift)},
+                          {"deviations", deviations}});
+    }
+    for (const ModelLimit& limit : e.model_limits) {
+        json states = json::array();
+        for (const contact::State state : limit.states) states.push_back(contact::name_of(state));
+        models.push_back({{"model", limit.model}, {"state_per_stage", states}});
+    }
+    return models;
+}
+
+}  // namespace
+
+std::string experiment_json(const std::string& version, const ExperimentEvaluation& e) {
+    json shift = json::array();
+    for (const Estimate& u : e.shift) shift.push_back(estimate(u));
+    json runs = json::array();
+    for (const RunEvaluation& run : e.runs) runs.push_back(run_json(run));
+    const json document{{"version", version},
+                        {"title", e.title},
+                        {"confidence", e.confidence},
+                        {"verdict_confidence", verdict_confidence},
+                        {"state", contact::name_of(e.state)},
+                        {"periods", e.periods},
+                        {"amplitude_m", e.amplitude > 0 ? json(e.amplitude) : json()},
+                        {"static_shift_m", repeated_json(e.static_shift)},
+                        {"final_shift_m", repeated_json(e.final_shift)},
+                        {"settled_shift_m", repeated_json(e.settled_shift)},
+                        {"increment_m", repeated_json(e.increment)},
+                        {"shift_per_period_m", shift},
+                        {"limit", limits_json(e)},
+                        {"normalised", normalised_json(e.normalised)},
+                        {"models", models_json(e)},
+                        {"runs", runs}};
+    return document.dump(2) + '\n';
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/experiment_report.h"
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Experiment;
+using contact::State;
+using Standing = Verdict::Standing;
+
+std::string word(State state) {
+    return state == State::undecided ? "cannot tell" : contact::name_of(state);
+}
+
+// "217.9 ± 0.3 um" with the half width of the interval.
+std::string shift(const Estimate& e) {
+    return with_error(1e6 * e.value, 1e6 * (e.high - e.low) / 2, 4) + " µm";
+}
+std::string shift(const Repeated& r) {
+    return shift(r.at_confidence);
+}
+std::string between(const Estimate& e) {
+    return fmt::format("between {} and {}", significant(1e6 * e.low, 3),
+                       significant(1e6 * e.high, 3));
+}
+
+std::string level(double confidence) {
+    return fmt::format("{:.4g} %", 100 * confidence);
+}
+
+std::string runs(int n) {
+    return n == 1 ? "one run" : fmt::format("{} runs", n);
+}
+
+int count(const ExperimentEvaluation& e, State StageEvaluation::*verdict, State state) {
+    return static_cast<int>(std::ranges::count_if(
+        e.runs, [&](const RunEvaluation& run) { return run.stages.front().*verdict == state; }));
+}
+
+// Of the run that walks most.
+const StageEvaluation& largest_walk(const ExperimentEvaluation& e) {
+    return std::ranges::max_element(
+               e.runs, {},
+               [](const RunEvaluation& run) { return run.stages.front().settling.increment.high; })
+        ->stages.front();
+}
+
+std::string walk(const ExperimentEvaluation& e) {
+    const StageEvaluation& stage = largest_walk(e);
+    const Estimate& increment = stage.settling.increment;
+    if (e.state != State::shakedown)
+        return fmt::format("the steady walk beside the transient is {} µm per period ({})",
+                           between(increment), level(verdict_confidence));
+    const double added = std::max(0., increment.high * stage.periods());
+    return fmt::format("a steady walk adds at most {:.2g} % of the shift in {} periods ({})",
+                       100 * added / std::abs(stage.shift.back()), stage.periods(),
+                       level(verdict_confidence));
+}
+
+Verdict state_verdict(const ExperimentEvaluation& e) {
+    const int n = static_cast<int>(e.runs.size());
+    const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
+    if (e.state == State::undecided)
+        return {Standing::cannot_tell,
+                fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
+                            "{} settle and {} ratchet.",
+                            e.periods, walk(e), runs(n),
+                            count(e, &StageEvaluation::by_walk, State::shakedown),
+                            count(e, &StageEvaluation::by_walk, State::ratcheting))};
+    const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
+    const std::string where =
+        n == 1 ? ""
+               : fmt::format(" in {} of {} runs", count(e, &StageEvaluation::by_walk, e.state), n);
+    return {expected ? Standing::holds : Standing::fails, state + where + ": " + walk(e) + "."};
+}
+
+Verdict curvature_verdict(const ExperimentEvaluation& e) {
+    const Estimate& c = e.runs.front().stages.front().curvature;
+    const State state = e.runs.front().stages.front().by_curvature;
+    std::string sentence = fmt::format(
+        "The thesis' criterion, the curvature of a parabola through U(t) (5.1.5-5.1.8), says "
+        "\"{}\" in the first run: {} by the values of periods ({} of {}).",
+        word(state), significant(c.value, 3), level(verdict_confidence),
+        fmt::format("{} to {}", significant(c.low, 3), significant(c.high, 3)));
+    if (e.state == State::ratcheting && state != State::ratcheting)
+        sentence +=
+            " It sees the transient bend, not the walk behind it, which is straight: a contact "
+            "that ratchets steadily has no curvature.";
+    return {Standing::finding, sentence};
+}
+
+Verdict values_verdict(const ExperimentEvaluation& e) {
+    const std::string scatter = e.runs.size() > 1
+                                    ? "by the scatter of " + runs(static_cast<int>(e.runs.size()))
+                                    : "of one run, by noise and drift";
+    std::string sentence = fmt::format("u_stat = {}, ", shift(e.static_shift));
+    if (e.kind == Experiment::Kind::ratcheting)
+        sentence += fmt::format("Du = {} per period ({}, {}).", shift(e.increment),
+                                level(e.confidence), scatter);
+    else
+        sentence += fmt::format("u_sd = {} after {} periods ({}, {}); extrapolated {}.",
+                                shift(e.final_shift), e.periods, level(e.confidence), scatter,
+                                shift(e.settled_shift));
+    return {Standing::finding, sentence};
+}
+
+Verdict limit_verdict(const ExperimentEvaluation& e) {
+    if (!e.limit_amplitude)
+        return {
+            Standing::cannot_tell,
+            "No run has an amplitude that shakes down and a larger one that ratchets: the limit "
+            "is not in the record."};
+    const Estimate& w = e.limit_amplitude->at_confidence;
+    const auto& first = **std::ranges::find_if(e.limits, [](const auto& l) { return bool(l); });
+    const double ratio_limit = first.amplitude_low / w.value;
+    return {Standing::finding,
+            fmt::format("W_lim = {} mm ({} of {}, {}): between the last amplitude that shakes down "
+                        "and the first that ratchets. The thesis takes the last that shakes down, "
+                        "{} mm: {} of the middle, half a step too low. U_lim = {} where the "
+                        "straight lines through both intervals meet (5.1.9, 5.1.10).",
+                        with_error(1e3 * w.value, 1e3 * (w.high - w.low) / 2, 4),
+                        e.limit_amplitude->runs, runs(static_cast<int>(e.runs.size())),
+                        level(e.confidence),
+                        significant(1e3 * e.last_shakedown->at_confidence.value, 4),
+                        percent(ratio_limit), shift(*e.limit_shift))};
+}
+
+Verdict deviation_verdict(const Deviation& d) {
+    return {d.differs() ? Standing::fails : Standing::holds,
+            fmt::format("{}: {} = {}, measured {} ({}); {}.", display_name(d.model), d.quantity,
+                        shift(d.predicted), shift(d.measured), percent(d.ratio()),
+                        d.differs() ? "the intervals exclude each other: they differ"
+                                    : "the intervals overlap")};
+}
+
+Verdict model_limit_verdict(const ExperimentEvaluation& e, const ModelLimit& limit) {
+    const auto& stages = e.runs.front().stages;
+    std::vector<std::string> words;
+    for (std::size_t k = 0; k < stages.size(); ++k)
+        words.push_back(fmt::format("{} mm {}", significant(1e3 * stages[k].amplitude, 4),
+                                    word(limit.states[k])));
+    return {Standing::finding,
+            fmt::format("{}: {}.", display_name(limit.model), fmt::join(words, ", "))};
+}
+
+Verdict drift_verdict(const ExperimentEvaluation& e) {
+    const auto changes =
+        std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
+    return {Standing::cannot_tell,
+            fmt::format("The drift before and after the rolling differs in {} of {} by more than "
+                        "three standard errors: it is not linear, or the substrate still creeps; "
+                        "the errors are widened by the difference.",
+                        changes, runs(static_cast<int>(e.runs.size())))};
+}
+
+}  // namespace
+
+std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
+    std::vector<Verdict> verdicts;
+    if (e.kind == Experiment::Kind::limit) {
+        verdicts.push_back(limit_verdict(e));
+        for (const ModelLimit& limit : e.model_limits)
+            verdicts.push_back(model_limit_verdict(e, limit));
+    } else {
+        verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
+        for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+    }
+    if (std::ranges::any_of(e.runs, [](const RunEvaluation& run) { return run.drift_changes; }))
+        verdicts.push_back(drift_verdict(e));
+    return verdicts;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,198 @@
+#include "comparisons/experiment_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr double um = 1e6, nm = 1e9, mm = 1e3;
+
+WithError with_half_width(const Estimate& e, double factor) {
+    return {factor * e.value, factor * (e.high - e.low) / 2};
+}
+
+std::string interval(const Estimate& e, double factor) {
+    return significant(factor * e.low, 3) + " to " + significant(factor * e.high, 3);
+}
+
+std::string word(contact::State state) {
+    return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
+}
+
+std::string percents(double level) {
+    return fmt::format("{:.4g} %", 100 * level);
+}
+
+}  // namespace
+
+DocumentTable values_table(const ExperimentEvaluation& e) {
+    DocumentTable table{
+        .id = "values",
+        .title = "Values",
+        .note =
+            "Half widths of the intervals behind ±. u_stat: before rolling. "
+            "u_sd: upright after the last period. u_inf: where the transient of "
+            "the second half of the periods leads. Du: slope over the second "
+            "half of the periods.",
+        .columns = {{"quantity"}, {percents(e.confidence) + " [µm]"}, {"95 % [µm]"}, {"runs", 1}},
+        .rows = {}};
+    const auto add = [&](const char* name, const Repeated& r) {
+        table.rows.push_back({name, with_half_width(r.at_confidence, um),
+                              with_half_width(r.at_95, um), double(r.runs)});
+    };
+    add("u_stat", e.static_shift);
+    add("u_sd", e.final_shift);
+    add("u_inf", e.settled_shift);
+    add("Du", e.increment);
+    return table;
+}
+
+DocumentTable normalised_table(const NormalisedResults& n) {
+    DocumentTable table{.id = "normalised",
+                        .title = "Over Hertz' scales of the case",
+                        .note =
+                            "One standard error behind ±: of the measured value and of the "
+                            "case's numbers, first order, independent.",
+                        .columns = {{"quantity"}, {"value"}},
+                        .rows = {}};
+    const auto add = [&](const char* name, const theory::Uncertain& u, double factor = 1) {
+        table.rows.push_back({name, WithError{factor * u.value, factor * u.standard_error}});
+    };
+    add("f_T = F_T/(μ F_N)", n.tangential_ratio);
+    if (n.amplitude_ratio.value > 0) add("w = W/a", n.amplitude_ratio);
+    add("U_max [µm]", n.unit_shift, um);
+    if (n.pivot_height) add("Dh = R dU/dW [µm]", *n.pivot_height, um);
+    add("u_stat/U_max", n.static_ratio);
+    add("u_sd/U_max", n.final_ratio);
+    add("Du/U_max", n.increment_ratio);
+    return table;
+}
+
+DocumentTable deviations_table(const ExperimentEvaluation& e) {
+    DocumentTable table{.id = "deviations",
+                        .title = "Measured and computed",
+                        .note = percents(e.confidence) +
+                                " intervals; of a model by the errors of the case's numbers. They "
+                                "differ if the intervals exclude each other.",
+                        .columns = {{"model"},
+                                    {"quantity"},
+                                    {"measured [µm]"},
+                                    {"computed [µm]"},
+                                    {"deviation of the measured"},
+                                    {"differs"}},
+                        .rows = {}};
+    for (const Deviation& d : e.deviations)
+        table.rows.push_back({display_name(d.model), d.quantity, with_half_width(d.measured, um),
+                              with_half_width(d.predicted, um), percent(d.ratio()),
+                              d.differs() ? "yes" : "no"});
+    return table;
+}
+
+DocumentTable criteria_table(const ExperimentEvaluation& e) {
+    DocumentTable table{.id = "criteria_by_run",
+                        .title = "Both criteria",
+                        .note = "Intervals at " + percents(verdict_confidence) +
+                                ". Residual: of the values upright about transient and walk; "
+                                "noise: what their errors explain. Curvature of all samples: as "
+                                "the thesis takes it, without an interval, since neighbours in the "
+                                "record are not independent.",
+                        .columns = {{"run"},
+                                    {"walk Du [µm]"},
+                                    {"verdict by the walk"},
+                                    {"q", 2},
+                                    {"residual [µm]", 2},
+                                    {"noise [µm]", 2},
+                                    {"curvature"},
+                                    {"verdict by it"},
+                                    {"curvature of all samples", 3}},
+                        .rows = {}};
+    for (const RunEvaluation& run : e.runs) {
+        const StageEvaluation& s = run.stages.front();
+        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
+                              s.settling.ratio, um * s.settling.residual_deviation,
+                              um * s.shift_error[s.shift_error.size() / 2],
+                              interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});
+    }
+    return table;
+}
+
+DocumentTable stages_table(const ExperimentEvaluation& e) {
+    DocumentTable table{
+        .id = "stages",
+        .title = "Verdict per amplitude",
+        .note = "Walk and curvature: intervals at " + percents(verdict_confidence) + ".",
+        .columns = {{"run"},
+                    {"W [mm]"},
+                    {"periods"},
+                    {"walk Du [µm]"},
+                    {"verdict by the walk"},
+                    {"curvature"},
+                    {"verdict by it"}},
+        .rows = {}};
+    for (const RunEvaluation& run : e.runs)
+        for (const StageEvaluation& s : run.stages)
+            table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
+                                  interval(s.settling.increment, um), word(s.by_walk),
+                                  interval(s.curvature, 1), word(s.by_curvature)});
+    return table;
+}
+
+DocumentTable limits_table(const ExperimentEvaluation& e) {
+    DocumentTable table{
+        .id = "limits",
+        .title = "Limit per run",
+        .note = "U_lim: where the lines meet, half width of its interval behind ±.",
+        .columns = {{"run"}, {"last shakedown [mm]"}, {"first ratcheting [mm]"}, {"U_lim [µm]"}},
+        .rows = {}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < e.runs.size(); ++i) {
+        const auto& limit = e.limits[i];
+        if (limit)
+            table.rows.push_back({e.runs[i].name, mm * limit->amplitude_low,
+                                  mm * limit->amplitude_high,
+                                  with_half_width(limit->lines.shift, um)});
+        else
+            table.rows.push_back({e.runs[i].name, nan, nan, nan});
+    }
+    return table;
+}
+
+DocumentTable noise_table(const ExperimentEvaluation& e) {
+    DocumentTable table{.id = "noise",
+                        .title = "Noise, drift and the table's wobble",
+                        .note =
+                            "Noise: standard deviation in the rest before rolling; so many "
+                            "neighbouring samples count as one. Drift: slope of the rest, one "
+                            "standard error behind ±; the mean is subtracted. Wobble: what the "
+                            "shift follows the drive by, dU/dW = Δh/R (5.1.11), half width of "
+                            "its interval behind ±; it vanishes upright. It holds "
+                            "what the contact itself does in step with the drive.",
+                        .columns = {{"run"},
+                                    {"resolution [nm]", 3},
+                                    {"noise [nm]", 3},
+                                    {"correlated samples", 2},
+                                    {"drift before [nm/s]", 3},
+                                    {"drift after [nm/s]", 3},
+                                    {"wobble [µm/mm]", 3}},
+                        .rows = {}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const RunEvaluation& run : e.runs) {
+        const Cell after =
+            run.after ? Cell(WithError{nm * run.after->value, nm * run.after->standard_error})
+                      : Cell(nan);
+        table.rows.push_back(
+            {run.name, nm * run.noise.resolution(), nm * run.noise.standard_deviation(),
+             run.noise.correlated_samples(),
+             WithError{nm * run.before.value, nm * run.before.standard_error}, after,
+             run.wobble ? Cell(with_half_width(*run.wobble, um / mm)) : Cell(nan)});
+    }
+    return table;
+}
+
+}  // namespace tricontact::comparisons

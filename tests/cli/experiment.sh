@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# tricontact experiment: the example, its numbers and files, and what is wrong with records.
+# usage: experiment.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# expect CODE ARGUMENTS...: output goes to the files out and err.
+expect() {
+    local code=$1 got
+    shift
+    "$program" experiment "$@" >out 2>err
+    got=$?
+    [ "$got" -eq "$code" ] || complain "exit code $got instead of $code: $*: $(cat err)"
+}
+
+# says TEXT FILE
+says() {
+    grep -qF -- "$1" "$2" || complain "no '$1' in $2: $(head -c 600 "$2")"
+}
+
+# refused TEXT: data.toml is, with this message and nothing written.
+refused() {
+    expect 2 data.toml --output none
+    says "$1" err
+    [ "$(wc -l <err)" -eq 1 ] || complain "more than one line: $(cat err)"
+    [ -e none ] && complain "$1: something was written"
+}
+
+# 1. The example, by the fast model only: its truth is that of bem-layer.
+cp -r "$source_dir/experiments" .
+sed -i 's/^models = .*/models = ["mdr"]/' experiments/synthetic_case.toml
+expect 0 experiments/synthetic_shakedown.toml --output example --quiet
+says "Shakedown in 3 of 3 runs" out
+says "they differ" out
+[ -s err ] && complain "--quiet is not silent: $(cat err)"
+says '"state": "shakedown"' example/experiment.json
+says "curvature" example/report.html
+expect 0 experiments/synthetic_shakedown.toml --output again --quiet
+cmp -s example/experiment.json again/experiment.json || complain "another time, other numbers"
+cmp -s example/report.html again/report.html || complain "another time, another report"
+
+# 2. The same records made again: equal bytes, but for what another processor's models round.
+grep -q SYNTHETIC experiments/synthetic/run_1.csv || complain "a synthetic record does not say so"
+
+# 3. What is wrong with an experiment file.
+run=experiments/synthetic/run_1.csv
+write() { printf '%s\n' "$@" >data.toml; }
+write 'runs = ["run.csv"]'
+refused "data.toml:1:1: missing key kind"
+write 'kind = "shakedwon"' 'runs = ["run.csv"]'
+refused '"shakedwon" is not one of "shakedown", "ratcheting", "limit"; did you mean "shakedown"?'
+write 'kind = "shakedown"'
+refused "missing key runs"
+write 'kind = "shakedown"' "runs = [\"$run\", \"$run\"]"
+refused "stands twice; a record counts once"
+write 'kind = "shakedown"' 'runs = ["missing.csv"]'
+refused "missing.csv: the file cannot be read"
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'confidnce = 0.9'
+refused "data.toml:3:1: unknown key confidnce; did you mean confidence?"
+write 'kind = "shakedown"' "runs = [\"$run\"]" '[drive]' 'period = "4 s"'
+refused "data.toml:3:1: [drive] and the column drive of the runs say it twice"
+write 'kind = "shakedown"' "runs = [\"$run\"]" '[record]' 'resolution = 80'
+refused "data.toml:4:14: record.resolution = 80: must be a length, but has no unit"
+write 'kind = "shakedown"' "runs = [\"$run\"]" '[errors]' 'friction.coefficient = 0.01'
+refused "[errors] are those of a case, but there is none"
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "experiments/synthetic_case.toml"' '[errors]' \
+    'load.normal_forse = "0.1 N"'
+refused "did you mean load.normal_force?"
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "experiments/synthetic_case.toml"' '[errors]' \
+    'load.tangential_ratio = 0.01'
+refused "data.toml:5:25: errors.load.tangential_ratio: the case does not state this number"
+
+# 4. What is wrong with a record. record NAME COMMAND...: run 1 changed by awk.
+write 'kind = "shakedown"' 'runs = ["run.csv"]'
+record() { awk -F, -v OFS=, "$1" "$run" >run.csv; }
+record '{ print $1, $3 }'
+refused "run.csv:3: the column shift is missing"
+record 'NR == 3 { print "time [s],shift,drive [mm]"; next } 1'
+refused 'run.csv:3: the column "shift" has no unit in brackets; write for example time [s], shift [um]'
+record 'NR == 3 { print "time [s],shift [s],drive [mm]"; next } 1'
+refused '"s" is a unit of time, but this is a length'
+record 'NR == 3 { print "time [s],shift [um],speed [mm]"; next } 1'
+refused 'the column "speed [mm]" is none of time, shift and drive'
+record 'NR == 100 { $1 = 0 } 1'
+refused "run.csv:100: time = 0: times must increase from row to row"
+record 'NR == 100 { $2 = "nan" } 1'
+refused "run.csv:100: shift = nan: must be a finite number"
+record 'NR == 100 { print $1, $2; next } 1'
+refused "run.csv:100: has 2 columns instead of 3"
+record 'NR > 3 { $3 = 0 } 1'
+refused "the drive does not move"
+record 'NR <= 3 || NR > 590'
+refused "samples of rest under load before rolling"
+record 'NR <= 3 || NR < 950'
+refused "periods from 30 s on, fewer than 5"
+record 'NR <= 3 || NR % 4 == 0'
+refused "samples, fewer than 32; sample faster"
+record 'NR <= 3 || NR % 100 == 0'
+refused "run.csv: "
+record '{ print $1, $2 }'
+refused "without a column drive its start and number of periods must be known"
+
+# 5. Without the drive its period is found, or given.
+write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12'
+expect 0 data.toml --output found --quiet
+says "Shakedown: a steady walk adds at most" out
+write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12' \
+    'amplitude = "1.0807 mm"' 'speed = "1 mm/s"'
+expect 0 data.toml --output given --quiet
+says '"amplitude_m": 0.0010807' given/experiment.json
+write 'kind = "limit"' 'runs = ["run.csv"]'
+refused "amplitudes that rise in steps need the column drive"
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
