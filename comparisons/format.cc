@@ -6,15 +6,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <kainjow/mustache.hpp>
-#include <string_view>
 
 namespace tricontact::comparisons {
 
 namespace {
 
 constexpr const char* undefined = "–";
-constexpr std::string_view infinity = "∞";
 
 std::string superscript(int exponent) {
     constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -28,53 +25,6 @@ std::string tidied(std::string text) {
     if (!text.empty() && text.back() == '.') text.pop_back();
     if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
     return text;
-}
-
-bool is_alphanumeric(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0;
-}
-
-bool is_byte_of_greek(char c) {
-    return (static_cast<unsigned char>(c) & 0x80) != 0;
-}
-
-/// Where the symbol begins whose index begins at `index`: one letter, Latin or Greek (two bytes),
-/// that ends no word; npos if there is none.
-std::size_t symbol_before(const std::string& text, std::size_t index) {
-    const std::size_t end = index - 1;  // of the underscore
-    if (end >= 2 && is_byte_of_greek(text[end - 1])) return end - 2;
-    const bool letter = end >= 1 && std::isalpha(static_cast<unsigned char>(text[end - 1]));
-    const bool word = end >= 2 && (is_alphanumeric(text[end - 2]) || text[end - 2] == '_');
-    return letter && !word ? end - 1 : std::string::npos;
-}
-
-/// "f_T,lim" -> f with its index: letters, digits, infinity, a comma only before a lower-case
-/// letter.
-std::string with_symbols(const std::string& text) {
-    std::string html;
-    std::size_t copied = 0;
-    for (std::size_t at = text.find('_'); at != std::string::npos; at = text.find('_', at + 1)) {
-        const std::size_t symbol = symbol_before(text, at + 1);
-        std::size_t end = at + 1;
-        if (text.compare(end, infinity.size(), infinity) == 0) end += infinity.size();
-        while (end < text.size() && is_alphanumeric(text[end])) ++end;
-        if (end + 1 < text.size() && text[end] == ',' && text[end + 1] >= 'a' &&
-            text[end + 1] <= 'z')
-            for (++end; end < text.size() && is_alphanumeric(text[end]);) ++end;
-        if (symbol == std::string::npos || end == at + 1 || (end < text.size() && text[end] == '_'))
-            continue;
-        html += text.substr(copied, symbol - copied);
-        html += fmt::format("<i>{}</i><sub>{}</sub>", text.substr(symbol, at - symbol),
-                            text.substr(at + 1, end - at - 1));
-        copied = end;
-    }
-    return html + text.substr(copied);
-}
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos;
-         at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
 }
 
 }  // namespace
@@ -124,15 +74,6 @@ std::string as_given(double value) {
     while (text[end - 1] == '0') --end;
     if (text[end - 1] == '.') --end;
     return text.erase(end, power - end);
-}
-
-std::string typeset(const std::string& sentence) {
-    std::string html = with_symbols(kainjow::mustache::html_escape(sentence));
-    replace_all(html, " = ", "\u00a0=\u00a0");
-    for (const std::string unit : {"%", "m", "mm", "µm", "nm"})
-        for (const char* end : {" ", ")", ",", ".", ":"})
-            replace_all(html, " " + unit + end, "\u00a0" + unit + end);
-    return html;
 }
 
 std::string percent(std::optional<double> ratio) {

@@ -19,8 +19,9 @@ std::string with_error(double value, double error, int digits = 4);
 /// A given number for people: at most six significant digits, no trailing zeros.
 std::string as_given(double value);
 
-/// HTML of a plain sentence: escaped, symbols of one letter with an index (f_T, U_max, ...)
-/// typeset, no line break around "=" or before a unit.
+/// HTML of a plain sentence: escaped, symbols of one letter with an index ("f_T"), Greek letters by
+/// name ("mu"), powers ("a^2", "x^(1/3)"), ">=", "<=" and minus signs between spaces typeset, no
+/// line break around "=" or before a unit.
 std::string typeset(const std::string& sentence);
 
 /// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.

@@ -103,6 +103,11 @@ TEST(Format, TypesettingEscapesFirst) {
               "Δ<i>u</i><sub>x</sub>, <i>τ</i><sub>x</sub>/<i>p</i><sub>0</sub>");
     EXPECT_EQ(typeset("u_∞ is"), "<i>u</i><sub>∞</sub> is");
     EXPECT_EQ(typeset("rig_layer, a_b_c, f_, _x"), "rig_layer, a_b_c, f_, _x");
+    EXPECT_EQ(typeset("mu d, nu_2, beta, numb, a.mu, mu2"),
+              "μ d, <i>ν</i><sub>2</sub>, beta, numb, a.mu, mu2");
+    EXPECT_EQ(typeset("a^2 - q^n >= (R/2)^(1/3) 10^-4, 2^"),
+              "a<sup>2</sup> − q<sup>n</sup> ≥ (R/2)<sup>1/3</sup> 10<sup>−4</sup>, 2^");
+    EXPECT_EQ(typeset("x^(1, ^"), "x^(1, ^");
     EXPECT_EQ(typeset("u = 1"), "u\u00a0=\u00a01");
 }
 
