@@ -31,8 +31,9 @@ bool is_letter(char c) {
 
 /// "mu" -> μ where it is a word of its own, and no part of a key's name ("a.mu").
 std::string with_greek(const std::string& text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 8> letters{
-        {{"eta", "η"},
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> letters{
+        {{"chi", "χ"},
+         {"eta", "η"},
          {"theta", "θ"},
          {"kappa", "κ"},
          {"mu", "μ"},
@@ -81,15 +82,17 @@ std::string with_powers(const std::string& text) {
     return html + text.substr(copied);
 }
 
-bool is_byte_of_greek(char c) {
-    return (static_cast<unsigned char>(c) & 0x80) != 0;
+/// First of the two bytes of a Greek letter.
+bool begins_greek(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte == 0xCE || byte == 0xCF;
 }
 
 /// Where the symbol begins whose index begins at `index`: one letter, Latin or Greek (two bytes),
 /// that ends no word; npos if there is none.
 std::size_t symbol_before(const std::string& text, std::size_t index) {
     const std::size_t end = index - 1;  // of the underscore
-    if (end >= 2 && is_byte_of_greek(text[end - 1])) return end - 2;
+    if (end >= 2 && begins_greek(text[end - 2])) return end - 2;
     const bool letter = end >= 1 && is_letter(text[end - 1]);
     const bool word = end >= 2 && (is_alphanumeric(text[end - 2]) || text[end - 2] == '_');
     return letter && !word ? end - 1 : std::string::npos;

@@ -102,7 +102,8 @@ TEST(Format, TypesettingEscapesFirst) {
     EXPECT_EQ(typeset("Δu_x, τ_x/p_0"),
               "Δ<i>u</i><sub>x</sub>, <i>τ</i><sub>x</sub>/<i>p</i><sub>0</sub>");
     EXPECT_EQ(typeset("u_∞ is"), "<i>u</i><sub>∞</sub> is");
-    EXPECT_EQ(typeset("rig_layer, a_b_c, f_, _x"), "rig_layer, a_b_c, f_, _x");
+    EXPECT_EQ(typeset("rig_layer, a_b_c, f_, _x, –_x"), "rig_layer, a_b_c, f_, _x, –_x");
+    EXPECT_EQ(typeset("chi^2"), "χ<sup>2</sup>");
     EXPECT_EQ(typeset("mu d, nu_2, beta, numb, a.mu, mu2"),
               "μ d, <i>ν</i><sub>2</sub>, beta, numb, a.mu, mu2");
     EXPECT_EQ(typeset("a^2 - q^n >= (R/2)^(1/3) 10^-4, 2^"),
