@@ -159,6 +159,8 @@ DocumentSection limit_section(const ExperimentEvaluation& e) {
         if (e.limits[i] && section.figures.empty())
             section.figures.push_back(limit_figure(e.runs[i], *e.limits[i]));
     section.tables = {stages_table(e), limits_table(e)};
+    if (e.normalised) section.tables.push_back(normalised_table(e));
+    if (!e.model_limits.empty()) section.tables.push_back(model_stages_table(e));
     return section;
 }
 
@@ -166,7 +168,7 @@ DocumentSection values_section(const ExperimentEvaluation& e) {
     DocumentSection section{.id = "values", .heading = "Shift over the periods"};
     section.figures = {periods_figure(e)};
     section.tables = {values_table(e)};
-    if (e.normalised) section.tables.push_back(normalised_table(*e.normalised));
+    if (e.normalised) section.tables.push_back(normalised_table(e));
     if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
     return section;
 }

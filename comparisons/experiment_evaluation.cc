@@ -70,9 +70,20 @@ void put_together(ExperimentEvaluation& e) {
     e.increment = repeated(increment, e.confidence);
 }
 
+// What all repeats share does not average out.
+void widen(Repeated& r, double common, double standard_error) {
+    for (Estimate* e : {&r.at_confidence, &r.at_95}) {
+        e->standard_error = std::hypot(e->standard_error, standard_error);
+        e->low = e->value - std::hypot(e->value - e->low, common);
+        e->high = e->value + std::hypot(e->high - e->value, common);
+    }
+}
+
 void read_limits(ExperimentEvaluation& e) {
     std::vector<Estimate> middle, low, shift;
     for (const RunEvaluation& run : e.runs) {
+        e.limits_by_curvature.push_back(
+            read_limit(run, &StageEvaluation::by_curvature, e.confidence));
         const auto limit =
             e.limits.emplace_back(read_limit(run, &StageEvaluation::by_walk, e.confidence));
         if (!limit) continue;
@@ -87,23 +98,15 @@ void read_limits(ExperimentEvaluation& e) {
     e.limit_amplitude = repeated(middle, e.confidence);
     e.last_shakedown = repeated(low, e.confidence);
     e.limit_shift = repeated(shift, e.confidence);
-    // What all repeats share, the width of the steps, does not average out.
-    if (middle.size() < 2) return;
-    for (Estimate* of_all : {&e.limit_amplitude->at_confidence, &e.limit_amplitude->at_95}) {
-        const double half = (middle.front().high - middle.front().low) / 2;
-        of_all->standard_error = std::hypot(of_all->standard_error, half / std::sqrt(3.));
-        of_all->low = of_all->value - std::hypot(of_all->value - of_all->low, half);
-        of_all->high = of_all->value + std::hypot(of_all->high - of_all->value, half);
+    if (middle.size() == 1) {
+        e.limit_amplitude->at_95 = e.limit_amplitude->at_confidence;
+        return;
     }
-}
-
-std::vector<theory::Uncertain> inputs_of(const Case& c,
-                                         const std::vector<CaseQuantity>& quantities) {
-    std::vector<theory::Uncertain> inputs;
-    Case copy = c;
-    for (const CaseQuantity& quantity : quantities)
-        inputs.push_back({quantity.of_case(copy), quantity.standard_error});
-    return inputs;
+    // The steps of the amplitude; and how far from straight the shift is in both stages.
+    widen(*e.limit_amplitude, (middle.front().high - middle.front().low) / 2,
+          middle.front().standard_error);
+    widen(*e.limit_shift, (shift.front().high - shift.front().low) / 2,
+          shift.front().standard_error);
 }
 
 }  // namespace
@@ -147,61 +150,6 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
     put_together(e);
     if (e.kind == Experiment::Kind::limit) read_limits(e);
     return e;
-}
-
-void normalise(ExperimentEvaluation& e, const Case& c,
-               const std::vector<CaseQuantity>& quantities) {
-    std::vector<theory::Uncertain> inputs = inputs_of(c, quantities);
-    const auto uncertain = [](const Estimate& of) {
-        return theory::Uncertain{of.value, of.standard_error};
-    };
-    const std::size_t n = inputs.size();
-    inputs.insert(inputs.end(),
-                  {uncertain(e.static_shift.at_confidence), uncertain(e.final_shift.at_confidence),
-                   uncertain(e.increment.at_confidence)});
-    // A function of the case with the given numbers, and of the shift of that place.
-    const auto propagated = [&](auto&& f, std::size_t place) {
-        return theory::propagate(
-                   [&](const std::vector<double>& x) {
-                       Case changed = c;
-                       for (std::size_t i = 0; i < n; ++i) quantities[i].of_case(changed) = x[i];
-                       return f(changed, x[place]);
-                   },
-                   inputs)
-            .result;
-    };
-    const auto over_unit = [](const Case& changed, double shift) {
-        return shift / contact::hertz_scales(changed).unit_shift;
-    };
-    NormalisedResults r;
-    r.tangential_ratio = propagated(
-        [](const Case& changed, double) {
-            if (changed.load.tangential_ratio) return *changed.load.tangential_ratio;
-            return *changed.load.tangential_force /
-                   (changed.friction_coefficient * contact::hertz_scales(changed).normal_force);
-        },
-        n);
-    const double amplitude = e.amplitude;
-    r.amplitude_ratio = propagated(
-        [amplitude](const Case& changed, double) {
-            return amplitude / contact::hertz_scales(changed).contact_radius;
-        },
-        n);
-    r.unit_shift = propagated(
-        [](const Case& changed, double) { return contact::hertz_scales(changed).unit_shift; }, n);
-    r.static_ratio = propagated(over_unit, n);
-    r.final_ratio = propagated(over_unit, n + 1);
-    r.increment_ratio = propagated(over_unit, n + 2);
-    std::vector<Estimate> wobble;
-    for (const RunEvaluation& run : e.runs)
-        if (run.wobble) wobble.push_back(*run.wobble);
-    if (!wobble.empty()) {
-        inputs.push_back(uncertain(repeated(wobble, e.confidence).at_confidence));
-        r.pivot_height = propagated(
-            [](const Case& changed, double slope) { return changed.indenter.radius * slope; },
-            n + 3);
-    }
-    e.normalised = r;
 }
 
 void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {

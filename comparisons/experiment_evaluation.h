@@ -29,10 +29,13 @@ struct CaseQuantity {
 
 /// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
 struct NormalisedResults {
-    theory::Uncertain tangential_ratio;                            ///< f_T = F_T/(mu F_N)
-    theory::Uncertain amplitude_ratio;                             ///< w = W/a
-    theory::Uncertain unit_shift;                                  ///< U_max [m]
-    theory::Uncertain static_ratio, final_ratio, increment_ratio;  ///< over U_max
+    theory::Uncertain tangential_ratio;  ///< f_T = F_T/(mu F_N)
+    theory::Uncertain amplitude_ratio;   ///< w = W/a; of a limit run w_lim
+    theory::Uncertain unit_shift;        ///< U_max [m]
+    /// Over U_max; the final one of a limit run is u_lim.
+    theory::Uncertain static_ratio, final_ratio, increment_ratio;
+    /// w_lim of the half-space by f_T alone: 1 - 3/2 w + 1/2 w^3 = f_T, and the thesis' 1 - f_T.
+    theory::Uncertain exact_limit, thesis_limit;
     /// Dh = R dU/dW, the pivot's height over the contact that would make the table wobble so
     /// (5.1.11) [m]; empty without a recorded wobble.
     std::optional<theory::Uncertain> pivot_height;
@@ -79,6 +82,7 @@ struct ExperimentEvaluation {
 
     /// Limit runs, by the walk: per run, empty where it cannot be read.
     std::vector<std::optional<LimitReading>> limits;
+    std::vector<std::optional<LimitReading>> limits_by_curvature;  ///< by the thesis' criterion
     std::optional<Repeated> limit_amplitude;  ///< middle between the two stages [m]
     std::optional<Repeated> last_shakedown;   ///< amplitude of the thesis' rule [m]
     std::optional<Repeated> limit_shift;      ///< U_lim by the lines [m]

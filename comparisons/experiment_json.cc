@@ -78,12 +78,14 @@ json limit_json(const std::optional<LimitReading>& limit) {
 
 json limits_json(const ExperimentEvaluation& e) {
     if (e.kind != contact::Experiment::Kind::limit) return nullptr;
-    json runs = json::array();
+    json runs = json::array(), by_curvature = json::array();
     for (const auto& limit : e.limits) runs.push_back(limit_json(limit));
+    for (const auto& limit : e.limits_by_curvature) by_curvature.push_back(limit_json(limit));
     const auto all = [](const std::optional<Repeated>& r) {
         return r ? repeated_json(*r) : json();
     };
     return {{"runs", runs},
+            {"runs_by_curvature", by_curvature},
             {"amplitude_m", all(e.limit_amplitude)},
             {"last_shakedown_m", all(e.last_shakedown)},
             {"shift_m", all(e.limit_shift)}};
@@ -97,6 +99,8 @@ json normalised_json(const std::optional<NormalisedResults>& n) {
             {"static_shift_ratio", uncertain(n->static_ratio)},
             {"final_shift_ratio", uncertain(n->final_ratio)},
             {"increment_ratio", uncertain(n->increment_ratio)},
+            {"exact_amplitude_limit", uncertain(n->exact_limit)},
+            {"thesis_amplitude_limit", uncertain(n->thesis_limit)},
             {"pivot_height_m", n->pivot_height ? uncertain(*n->pivot_height) : json()}};
 }
 

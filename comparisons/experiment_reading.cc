@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparisons/experiment_report.h"
 #include "comparisons/format.h"
@@ -10,6 +10,8 @@
 namespace tricontact::comparisons {
 
 namespace {
+
+constexpr double mm = 1e3;
 
 using contact::Experiment;
 using contact::State;
@@ -55,7 +57,10 @@ const StageEvaluation& largest_walk(const ExperimentEvaluation& e) {
 std::string walk(const ExperimentEvaluation& e) {
     const StageEvaluation& stage = largest_walk(e);
     const Estimate& increment = stage.settling.increment;
-    if (e.state != State::shakedown)
+    if (e.state == State::ratcheting)
+        return fmt::format("the steady walk beside the transient is {} per period ({})",
+                           shift(increment), level(verdict_confidence));
+    if (e.state == State::undecided)
         return fmt::format("the steady walk beside the transient is {} µm per period ({})",
                            between(increment), level(verdict_confidence));
     const double added = std::max(0., increment.high * stage.periods());
@@ -89,10 +94,10 @@ Verdict curvature_verdict(const ExperimentEvaluation& e) {
         "\"{}\" in the first run: {} by the values of periods ({} of {}).",
         word(state), significant(c.value, 3), level(verdict_confidence),
         fmt::format("{} to {}", significant(c.low, 3), significant(c.high, 3)));
-    if (e.state == State::ratcheting && state != State::ratcheting)
-        sentence +=
-            " It sees the transient bend, not the walk behind it, which is straight: a contact "
-            "that ratchets steadily has no curvature.";
+    if (e.state == State::ratcheting && state == State::shakedown)
+        sentence += " It sees the transient bend, not the walk behind it, which is straight.";
+    if (e.state == State::ratcheting && state == State::undecided)
+        sentence += " A contact that ratchets steadily has no curvature.";
     return {Standing::finding, sentence};
 }
 
@@ -140,14 +145,46 @@ Verdict deviation_verdict(const Deviation& d) {
                                     : "the intervals overlap")};
 }
 
+// By the thesis' criterion, in the first run.
+Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
+    const auto& limit = e.limits_by_curvature.front();
+    const auto& stages = e.runs.front().stages;
+    const auto ratchets =
+        std::ranges::count(stages, State::ratcheting, &StageEvaluation::by_curvature);
+    const std::string found =
+        limit ? fmt::format("puts the limit between {} mm and {} mm",
+                            significant(mm * limit->amplitude_low, 4),
+                            significant(mm * limit->amplitude_high, 4))
+              : fmt::format("finds no limit: it says ratcheting of {} of {} amplitudes", ratchets,
+                            stages.size());
+    return {Standing::finding,
+            fmt::format("The thesis' criterion, the curvature of a parabola (5.1.5-5.1.8), {} in "
+                        "the first run, at {}.",
+                        found, level(verdict_confidence))};
+}
+
 Verdict model_limit_verdict(const ExperimentEvaluation& e, const ModelLimit& limit) {
     const auto& stages = e.runs.front().stages;
-    std::vector<std::string> words;
-    for (std::size_t k = 0; k < stages.size(); ++k)
-        words.push_back(fmt::format("{} mm {}", significant(1e3 * stages[k].amplitude, 4),
-                                    word(limit.states[k])));
-    return {Standing::finding,
-            fmt::format("{}: {}.", display_name(limit.model), fmt::join(words, ", "))};
+    double low = 0, high = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < stages.size() && !std::isfinite(high); ++k) {
+        if (limit.states[k] == State::shakedown) low = stages[k].amplitude;
+        if (limit.states[k] == State::ratcheting) high = stages[k].amplitude;
+    }
+    std::string range =
+        fmt::format("between {} mm and {} mm", significant(mm * low, 4), significant(mm * high, 4));
+    if (low == 0) range = fmt::format("below {} mm", significant(mm * high, 4));
+    if (!std::isfinite(high)) range = fmt::format("above {} mm", significant(mm * low, 4));
+    if (low == 0 && !std::isfinite(high)) range = "not to be told at these amplitudes";
+    Verdict v{Standing::finding, fmt::format("{}: W_lim {}", display_name(limit.model), range)};
+    if (e.limit_amplitude) {
+        const Estimate& w = e.limit_amplitude->at_confidence;
+        // Stages of runs agree to 1 %, so that neighbouring intervals only touch.
+        const bool overlap = low < 0.99 * w.high && high > 1.01 * w.low;
+        v.standing = overlap ? Standing::holds : Standing::fails;
+        v.sentence += overlap ? ", as measured" : ", which the measurement excludes";
+    }
+    v.sentence += ".";
+    return v;
 }
 
 Verdict drift_verdict(const ExperimentEvaluation& e) {
@@ -165,7 +202,7 @@ Verdict drift_verdict(const ExperimentEvaluation& e) {
 std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
     std::vector<Verdict> verdicts;
     if (e.kind == Experiment::Kind::limit) {
-        verdicts.push_back(limit_verdict(e));
+        verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
         for (const ModelLimit& limit : e.model_limits)
             verdicts.push_back(model_limit_verdict(e, limit));
     } else {

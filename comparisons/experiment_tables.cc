@@ -53,7 +53,9 @@ DocumentTable values_table(const ExperimentEvaluation& e) {
     return table;
 }
 
-DocumentTable normalised_table(const NormalisedResults& n) {
+DocumentTable normalised_table(const ExperimentEvaluation& e) {
+    const NormalisedResults& n = *e.normalised;
+    const bool limit = e.kind == contact::Experiment::Kind::limit;
     DocumentTable table{.id = "normalised",
                         .title = "Over Hertz' scales of the case",
                         .note =
@@ -65,12 +67,18 @@ DocumentTable normalised_table(const NormalisedResults& n) {
         table.rows.push_back({name, WithError{factor * u.value, factor * u.standard_error}});
     };
     add("f_T = F_T/(μ F_N)", n.tangential_ratio);
-    if (n.amplitude_ratio.value > 0) add("w = W/a", n.amplitude_ratio);
+    if (limit) {
+        if (e.limit_amplitude) add("w_lim = W_lim/a", n.amplitude_ratio);
+        add("w_lim, exact for half-spaces", n.exact_limit);
+        add("w_lim of the thesis, 1 - f_T", n.thesis_limit);
+    } else if (n.amplitude_ratio.value > 0) {
+        add("w = W/a", n.amplitude_ratio);
+    }
     add("U_max [µm]", n.unit_shift, um);
     if (n.pivot_height) add("Dh = R dU/dW [µm]", *n.pivot_height, um);
     add("u_stat/U_max", n.static_ratio);
-    add("u_sd/U_max", n.final_ratio);
-    add("Du/U_max", n.increment_ratio);
+    if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "u_sd/U_max", n.final_ratio);
+    if (!limit) add("Du/U_max", n.increment_ratio);
     return table;
 }
 
@@ -159,6 +167,22 @@ DocumentTable limits_table(const ExperimentEvaluation& e) {
                                   with_half_width(limit->lines.shift, um)});
         else
             table.rows.push_back({e.runs[i].name, nan, nan, nan});
+    }
+    return table;
+}
+
+DocumentTable model_stages_table(const ExperimentEvaluation& e) {
+    DocumentTable table{.id = "model_stages",
+                        .title = "What the models say at these amplitudes",
+                        .note = "Amplitudes of the first run; each rolled from rest.",
+                        .columns = {{"W [mm]"}},
+                        .rows = {}};
+    for (const ModelLimit& limit : e.model_limits)
+        table.columns.push_back({display_name(limit.model)});
+    for (std::size_t k = 0; k < e.runs.front().stages.size(); ++k) {
+        table.rows.push_back({mm * e.runs.front().stages[k].amplitude});
+        for (const ModelLimit& limit : e.model_limits)
+            table.rows.back().push_back(word(limit.states[k]));
     }
     return table;
 }

@@ -121,5 +121,31 @@ says '"amplitude_m": 0.0010807' given/experiment.json
 write 'kind = "limit"' 'runs = ["run.csv"]'
 refused "amplitudes that rise in steps need the column drive"
 
+# 6. A limit run: 1, 1.1, 1.2 and 1.3 mm at 1 mm/s; from 1.2 mm on the contact walks 3 um per period.
+awk 'BEGIN {
+    print "time [s],shift [um],drive [mm]"
+    begin = 30; u = 60
+    for (t = 0; t < 30; t += 0.05) printf "%.2f,%.2f,0\n", t, u
+    for (stage = 0; stage < 4; stage++) {
+        W = 1 + stage / 10
+        for (; t < begin + 24 * W; t += 0.05) {
+            n = (t - begin) / (4 * W); phase = n - int(n)
+            w = W * (phase < .25 ? 4 * phase : phase < .75 ? 2 - 4 * phase : 4 * phase - 4)
+            step = int(n) + (phase < .25 ? 0 : phase < .75 ? 0.5 : 1)
+            s = u + 10 * (1 - 0.3 ^ step) + (stage > 1 ? 3 * step : 0)
+            printf "%.2f,%.2f,%.4f\n", t, s, w
+        }
+        u += 10 * (1 - 0.3 ^ 6) + (stage > 1 ? 18 : 0); begin += 24 * W
+    }
+    for (i = 0; i < 40; i++) printf "%.2f,%.2f,0\n", t + i * 0.05, u
+}' >run.csv
+write 'kind = "limit"' 'runs = ["run.csv"]' 'case = "experiments/synthetic_case.toml"'
+expect 0 data.toml --output limit --quiet
+says "W_lim = 1.15 ± 0.05 mm" out
+says "MDR: W_lim" out
+says '"last_shakedown_m": 0.00109' limit/experiment.json
+write 'kind = "shakedown"' 'runs = ["run.csv"]'
+refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
+
 printf '%d failures\n' "$failures"
 [ "$failures" -eq 0 ]

@@ -217,6 +217,12 @@ TEST(Experiment, NormalisedErrorsAreThoseOfTheFormulas) {
     EXPECT_NEAR(r.unit_shift.standard_error / r.unit_shift.value, std::hypot(mu, force * 2 / 3),
                 1e-7);
     EXPECT_NEAR(r.amplitude_ratio.standard_error / r.amplitude_ratio.value, force / 3, 1e-7);
+    // d(1 - 3/2 w + 1/2 w^3) = -3/2 (1 - w^2) dw.
+    const double w = r.exact_limit.value;
+    EXPECT_NEAR(1 - 1.5 * w + 0.5 * w * w * w, r.tangential_ratio.value, 1e-12);
+    EXPECT_NEAR(r.exact_limit.standard_error,
+                r.tangential_ratio.standard_error / (1.5 * (1 - w * w)), 1e-7);
+    EXPECT_NEAR(r.thesis_limit.value, 1 - r.tangential_ratio.value, 1e-15);
     const double own = e.final_shift.at_95.standard_error / e.final_shift.at_95.value;
     EXPECT_NEAR(r.final_ratio.standard_error / r.final_ratio.value,
                 std::hypot(mu, force * 2 / 3, own), 1e-7);

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/experiment_evaluation.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using theory::Uncertain;
+
+double tangential_ratio(const Case& c) {
+    if (c.load.tangential_ratio) return *c.load.tangential_ratio;
+    return *c.load.tangential_force /
+           (c.friction_coefficient * contact::hertz_scales(c).normal_force);
+}
+
+Uncertain uncertain(const Estimate& e) {
+    return {e.value, e.standard_error};
+}
+
+/// Functions of the case and of one measured value, errors of both propagated.
+class Propagation {
+  public:
+    Propagation(const Case& c, const std::vector<CaseQuantity>& quantities)
+        : case_(c), quantities_(quantities) {
+        Case copy = c;
+        for (const CaseQuantity& quantity : quantities)
+            inputs_.push_back({quantity.of_case(copy), quantity.standard_error});
+    }
+
+    template <class Function>
+    Uncertain operator()(Function f, const Uncertain& measured) const {
+        std::vector<Uncertain> inputs = inputs_;
+        inputs.push_back(measured);
+        const auto of_numbers = [&](const std::vector<double>& x) {
+            Case changed = case_;
+            for (std::size_t i = 0; i < quantities_.size(); ++i)
+                quantities_[i].of_case(changed) = x[i];
+            return f(changed, x.back());
+        };
+        return theory::propagate(of_numbers, inputs).result;
+    }
+    template <class Function>
+    Uncertain operator()(Function f) const {
+        return (*this)([&](const Case& c, double) { return f(c); }, Uncertain{});
+    }
+
+  private:
+    const Case& case_;
+    const std::vector<CaseQuantity>& quantities_;
+    std::vector<Uncertain> inputs_;
+};
+
+}  // namespace
+
+void normalise(ExperimentEvaluation& e, const Case& c,
+               const std::vector<CaseQuantity>& quantities) {
+    const Propagation propagated(c, quantities);
+    const auto over_unit = [](const Case& k, double shift) {
+        return shift / contact::hertz_scales(k).unit_shift;
+    };
+    const auto over_radius = [](const Case& k, double amplitude) {
+        return amplitude / contact::hertz_scales(k).contact_radius;
+    };
+    const bool limit = e.limit_amplitude.has_value();
+    NormalisedResults r;
+    r.tangential_ratio = propagated(tangential_ratio);
+    r.amplitude_ratio = propagated(over_radius, limit ? uncertain(e.limit_amplitude->at_confidence)
+                                                      : Uncertain{e.amplitude, 0});
+    r.unit_shift = propagated([](const Case& k) { return contact::hertz_scales(k).unit_shift; });
+    r.static_ratio = propagated(over_unit, uncertain(e.static_shift.at_confidence));
+    Estimate last = e.final_shift.at_confidence;
+    if (limit) last = e.limit_shift->at_confidence;
+    if (!std::isfinite(last.standard_error)) last.standard_error = 0;  // lines nearly parallel
+    r.final_ratio = propagated(over_unit, uncertain(last));
+    r.increment_ratio = propagated(over_unit, uncertain(e.increment.at_confidence));
+    r.exact_limit = propagated([](const Case& k) {
+        return theory::amplitude_limit(std::clamp(tangential_ratio(k), 0., 1.));
+    });
+    r.thesis_limit = propagated([](const Case& k) { return 1 - tangential_ratio(k); });
+
+    std::vector<Estimate> wobble;
+    for (const RunEvaluation& run : e.runs)
+        if (run.wobble) wobble.push_back(*run.wobble);
+    if (!wobble.empty())
+        r.pivot_height =
+            propagated([](const Case& k, double slope) { return k.indenter.radius * slope; },
+                       uncertain(repeated(wobble, e.confidence).at_confidence));
+    e.normalised = r;
+}
+
+}  // namespace tricontact::comparisons
