@@ -82,12 +82,14 @@ TEST(ExperimentRun, FindsWobbleNoiseAndResolution) {
     EXPECT_FALSE(run.drift_changes);
 }
 
-// The table's wobble is some 30 times the resolution, the values do not see it.
-TEST(ExperimentRun, WobbleDoesNotReachTheValuesOfPeriods) {
+// The table's wobble is some 30 times the resolution, the values do not see it, nor at which times
+// samples were taken.
+TEST(ExperimentRun, WobbleAndJitterDoNotReachTheValuesOfPeriods) {
     SyntheticRecord synthetic;
     synthetic.drift = synthetic.noise = synthetic.resolution = 0;
-    for (const double wobble : {0., 0.0025}) {
-        synthetic.wobble = wobble;
+    for (const double jitter : {0., 0.4}) {
+        synthetic.wobble = 0.0025;
+        synthetic.jitter = jitter;
         std::mt19937_64 random(1);
         Experiment experiment;
         experiment.records = {synthetic.make(random)};

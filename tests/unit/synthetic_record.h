@@ -23,6 +23,7 @@ struct SyntheticRecord {
 
     std::vector<Stage> stages = std::vector<Stage>(1);
     double sampling = 0.05, rest_before = 30, rest_after = 10;
+    double jitter = 0;    ///< of the times of samples, largest, over the sampling
     double unloaded = 0;  ///< before the load is applied; the shift then begins at `zero`
     double zero = 0;
     double noise = 0.05;
@@ -44,10 +45,12 @@ struct SyntheticRecord {
     contact::Record make(std::mt19937_64& random) const {
         contact::Record record{.name = "run.csv", .time = {}, .shift = {}, .drive = {}};
         std::normal_distribution<double> gauss;
+        std::uniform_real_distribution<double> even(-jitter * sampling, jitter * sampling);
         double end = unloaded + rest_before + rest_after;
         for (const Stage& stage : stages) end += stage.periods * stage.period();
         double before = gauss(random);
-        for (double t = 0; t < end; t += sampling) {
+        for (double regular = 0; regular < end; regular += sampling) {
+            const double t = jitter > 0 ? regular + even(random) : regular;
             double u = 0, w = 0;
             truth(t, u, w);
             before =
@@ -63,7 +66,7 @@ struct SyntheticRecord {
 
   private:
     void truth(double t, double& u, double& w) const {
-        if (t < unloaded) return;
+        if (unloaded > 0 && t < unloaded) return;
         double begin = unloaded + rest_before;
         u = stages.front().shift(0);
         for (const Stage& stage : stages) {
