@@ -3,6 +3,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "comparisons/format.h"
 
@@ -31,13 +32,28 @@ Sweep::Axis axis_of(const io::Study::Axis& axis) {
             .logarithmic = range && range->logarithmic};
 }
 
+/// From the JSON text of point_results.
+void read_results(const std::string& text, Sweep::Point& point) {
+    constexpr std::pair<const char*, double Sweep::Point::*> numbers[] = {
+        {"static_shift_ratio", &Sweep::Point::static_shift_ratio},
+        {"final_shift_ratio", &Sweep::Point::final_shift_ratio},
+        {"shift_increment_ratio", &Sweep::Point::shift_increment_ratio},
+        {"kappa", &Sweep::Point::kappa},
+        {"eta", &Sweep::Point::eta}};
+    const auto results = nlohmann::json::parse(text);
+    for (const auto& [name, member] : numbers)
+        if (const auto found = results.find(name); found != results.end() && found->is_number())
+            point.*member = found->get<double>();
+    if (const auto found = results.find("state"); found != results.end() && found->is_string())
+        point.state = found->get<std::string>();
+}
+
 Sweep::Point point_of(const SweepPoint& point, const io::ResultStore& store) {
     Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
     for (const std::string& value : point.values) result.values.push_back(cell_of(value));
     const auto outcome = store.find(point.key);
-    if (outcome && outcome->results)
-        result.results = nlohmann::ordered_json::parse(*outcome->results);
-    if (outcome && outcome->error) result.error = *outcome->error;
+    if (outcome && outcome->results) read_results(*outcome->results, result);
+    if (!outcome || outcome->error) result.error = outcome ? *outcome->error : "not computed";
     return result;
 }
 

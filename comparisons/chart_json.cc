@@ -43,6 +43,13 @@ class Styles {
         return named_[curve.name] = next_++;
     }
 
+    /// After the curves.
+    json of(const Band& band) const {
+        if (band.colour) return *band.colour;
+        const auto curve = named_.find(band.name);
+        return curve == named_.end() || band.name.empty() ? json() : json(curve->second);
+    }
+
   private:
     std::set<int> taken_;
     std::map<std::string, int> named_;
@@ -65,12 +72,12 @@ json curve(const Curve& content, Styles& styles) {
             {"style", styles.of(content)}};
 }
 
-json band(const Band& content) {
+json band(const Band& content, const Styles& styles) {
     return {{"name", label(content.name)},
             {"x", content.x},
             {"low", content.low},
             {"high", content.high},
-            {"style", content.colour ? json(*content.colour) : json()}};
+            {"style", styles.of(content)}};
 }
 
 json map(const ContourMap& content) {
@@ -96,7 +103,7 @@ json figure(const Figure& content) {
                 {"map", content.map ? map(*content.map) : json()}};
     Styles styles(content);
     for (const Curve& each : content.curves) result["curves"].push_back(curve(each, styles));
-    for (const Band& each : content.bands) result["bands"].push_back(band(each));
+    for (const Band& each : content.bands) result["bands"].push_back(band(each, styles));
     return result;
 }
 

@@ -22,9 +22,9 @@ struct Curve {
 
 /// The area between two curves: an interval of confidence.
 struct Band {
-    std::string name;
+    std::string name;  ///< in the legend; that of a curve: shares its entry and colour
     std::vector<double> x, low, high;
-    std::optional<int> colour = {};  ///< that of the curve it belongs to
+    std::optional<int> colour = {};  ///< empty: that of the curve of its name, else grey
 };
 
 /// Values over a grid, drawn as lines of equal value on a coloured ground.

@@ -49,13 +49,14 @@ function curve_trace(curve, theme, in_legend) {
     };
 }
 
-// One closed outline per stretch without gaps.
-function band_traces(band, theme) {
+// One closed outline per stretch without gaps. A curve of the same name speaks for it in the legend.
+function band_traces(band, theme, curves) {
     const stretches = [[]];
     band.x.forEach((x, i) => {
         if (x === null || band.low[i] === null || band.high[i] === null) stretches.push([]);
         else stretches.at(-1).push([x, band.low[i], band.high[i]]);
     });
+    const alone = band.name !== "" && curves.every(curve => curve.name !== band.name);
     return stretches.filter(stretch => stretch.length > 1).map((stretch, i) => {
         const back = [...stretch].reverse();
         return {
@@ -63,7 +64,7 @@ function band_traces(band, theme) {
             x: stretch.map(p => p[0]).concat(back.map(p => p[0])),
             y: stretch.map(p => p[1]).concat(back.map(p => p[2])),
             line: {width: 0}, opacity: 0.25, fillcolor: colour_of(band.style, theme),
-            legendgroup: "band " + band.name, showlegend: i === 0 && band.name !== "",
+            legendgroup: (alone ? "band " : "curve ") + band.name, showlegend: alone && i === 0,
         };
     });
 }
@@ -116,7 +117,7 @@ function traces_of(figure, theme) {
         return curve_trace(curve, theme, first);
     });
     return [...(figure.map ? map_traces(figure.map, theme) : []),
-            ...figure.bands.flatMap(band => band_traces(band, theme)), ...curves];
+            ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)), ...curves];
 }
 
 function axis_of(axis, theme) {

@@ -43,12 +43,12 @@ Cell in_unit(const Cell& value, const SweepScale& scale) {
 template <class Wanted>
 DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales, bool failures,
                        const Wanted& wanted) {
-    constexpr std::pair<const char*, const char*> results[] = {
-        {"static_shift_ratio", "u_stat [U_max]"},
-        {"final_shift_ratio", "u_end [U_max]"},
-        {"shift_increment_ratio", "Δu [U_max]"},
-        {"kappa", "κ [1]"},
-        {"eta", "η [1]"}};
+    constexpr std::pair<double Sweep::Point::*, const char*> results[] = {
+        {&Sweep::Point::static_shift_ratio, "u_stat [U_max]"},
+        {&Sweep::Point::final_shift_ratio, "u_end [U_max]"},
+        {&Sweep::Point::shift_increment_ratio, "Δu [U_max]"},
+        {&Sweep::Point::kappa, "κ [1]"},
+        {&Sweep::Point::eta, "η [1]"}};
     DocumentTable table{.id = failures ? "failed_points" : "points",
                         .title = failures ? "Points that failed" : "Points",
                         .columns = {{"model"}},
@@ -57,16 +57,16 @@ DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales
         table.columns.push_back({heading_of(sweep.axes[i], scales[i])});
     table.columns.push_back({failures ? "error" : "state"});
     if (!failures)
-        for (const auto& [name, heading] : results) table.columns.push_back({heading});
+        for (const auto& [value, heading] : results) table.columns.push_back({heading});
     for (const Sweep::Point& point : sweep.points) {
         if (!wanted(point)) continue;
         std::vector<Cell>& row = table.rows.emplace_back();
         row.emplace_back(name_of(point, sweep));
         for (std::size_t i = 0; i < scales.size(); ++i)
             row.push_back(in_unit(point.values[i], scales[i]));
-        row.emplace_back(failures ? point.error : state_of(point));
+        row.emplace_back(failures ? *point.error : point.state);
         if (!failures)
-            for (const auto& [name, heading] : results) row.emplace_back(number_of(point, name));
+            for (const auto& [value, heading] : results) row.emplace_back(point.*value);
     }
     return table;
 }
@@ -76,7 +76,7 @@ std::string counted(std::size_t n, const std::string& singular, const std::strin
 }
 
 bool has_failed(const Sweep::Point& point) {
-    return point.results.is_null();
+    return point.error.has_value();
 }
 
 std::vector<Verdict> verdicts_of(const Sweep& sweep) {
@@ -94,7 +94,7 @@ std::vector<Verdict> verdicts_of(const Sweep& sweep) {
     std::map<std::string, std::map<std::string, int>> states;
     for (const Sweep::Point& point : sweep.points) {
         if (!states.contains(point.model)) models.push_back(point.model);
-        ++states[point.model][state_of(point)];
+        ++states[point.model][point.state];
     }
     for (const std::string& model : models) {
         auto& of_model = states[model];

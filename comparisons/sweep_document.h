@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +17,15 @@ struct Sweep {
         std::string unit;  ///< SI unit of its values; empty: none, or words
         bool logarithmic = false;
     };
+    /// Results as in point_results; NaN where undefined.
     struct Point {
         std::vector<Cell> values;  ///< one per axis, SI unit
         std::string model;
-        int level = 0;                             ///< of refinement
-        nlohmann::ordered_json results = nullptr;  ///< of point_results; null: failed
-        std::string error = {};                    ///< of a point that failed
+        int level = 0;                          ///< of refinement
+        std::optional<std::string> error = {};  ///< of a point that failed
+        std::string state = {};  ///< "shakedown", "ratcheting", "undecided"; empty without rolling
+        double static_shift_ratio = NAN, final_shift_ratio = NAN, shift_increment_ratio = NAN;
+        double kappa = NAN, eta = NAN;
     };
     std::string title;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit

@@ -18,17 +18,20 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What is drawn over the axes, in points of one state (empty: whatever the state).
 struct Quantity {
-    const char *id, *result, *state, *title, *label;
+    const char* id;
+    double Sweep::Point::*value;
+    const char *state, *title, *label;
 };
 constexpr Quantity quantities[] = {
-    {"settled", "final_shift_ratio", "shakedown", "Settled shift", "u [U_max]"},
-    {"increment", "shift_increment_ratio", "ratcheting", "Shift per period", "Δu [U_max]"},
-    {"static_shift", "static_shift_ratio", "", "Static shift", "u_stat [U_max]"},
+    {"settled", &Sweep::Point::final_shift_ratio, "shakedown", "Settled shift", "u [U_max]"},
+    {"increment", &Sweep::Point::shift_increment_ratio, "ratcheting", "Shift per period",
+     "Δu [U_max]"},
+    {"static_shift", &Sweep::Point::static_shift_ratio, "", "Static shift", "u_stat [U_max]"},
 };
 
 double value_of(const Sweep::Point& point, const Quantity& quantity) {
     const std::string state = quantity.state;
-    return state.empty() || state_of(point) == state ? number_of(point, quantity.result) : nan;
+    return state.empty() || point.state == state ? point.*quantity.value : nan;
 }
 
 SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
@@ -137,16 +140,6 @@ std::vector<SweepScale> scales_of(const Sweep& sweep) {
 std::string heading_of(const Sweep::Axis& axis, const SweepScale& scale) {
     return scale.unit.symbol.empty() ? axis.key
                                      : fmt::format("{} [{}]", axis.key, scale.unit.symbol);
-}
-
-double number_of(const Sweep::Point& point, const std::string& name) {
-    const auto found = point.results.find(name);
-    return found != point.results.end() && found->is_number() ? found->get<double>() : nan;
-}
-
-std::string state_of(const Sweep::Point& point) {
-    const auto found = point.results.find("state");
-    return found != point.results.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 std::string name_of(const Sweep::Point& point, const Sweep& sweep) {

@@ -22,11 +22,6 @@ std::vector<SweepScale> scales_of(const Sweep& sweep);
 /// "substrate.thickness [mm]".
 std::string heading_of(const Sweep::Axis& axis, const SweepScale& scale);
 
-/// A result of the point; NaN where it is undefined.
-double number_of(const Sweep::Point& point, const std::string& name);
-/// "shakedown", "ratcheting", "undecided"; empty without rolling.
-std::string state_of(const Sweep::Point& point);
-
 /// Model, and level where the sweep has several.
 std::string name_of(const Sweep::Point& point, const Sweep& sweep);
 

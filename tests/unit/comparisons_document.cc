@@ -125,6 +125,13 @@ TEST(ChartJson, StylesFollowNamesAndColours) {
     const auto json = chart_json({figure});
     for (const auto& curve : json["figures"][0]["curves"]) styles += curve["style"].dump() + " ";
     EXPECT_EQ(styles, "2 0 null 3 2 1 ");  // 0 and 1 are taken
+    figure.bands = {{.name = "FEM", .x = {}, .low = {}, .high = {}},
+                    {.name = "95 %", .x = {}, .low = {}, .high = {}},
+                    {.name = "FEM", .x = {}, .low = {}, .high = {}, .colour = 4}};
+    const auto with_bands = chart_json({figure});
+    EXPECT_EQ(with_bands["figures"][0]["bands"][0]["style"], 3);
+    EXPECT_TRUE(with_bands["figures"][0]["bands"][1]["style"].is_null());
+    EXPECT_EQ(with_bands["figures"][0]["bands"][2]["style"], 4);
 }
 
 TEST(ChartLibrary, CanStandInAPageAndNamesItsLicence) {
