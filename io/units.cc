@@ -21,7 +21,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 10> all{
+    static constexpr std::array<Traits, 13> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -31,7 +31,10 @@ const Traits& traits(Dimension dimension) {
          {"velocity", "a velocity", "m/s", "1 mm/s"},
          {"viscosity", "a viscosity", "Pa s", "40 Pa s"},
          {"frequency", "a frequency", "Hz", "0.21 Hz"},
-         {"angular frequency", "an angular frequency", "rad/s", "1.3 rad/s"}}};
+         {"angular frequency", "an angular frequency", "rad/s", "1.3 rad/s"},
+         {"mass", "a mass", "kg", "201 g"},
+         {"density", "a density", "kg/m3", "1100 kg/m3"},
+         {"stiffness", "a stiffness", "N/m", "2e7 N/m"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 
@@ -180,7 +183,8 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
         for (const auto other :
              {Dimension::length, Dimension::pressure, Dimension::force, Dimension::angle,
               Dimension::time, Dimension::velocity, Dimension::viscosity, Dimension::frequency,
-              Dimension::angular_frequency})
+              Dimension::angular_frequency, Dimension::mass, Dimension::density,
+              Dimension::stiffness})
             if (other != dimension && database.has_dimension(unit.get(), other))
                 refuse(shown + " is a unit of " + std::string(traits(other).name) +
                            ", but this is " + std::string(name_of(dimension)),

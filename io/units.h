@@ -16,7 +16,10 @@ enum class Dimension {
     velocity,
     viscosity,
     frequency,
-    angular_frequency
+    angular_frequency,
+    mass,
+    density,
+    stiffness
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

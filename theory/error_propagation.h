@@ -3,13 +3,11 @@
 #include <functional>
 #include <vector>
 
+#include "contact/uncertain.h"
+
 namespace tricontact::theory {
 
-/// A measured or derived quantity in SI units.
-struct Uncertain {
-    double value = 0;
-    double standard_error = 0;  ///< one standard deviation, same unit; 0: exact
-};
+using contact::Uncertain;
 
 /// What a function of uncertain quantities becomes.
 struct Propagated {
