@@ -8,6 +8,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "theory/elastic_layer.h"
+#include "theory/hertz.h"
 
 namespace tricontact::comparisons {
 
@@ -66,17 +67,18 @@ void add_exact(const Case& c, LayerComparison& result) {
 
 ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
     const contact::MaterialPair pair = c.materials();
-    const double force = 3. / 4 * layer.normal_force, radius = c.indenter.radius;
+    const double force = layer.normal_force, radius = c.indenter.radius;
     // All moduli in proportion: E_app/E = E*_app/E*.
     const auto young = [&](double effective_modulus) {
         return c.substrate.young * effective_modulus / pair.effective_modulus();
     };
     const auto from_indentation = [&](double d) {
-        return young(force / (std::sqrt(radius) * std::pow(d, 1.5)));
+        return young(theory::hertz_modulus_from_indentation(force, radius, d));
     };
-    ApparentModuli result{from_indentation(layer.indentation),
-                          young(force * radius / std::pow(layer.contact_radius, 3)),
-                          {}};
+    ApparentModuli result{
+        from_indentation(layer.indentation),
+        young(theory::hertz_modulus_from_contact_radius(force, radius, layer.contact_radius)),
+        {}};
     if (layer.unit_shift && c.friction_coefficient > 0)
         result.from_unit_shift =
             from_indentation(*layer.unit_shift * pair.effective_shear_modulus() /

@@ -10,12 +10,6 @@ namespace tricontact::io {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 struct Halves {
     std::string_view value, error;  // error empty: there is none
 };

@@ -105,6 +105,12 @@ std::size_t first_non_utf8(std::string_view text) {
     return std::string_view::npos;
 }
 
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates) {
     constexpr std::size_t longest = 64;  // of a word worth comparing: the cost is quadratic
     if (word.size() > longest) return {};

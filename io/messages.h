@@ -18,6 +18,9 @@ std::string shortest(double value);
 /// At most `limit` bytes of the text, cut at a character, and "..." if anything is left out.
 std::string shortened(std::string_view text, std::size_t limit);
 
+/// Without blanks, tabs and carriage returns at both ends.
+std::string_view trimmed(std::string_view text);
+
 /// Control characters replaced by spaces: a message is one line whatever the input holds.
 std::string one_line(std::string_view text);
 

@@ -116,12 +116,6 @@ class UnitDatabase {
     throw QuantityError{std::move(rule), remedy + toml_string(example_of(dimension))};
 }
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 // The degree sign and both micro signs in ASCII.
 std::string in_ascii(std::string_view text) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{

@@ -32,4 +32,16 @@ double hertz_surface_displacement(const contact::HertzScales& scales, double r) 
     return scales.indentation * ((2 - rho * rho) * std::asin(1 / rho) + root) / std::numbers::pi;
 }
 
+double hertz_modulus_from_indentation(double force, double radius, double indentation) {
+    return 3. / 4 * force / (std::sqrt(radius) * std::pow(indentation, 1.5));
+}
+
+double hertz_modulus_from_contact_radius(double force, double radius, double contact_radius) {
+    return 3. / 4 * force * radius / std::pow(contact_radius, 3);
+}
+
+double hertz_line_half_width(double load, double radius, double effective_modulus) {
+    return std::sqrt(4 * load * radius / (std::numbers::pi * effective_modulus));
+}
+
 }  // namespace tricontact::theory

@@ -1,0 +1,63 @@
+#include "rig/calculation.h"
+
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "contact/error.h"
+
+namespace tricontact::rig {
+
+namespace {
+
+constexpr double widest_factor = 1e6;
+
+// Factor on the i-th quantity that makes the result `wanted`; empty if none within `widest_factor`
+// does. Formulas here are monotonic in each quantity.
+std::optional<double> factor_for(const Calculation& calculation, std::size_t i, double wanted) {
+    std::vector<double> x;
+    for (const Given& one : calculation.given) x.push_back(one.value.value);
+    const double value = x[i];
+    const auto excess = [&](double log_factor) {
+        x[i] = value * std::exp(log_factor);
+        return calculation.function(x) - wanted;
+    };
+    const double widest = std::log(widest_factor);
+    try {
+        const double low = excess(-widest), high = excess(widest);
+        if (!std::isfinite(low) || !std::isfinite(high) || low * high >= 0) return {};
+        std::uintmax_t evaluations = 200;  // toms748 needs about 15
+        const auto [left, right] = boost::math::tools::toms748_solve(
+            excess, -widest, widest, low, high, boost::math::tools::eps_tolerance<double>(40),
+            evaluations);
+        return std::exp(std::midpoint(left, right));
+    } catch (const contact::InputError&) {
+        return {};  // such a body does not exist: Poisson's ratio above 1/2
+    } catch (const std::domain_error&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+Calculation calculate(Calculation calculation) {
+    std::vector<theory::Uncertain> quantities;
+    for (const Given& one : calculation.given) quantities.push_back(one.value);
+    calculation.result = theory::propagate(calculation.function, quantities).result;
+    return calculation;
+}
+
+std::vector<Substitute> substitutes(const Calculation& calculation, double wanted) {
+    std::vector<Substitute> found;
+    for (std::size_t i = 0; i < calculation.given.size(); ++i) {
+        const Given& one = calculation.given[i];
+        if (const auto factor = factor_for(calculation, i, wanted))
+            found.push_back({one.symbol, one.value.value * *factor, one.value.value, one.unit});
+    }
+    return found;
+}
+
+}  // namespace tricontact::rig

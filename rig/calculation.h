@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "theory/error_propagation.h"
+
+namespace tricontact::rig {
+
+/// A quantity that goes into a formula.
+struct Given {
+    std::string symbol;  ///< "W"
+    theory::Uncertain value;
+    std::string unit;  ///< SI, "1" of pure numbers
+};
+
+/// One formula with the numbers put in: what a report shows of the arithmetic.
+struct Calculation {
+    std::string name;     ///< "pivot_height_error"
+    std::string symbol;   ///< "Dh"
+    std::string formula;  ///< "DU R/W"
+    std::string source;   ///< "(5.1.11)"
+    std::string unit;     ///< SI, "1" of pure numbers
+    std::vector<Given> given;
+    theory::Quantity function;  ///< of the values of `given`
+    theory::Uncertain result;   ///< first-order error of the given ones
+};
+
+/// Fills `result`. Throws what `function` throws.
+Calculation calculate(Calculation calculation);
+
+/// A given quantity of a calculation that has the value `wanted` if only this quantity changes.
+struct Substitute {
+    std::string symbol;
+    double needed = 0;  ///< SI
+    double given = 0;
+    std::string unit;
+};
+
+/// One for each given quantity that can do it between 1e-6 and 1e6 times its value.
+std::vector<Substitute> substitutes(const Calculation& calculation, double wanted);
+
+}  // namespace tricontact::rig

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "contact/rolling_rig.h"
+#include "rig/printed.h"
+
+namespace tricontact::rig {
+
+/// F_T/(mu F_N) at which the effect of the layer's coupling is told.
+inline constexpr double coupling_tangential_ratio = 0.56;
+
+/// Shift [m] of the rig's sphere on its layer under F_N and `coupling_tangential_ratio`, normal and
+/// tangential contact coupled or not: by a model that the caller has.
+using StaticShift = std::function<double(const contact::RollingRig& rig, bool coupled)>;
+
+/// What the evaluation of a rolling rig takes for granted, with verdicts. `static_shift` empty: the
+/// effect of coupling stays open. Throws contact::InputError for a rig out of the range of the
+/// layer's theory, contact::NotConverged.
+RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_shift = {});
+
+}  // namespace tricontact::rig

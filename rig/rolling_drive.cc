@@ -1,0 +1,183 @@
+// What the drive does: slowly enough, and rolling only.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "rig/rolling_formulas.h"
+#include "rig/rolling_parts.h"
+
+namespace tricontact::rig {
+
+namespace {
+
+using contact::RollingRig;
+
+// Inertia changes an amplitude by (f_0/f_1)^2: 1 % at 10.
+constexpr double least_frequency_ratio = 10;
+constexpr double least_wave_ratio = 100;
+constexpr double largest_wobble = 0.01;
+
+Given smallest_ratio(const RollingRig& rig) {
+    return {"w", rig.drive.smallest_amplitude_ratio, "1"};
+}
+Given reference(const RollingRig& rig) {
+    return {"a", reference_radius(rig), "m"};
+}
+
+Calculation excitation_frequency(const RollingRig& rig) {
+    return calculate({.name = "excitation_frequency",
+                      .symbol = "f_0",
+                      .formula = "v/(4 w a), w the smallest W/a",
+                      .source = "section 5.1.5",
+                      .unit = "Hz",
+                      .given = {{"v", rig.drive.speed, "m/s"}, smallest_ratio(rig), reference(rig)},
+                      .function = [](const auto& x) { return x[0] / (4 * x[1] * x[2]); },
+                      .result = {}});
+}
+
+// The speed that belongs to the printed frequency.
+Calculation drive_speed(const RollingRig& rig, const contact::PrintedValue& frequency) {
+    return calculate(
+        {.name = "drive_speed",
+         .symbol = "v",
+         .formula = "4 w a f_0, f_0 as printed",
+         .source = "section 5.1.5",
+         .unit = "m/s",
+         .given = {{"f_0", frequency.value, "Hz"}, smallest_ratio(rig), reference(rig)},
+         .function = [](const auto& x) { return 4 * x[0] * x[1] * x[2]; },
+         .result = {}});
+}
+
+Calculation frequency_ratio(const RollingRig& rig, const theory::Uncertain& f0) {
+    return calculate({.name = "frequency_ratio",
+                      .symbol = "f_1/f_0",
+                      .formula = "f_1/f_0",
+                      .source = "section 5.1.5",
+                      .unit = "1",
+                      .given = {{"f_1", *rig.drive.eigenfrequency, "Hz"}, {"f_0", f0, "Hz"}},
+                      .function = [](const auto& x) { return x[0] / x[1]; },
+                      .result = {}});
+}
+
+Calculation wave_ratio(const RollingRig& rig, const theory::Uncertain& f0) {
+    return calculate({.name = "wave_ratio",
+                      .symbol = "T_c c_s/D_c",
+                      .formula = "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a",
+                      .source = "(2.3.1)",
+                      .unit = "1",
+                      .given = {{"E_2", rig.substrate.young, "Pa"},
+                                {"nu_2", rig.substrate.poisson, "1"},
+                                {"rho", *rig.substrate.density, "kg/m3"},
+                                {"f_0", f0, "Hz"},
+                                {"a", {half_size(rig)}, "m"}},
+                      .function =
+                          [](const auto& x) {
+                              return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) / (x[3] * 2 * x[4]);
+                          },
+                      .result = {}});
+}
+
+Calculation pivot_height_error(const RollingRig& rig) {
+    return calculate({.name = "pivot_height_error",
+                      .symbol = "Dh",
+                      .formula = "DU R/(w a)",
+                      .source = "(5.1.11)",
+                      .unit = "m",
+                      .given = {{"DU", rig.pivot->displacement, "m"},
+                                {"R", rig.roller.radius, "m"},
+                                {"w", rig.pivot->amplitude_ratio, "1"},
+                                reference(rig)},
+                      .function = [](const auto& x) { return x[0] * x[1] / (x[2] * x[3]); },
+                      .result = {}});
+}
+
+// What the printed height error would do.
+Calculation pivot_displacement(const RollingRig& rig, const contact::PrintedValue& height) {
+    return calculate({.name = "pivot_displacement",
+                      .symbol = "DU",
+                      .formula = "w a Dh/R, Dh as printed",
+                      .source = "(5.1.11)",
+                      .unit = "m",
+                      .given = {{"Dh", height.value, "m"},
+                                {"R", rig.roller.radius, "m"},
+                                {"w", rig.pivot->amplitude_ratio, "1"},
+                                reference(rig)},
+                      .function = [](const auto& x) { return x[2] * x[3] * x[0] / x[1]; },
+                      .result = {}});
+}
+
+Calculation wobble_ratio(const RollingRig& rig) {
+    return calculate({.name = "wobble_ratio",
+                      .symbol = "DU R/(mu a^2)",
+                      .formula = "DU R/(mu a^2)",
+                      .source = "(3.1.5)",
+                      .unit = "1",
+                      .given = {{"DU", rig.pivot->displacement, "m"},
+                                {"R", rig.roller.radius, "m"},
+                                {"mu", rig.friction_coefficient, "1"},
+                                reference(rig)},
+                      .function = [](const auto& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); },
+                      .result = {}});
+}
+
+}  // namespace
+
+Assumption quasi_static_drive(const RollingRig& rig) {
+    Assumption a{.name = "quasi_static_drive",
+                 .claim =
+                     "The drive is quasi-static: neither the rig nor waves in the substrate "
+                     "have a say",
+                 .criteria = {},
+                 .background = {excitation_frequency(rig)},
+                 .missing = {},
+                 .consequence = {}};
+    const theory::Uncertain f0 = a.background.front().result;
+    if (const auto* frequency = find_printed(rig, "excitation_frequency"))
+        a.background.push_back(drive_speed(rig, *frequency));
+    using enum Criterion::Relation;
+    if (rig.drive.eigenfrequency)
+        a.criteria.push_back({frequency_ratio(rig, f0), at_least, least_frequency_ratio,
+                              "inertia changes the motion by (f_0/f_1)^2: 1 % at 10"});
+    else
+        a.missing.push_back("drive.eigenfrequency");
+    if (rig.substrate.density)
+        a.criteria.push_back({wave_ratio(rig, f0), at_least, least_wave_ratio,
+                              "shear waves cross the contact a hundred times within a period"});
+    else
+        a.missing.push_back("substrate.density");
+    if (rig.drive.eigenfrequency) {
+        const double ratio = a.criteria.front().calculation.result.value;
+        a.consequence = fmt::format(
+            "Inertia of the rig changes the motion by {:.2g} %: the fastest oscillation is {:.0f} "
+            "times slower than the lowest eigenfrequency.",
+            100 / (ratio * ratio), ratio);
+    }
+    return a;
+}
+
+Assumption ideal_rolling(const RollingRig& rig) {
+    Assumption a{.name = "ideal_rolling",
+                 .claim =
+                     "The lever's pivot is level with the contact: rolling alone does not "
+                     "move the substrate",
+                 .criteria = {},
+                 .background = {},
+                 .missing = {},
+                 .consequence = {}};
+    if (!rig.pivot) {
+        a.missing = {"pivot.displacement"};
+        return a;
+    }
+    a.criteria.push_back({wobble_ratio(rig), Criterion::Relation::at_most, largest_wobble,
+                          "measured shifts are of the order mu d, d = a^2/R"});
+    a.background.push_back(pivot_height_error(rig));
+    if (const auto* height = find_printed(rig, "pivot_height_error"))
+        a.background.push_back(pivot_displacement(rig, *height));
+    a.consequence = fmt::format(
+        "Shifts wobble by {:.2g} % of mu d within a period; read with the roller upright they are "
+        "not touched.",
+        100 * a.criteria.front().calculation.result.value);
+    return a;
+}
+
+}  // namespace tricontact::rig

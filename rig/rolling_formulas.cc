@@ -1,0 +1,85 @@
+#include "rig/rolling_formulas.h"
+
+#include <algorithm>
+
+#include "theory/hertz.h"
+
+namespace tricontact::rig {
+
+namespace {
+using contact::RollingRig;
+
+theory::ElasticLayer layer_with(const std::vector<double>& x) {
+    return {{x[3], x[4]}, x[2], theory::LayerBase::bonded};
+}
+}  // namespace
+
+std::vector<Given> hertz_given(const RollingRig& rig) {
+    return {{"R", rig.roller.radius, "m"},      {"F_N", rig.normal_force, "N"},
+            {"E_1", rig.roller.young, "Pa"},    {"nu_1", rig.roller.poisson, "1"},
+            {"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}};
+}
+
+std::vector<Given> layer_given(const RollingRig& rig) {
+    return {{"R", rig.roller.radius, "m"},
+            {"F_N", rig.normal_force, "N"},
+            {"b", rig.substrate.thickness, "m"},
+            {"E_2", rig.substrate.young, "Pa"},
+            {"nu_2", rig.substrate.poisson, "1"}};
+}
+
+std::vector<Given> with(std::vector<Given> given, Given one) {
+    given.push_back(std::move(one));
+    return given;
+}
+
+std::vector<Given> with_length(std::vector<Given> given, const RollingRig& rig) {
+    return with(std::move(given), {"L", *rig.roller.length, "m"});
+}
+
+contact::MaterialPair materials_of(const std::vector<double>& x) {
+    return {contact::Material{x[2], x[3]}, contact::Material{x[4], x[5]}};
+}
+
+contact::HertzScales hertz_of(const std::vector<double>& x) {
+    contact::Case c;
+    c.indenter = {contact::Case::Shape::paraboloid, x[0], contact::Material{x[2], x[3]}};
+    c.load.normal_force = x[1];
+    c.substrate = {x[4], x[5]};
+    c.friction_coefficient = 1;
+    return contact::hertz_scales(c);
+}
+
+double line_half_width_of(const std::vector<double>& x) {
+    return theory::hertz_line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
+}
+
+theory::LayerContact layer_of(const std::vector<double>& x) {
+    return theory::solve_layer_contact(layer_with(x), contact::Paraboloid(x[0]),
+                                       {contact::NormalControl::Kind::force, x[1]});
+}
+
+theory::LineContact layer_line_of(const std::vector<double>& x) {
+    return theory::solve_line_contact(layer_with(x), x[0],
+                                      {theory::LineControl::Kind::load, x[1] / x[5]});
+}
+
+double half_size(const RollingRig& rig) {
+    std::vector<Given> given = hertz_given(rig);
+    const bool cylinder = rig.roller.shape == RollingRig::Shape::cylinder;
+    if (cylinder) given = with_length(given, rig);
+    std::vector<double> x;
+    for (const Given& one : given) x.push_back(one.value.value);
+    return cylinder ? line_half_width_of(x) : hertz_of(x).contact_radius;
+}
+
+theory::Uncertain reference_radius(const RollingRig& rig) {
+    return rig.drive.reference_radius.value_or(theory::Uncertain{half_size(rig)});
+}
+
+const contact::PrintedValue* find_printed(const RollingRig& rig, const char* name) {
+    const auto found = std::ranges::find(rig.printed, name, &contact::PrintedValue::name);
+    return found == rig.printed.end() ? nullptr : &*found;
+}
+
+}  // namespace tricontact::rig

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/case.h"
+#include "contact/rolling_rig.h"
+#include "rig/calculation.h"
+#include "theory/elastic_layer.h"
+#include "theory/line_contact.h"
+
+// The contact of a rolling rig from its quantities, as several assumptions need it.
+namespace tricontact::rig {
+
+/// R, F_N, E_1, nu_1, E_2, nu_2: what Hertz' contact follows from.
+std::vector<Given> hertz_given(const contact::RollingRig& rig);
+/// R, F_N, b, E_2, nu_2 of the contact with the layer; the roller is rigid.
+std::vector<Given> layer_given(const contact::RollingRig& rig);
+/// The same with one more behind.
+std::vector<Given> with(std::vector<Given> given, Given one);
+/// Either with a cylinder's L behind.
+std::vector<Given> with_length(std::vector<Given> given, const contact::RollingRig& rig);
+
+/// Of values in the order of `hertz_given`, at mu = 1.
+contact::HertzScales hertz_of(const std::vector<double>& x);
+contact::MaterialPair materials_of(const std::vector<double>& x);
+/// Hertz' half width [m] of values in the order of `with_length(hertz_given)`.
+double line_half_width_of(const std::vector<double>& x);
+/// Of values in the order of `layer_given`, with a length for the line.
+theory::LayerContact layer_of(const std::vector<double>& x);
+theory::LineContact layer_line_of(const std::vector<double>& x);
+
+/// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
+double half_size(const contact::RollingRig& rig);
+/// The radius [m] that amplitude ratios of the rig refer to.
+theory::Uncertain reference_radius(const contact::RollingRig& rig);
+/// The printed value of this name, if the rig has it.
+const contact::PrintedValue* find_printed(const contact::RollingRig& rig, const char* name);
+
+/// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
+inline constexpr double accepted_difference = 0.05;
+inline constexpr const char* accepted_reason = "below the scatter of repeated runs";
+
+}  // namespace tricontact::rig

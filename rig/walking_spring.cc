@@ -1,0 +1,214 @@
+// What drags the specimen: spring, rod, sensor, and how its force is sampled.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "rig/walking_formulas.h"
+#include "rig/walking_parts.h"
+
+namespace tricontact::rig {
+
+namespace {
+
+using contact::WalkingRig;
+using Relation = Criterion::Relation;
+
+constexpr double least_kappa1 = 0.1, largest_kappa1 = 10;
+constexpr double least_series_ratio = 0.95;
+constexpr double largest_beam_ratio = 0.01;
+
+Calculation kappa1(const WalkingRig& rig) {
+    return calculate({.name = "kappa1",
+                      .symbol = "kappa_1",
+                      .formula = "k_s/k_x",
+                      .source = "(5.2.19)",
+                      .unit = "1",
+                      .given = {{"k_s", spring_stiffness(rig).result, "N/m"},
+                                {"k_x", tangential_stiffness(rig).result, "N/m"}},
+                      .function = [](const auto& x) { return x[0] / x[1]; },
+                      .result = {}});
+}
+
+Calculation series_ratio(const WalkingRig& rig) {
+    return calculate({.name = "series_ratio",
+                      .symbol = "k_s/k",
+                      .formula = "1/(1 + k/k_sensor)",
+                      .source = "(5.2.16)",
+                      .unit = "1",
+                      .given = {{"k", rig.spring.stiffness, "N/m"},
+                                {"k_sensor", *rig.spring.sensor_stiffness, "N/m"}},
+                      .function = [](const auto& x) { return 1 / (1 + x[0] / x[1]); },
+                      .result = {}});
+}
+
+std::vector<Given> rod_given(const WalkingRig& rig) {
+    return {{"k", rig.spring.stiffness, "N/m"},
+            {"l_s", *rig.spring.length, "m"},
+            {"E_s", *rig.spring.young, "Pa"}};
+}
+
+// Radius of a round rod from k = E_s pi r_s^2/l_s.
+double rod_radius_of(const std::vector<double>& x) {
+    return std::sqrt(x[0] * x[1] / (std::numbers::pi * x[2]));
+}
+
+Calculation of_rod(const WalkingRig& rig, const char* name, const char* symbol, const char* formula,
+                   const char* source, const char* unit, theory::Quantity function,
+                   std::vector<Given> further = {}) {
+    std::vector<Given> given = rod_given(rig);
+    given.insert(given.end(), further.begin(), further.end());
+    return calculate({.name = name,
+                      .symbol = symbol,
+                      .formula = formula,
+                      .source = source,
+                      .unit = unit,
+                      .given = std::move(given),
+                      .function = std::move(function),
+                      .result = {}});
+}
+
+double slender(const std::vector<double>& x) {
+    return 0.75 * std::pow(rod_radius_of(x) / x[1], 2);
+}
+double over_width(const std::vector<double>& x) {
+    return 0.25 * std::pow(rod_radius_of(x) / x[3], 2);
+}
+
+Calculation tilting_ratio(const WalkingRig& rig) {
+    return calculate({.name = "tilting_ratio",
+                      .symbol = "mu/mu_c",
+                      .formula = "mu kappa_3 (1 + kappa_8)",
+                      .source = "(4.3.3)",
+                      .unit = "1",
+                      .given = {{"mu", rig.friction_coefficient, "1"},
+                                {"a", half_height(rig).result, "m"},
+                                {"b", half_width(rig).result, "m"},
+                                {"kappa_8", *rig.spring.height_ratio, "1"}},
+                      .function = [](const auto& x) { return x[0] * x[1] / x[2] * (1 + x[3]); },
+                      .result = {}});
+}
+
+}  // namespace
+
+Assumption similar_stiffness(const WalkingRig& rig) {
+    const Calculation kappa = kappa1(rig);
+    const char* reason = "micro-walking was found for kappa_1 about 1 (5.2.8): within a decade";
+    return {.name = "similar_stiffness",
+            .claim = "Spring and contact are of similar stiffness",
+            .criteria = {{kappa, Relation::at_least, least_kappa1, reason},
+                         {kappa, Relation::at_most, largest_kappa1, reason}},
+            .background = {spring_stiffness(rig)},
+            .missing = {},
+            .consequence = fmt::format("kappa_1 is {:.2g} ± {:.1g}.", kappa.result.value,
+                                       kappa.result.standard_error)};
+}
+
+Assumption rigid_sensor(const WalkingRig& rig) {
+    Assumption a{.name = "rigid_sensor",
+                 .claim = "The force sensor is rigid beside the spring",
+                 .criteria = {},
+                 .background = {},
+                 .missing = {},
+                 .consequence = {}};
+    if (!rig.spring.sensor_stiffness) {
+        a.missing = {"spring.sensor_stiffness"};
+        return a;
+    }
+    a.criteria = {{series_ratio(rig), Relation::at_least, least_series_ratio,
+                   "5 % of the spring's stiffness"}};
+    a.consequence =
+        fmt::format("With the sensor in series the spring is {:.1f} % softer than alone.",
+                    100 * (1 - a.criteria.front().calculation.result.value));
+    return a;
+}
+
+Assumption rod_as_spring(const WalkingRig& rig) {
+    Assumption a{.name = "rod_as_spring",
+                 .claim = "The rod pulls only: its bending acts on nothing",
+                 .criteria = {},
+                 .background = {},
+                 .missing = {},
+                 .consequence = {}};
+    if (!rig.spring.length || !rig.spring.young) {
+        a.missing = {"spring.length and spring.young of a rod"};
+        return a;
+    }
+    const Given stiffness{"k_z", normal_stiffness(rig).result, "N/m"};
+    const Given width{"b", half_width(rig).result, "m"};
+    a.criteria = {
+        {of_rod(rig, "bending_force_ratio", "F_bZ/F_cZ",
+                "3 E_s I_s/(l_s^3 k_z) = 3/4 (r_s/l_s)^2 k/k_z", "(5.2.41)", "1",
+                [](const auto& x) { return slender(x) * x[0] / x[3]; }, {stiffness}),
+         Relation::at_most, largest_beam_ratio, "1 % of the contact's force"},
+        {of_rod(rig, "bending_moment_ratio", "M_b/M_c",
+                "E_s I_s/(l_s k_z b^2) = 1/4 (r_s/b)^2 k/k_z", "(5.2.41)", "1",
+                [](const auto& x) { return over_width(x) * x[0] / x[4]; }, {width, stiffness}),
+         Relation::at_most, largest_beam_ratio, "1 % of the contact's moment"}};
+    a.background = {
+        of_rod(rig, "rod_radius", "r_s", "sqrt(k l_s/(pi E_s))", "(5.2.12)", "m", rod_radius_of),
+        of_rod(rig, "beam_force_ratio", "F_bZ/F_cZ, k_z = k", "3/4 (r_s/l_s)^2", "(5.2.42)", "1",
+               slender),
+        of_rod(rig, "beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2", "(5.2.42)", "1",
+               over_width, {width})};
+    a.consequence = fmt::format(
+        "Bending adds {:.2g} % to the contact's force and {:.2g} % to its moment.",
+        100 * a.criteria[0].calculation.result.value, 100 * a.criteria[1].calculation.result.value);
+    return a;
+}
+
+Assumption no_tilting(const WalkingRig& rig) {
+    Assumption a{.name = "no_tilting",
+                 .claim = "Friction alone does not tilt the specimen",
+                 .criteria = {},
+                 .background = {},
+                 .missing = {},
+                 .consequence = {}};
+    if (!rig.spring.height_ratio) {
+        a.missing = {"spring.height_ratio"};
+        return a;
+    }
+    a.criteria = {{tilting_ratio(rig), Relation::at_most, 1, "at mu_c one contact lifts off"}};
+    a.consequence =
+        fmt::format("The critical coefficient is {:.2f}.",
+                    rig.friction_coefficient.value / a.criteria.front().calculation.result.value);
+    return a;
+}
+
+Assumption sampled_often(const WalkingRig& rig) {
+    Assumption a{.name = "sampled_often",
+                 .claim = "The force is sampled often enough",
+                 .criteria = {},
+                 .background = {},
+                 .missing = {},
+                 .consequence = {}};
+    if (!rig.oscillation || !rig.oscillation->sampling_rate) {
+        a.missing = {"oscillation.sampling_rate"};
+        return a;
+    }
+    const Given frequency{"Omega_exp", rig.oscillation->frequency, "Hz"};
+    const Given rate{"f_samp", *rig.oscillation->sampling_rate, "Hz"};
+    a.criteria = {{calculate({.name = "sampling_ratio",
+                              .symbol = "f_samp/(2 Omega_exp)",
+                              .formula = "f_samp/(2 Omega_exp), Omega_exp in cycles per second",
+                              .source = "(5.2.1)",
+                              .unit = "1",
+                              .given = {rate, frequency},
+                              .function = [](const auto& x) { return x[0] / (2 * x[1]); },
+                              .result = {}}),
+                   Relation::at_least, 1, "Nyquist and Shannon"}};
+    a.background = {
+        calculate({.name = "nyquist_rate",
+                   .symbol = "2 Omega_exp/(2 pi)",
+                   .formula = "2 Omega_exp/(2 pi)",
+                   .source = "(5.2.1)",
+                   .unit = "Hz",
+                   .given = {frequency},
+                   .function = [](const auto& x) { return 2 * x[0] / (2 * std::numbers::pi); },
+                   .result = {}})};
+    a.consequence = fmt::format("The force is sampled {:.1f} times as often as it has to be.",
+                                a.criteria.front().calculation.result.value);
+    return a;
+}
+
+}  // namespace tricontact::rig

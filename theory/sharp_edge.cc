@@ -1,0 +1,37 @@
+#include "theory/sharp_edge.h"
+
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace tricontact::theory {
+
+double edge_pressure_exponent(double wedge_angle, double dundurs_alpha) {
+    constexpr double pi = std::numbers::pi;
+    if (!(wedge_angle > 0 && wedge_angle < pi))
+        throw std::domain_error("sharp edge: the angle must lie between 0 and pi");
+    if (!(std::abs(dundurs_alpha) <= 1))
+        throw std::domain_error("sharp edge: Dundurs' alpha must lie in [-1, 1]");
+    const auto characteristic = [&](double lambda) {
+        const double wedge = std::sin(lambda * wedge_angle);
+        const double edge = lambda * std::sin(wedge_angle);
+        return (1 + dundurs_alpha) * std::cos(pi * lambda) * (wedge * wedge - edge * edge) +
+               (1 - dundurs_alpha) / 2 * std::sin(pi * lambda) *
+                   (std::sin(2 * lambda * wedge_angle) + lambda * std::sin(2 * wedge_angle));
+    };
+    // lambda = 1 is always a root: no singularity, unless one lies below it.
+    const double low = 0.5, high = 1 - 1e-6;
+    const double at_low = characteristic(low), at_high = characteristic(high);
+    if (dundurs_alpha == 1) return -0.5;  // cos(pi lambda) = 0
+    if (at_low * at_high >= 0) return 0;
+    std::uintmax_t evaluations = 200;
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        characteristic, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48),
+        evaluations);
+    return std::midpoint(left, right) - 1;
+}
+
+}  // namespace tricontact::theory
