@@ -99,6 +99,15 @@ struct ExperimentOptions {
 /// NotConverged.
 void experiment_command(const ExperimentOptions& options);
 
+struct RigOptions {
+    std::string rig_file;
+    std::string output;  ///< empty: results/<name of the rig file>
+};
+/// Checks the assumptions and printed numbers of an experiment: rig.json, report.html, and a table
+/// on standard output. Assumptions that fail are a finding, no error. Throws InputError,
+/// NotConverged.
+void rig_command(const RigOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

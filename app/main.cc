@@ -75,6 +75,13 @@ const CLI::App* add_experiment(CLI::App& app, tricontact::app::ExperimentOptions
     return experiment;
 }
 
+const CLI::App* add_rig(CLI::App& app, tricontact::app::RigOptions& options) {
+    auto* rig = app.add_subcommand("rig", "Check what an experiment takes for granted");
+    rig->add_option("rig", options.rig_file, "Rig file (TOML)")->required()->type_name("RIG.toml");
+    rig->add_option("--output", options.output, "Folder (results/<rig>)")->type_name("DIR");
+    return rig;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
@@ -152,6 +159,9 @@ int run_program(int argc, char** argv) {
     tricontact::app::MergeOptions merge_options;
     const auto* merge = add_merge(app, merge_options);
 
+    tricontact::app::RigOptions rig_options;
+    const auto* rig = add_rig(app, rig_options);
+
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
@@ -175,6 +185,7 @@ int run_program(int argc, char** argv) {
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*merge) tricontact::app::merge_command(merge_options);
+    if (*rig) tricontact::app::rig_command(rig_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);

@@ -49,7 +49,7 @@ LineIntersection intersect(const StageEvaluation& before, const StageEvaluation&
     const double difference = std::abs(numbers[3].value - numbers[1].value);
     if (difference < 3 * std::hypot(numbers[1].standard_error, numbers[3].standard_error))
         return result;
-    const double error = propagate(shift, numbers, correlation).result.standard_error;
+    const double error = theory::propagate(shift, numbers, correlation).result.standard_error;
     const double half = error * student_t(confidence, std::min(lines[0].degrees_of_freedom,
                                                                lines[1].degrees_of_freedom));
     result.shift = {shift(p), error, shift(p) - half, shift(p) + half};

@@ -28,7 +28,6 @@ struct Quantity {
     double (*layer)(const LayerContact&);
 };
 
-// Shifts are those at mu = 1: the coefficient cancels in ratios.
 const Quantity quantities[] = {
     {"contact_radius", "a", "m", "(3 F_N R/(4 E*))^(1/3), 1/E* = sum (1 - nu_i^2)/E_i",
      [](const HertzScales& h, const contact::MaterialPair&) { return h.contact_radius; },
@@ -39,7 +38,7 @@ const Quantity quantities[] = {
     {"peak_pressure", "p_0", "Pa", "3 F_N/(2 pi a^2)",
      [](const HertzScales& h, const contact::MaterialPair&) { return h.peak_pressure; },
      [](const LayerContact& l) { return l.centre_pressure; }},
-    {"unit_shift", "U_max/mu", "m", "d E*/G*",
+    {"unit_shift", "U_max", "m", "mu d E*/G* at mu = 1",
      [](const HertzScales& h, const contact::MaterialPair&) { return h.unit_shift; },
      [](const LayerContact& l) { return *l.unit_shift; }},
     {"normal_stiffness", "k_N", "N/m", "2 E* a",

@@ -17,22 +17,36 @@ constexpr double least_frequency_ratio = 10;
 constexpr double least_wave_ratio = 100;
 constexpr double largest_wobble = 0.01;
 
-Given smallest_ratio(const RollingRig& rig) {
-    return {"w", rig.drive.smallest_amplitude_ratio, "1"};
+// W = w a of a ratio.
+Calculation amplitude(const RollingRig& rig, const char* name, const theory::Uncertain& ratio) {
+    return calculate({.name = name,
+                      .symbol = "W",
+                      .formula = "w a",
+                      .source = "(3.1.4)",
+                      .unit = "m",
+                      .given = {{"w", ratio, "1"}, {"a", reference_radius(rig), "m"}},
+                      .function = [](const auto& x) { return x[0] * x[1]; },
+                      .result = {}});
 }
-Given reference(const RollingRig& rig) {
-    return {"a", reference_radius(rig), "m"};
+
+Calculation smallest_amplitude(const RollingRig& rig) {
+    return amplitude(rig, "smallest_amplitude", rig.drive.smallest_amplitude_ratio);
+}
+
+Calculation pivot_amplitude(const RollingRig& rig) {
+    return amplitude(rig, "pivot_amplitude", rig.pivot->amplitude_ratio);
 }
 
 Calculation excitation_frequency(const RollingRig& rig) {
-    return calculate({.name = "excitation_frequency",
-                      .symbol = "f_0",
-                      .formula = "v/(4 w a), w the smallest W/a",
-                      .source = "section 5.1.5",
-                      .unit = "Hz",
-                      .given = {{"v", rig.drive.speed, "m/s"}, smallest_ratio(rig), reference(rig)},
-                      .function = [](const auto& x) { return x[0] / (4 * x[1] * x[2]); },
-                      .result = {}});
+    return calculate(
+        {.name = "excitation_frequency",
+         .symbol = "f_0",
+         .formula = "v/(4 W)",
+         .source = "section 5.1.5",
+         .unit = "Hz",
+         .given = {{"v", rig.drive.speed, "m/s"}, {"W", smallest_amplitude(rig).result, "m"}},
+         .function = [](const auto& x) { return x[0] / (4 * x[1]); },
+         .result = {}});
 }
 
 // The speed that belongs to the printed frequency.
@@ -40,11 +54,11 @@ Calculation drive_speed(const RollingRig& rig, const contact::PrintedValue& freq
     return calculate(
         {.name = "drive_speed",
          .symbol = "v",
-         .formula = "4 w a f_0, f_0 as printed",
+         .formula = "4 W f_0, f_0 as printed",
          .source = "section 5.1.5",
          .unit = "m/s",
-         .given = {{"f_0", frequency.value, "Hz"}, smallest_ratio(rig), reference(rig)},
-         .function = [](const auto& x) { return 4 * x[0] * x[1] * x[2]; },
+         .given = {{"W", smallest_amplitude(rig).result, "m"}, {"f_0", frequency.value, "Hz"}},
+         .function = [](const auto& x) { return 4 * x[0] * x[1]; },
          .result = {}});
 }
 
@@ -80,14 +94,13 @@ Calculation wave_ratio(const RollingRig& rig, const theory::Uncertain& f0) {
 Calculation pivot_height_error(const RollingRig& rig) {
     return calculate({.name = "pivot_height_error",
                       .symbol = "Dh",
-                      .formula = "DU R/(w a)",
+                      .formula = "DU R/W",
                       .source = "(5.1.11)",
                       .unit = "m",
                       .given = {{"DU", rig.pivot->displacement, "m"},
                                 {"R", rig.roller.radius, "m"},
-                                {"w", rig.pivot->amplitude_ratio, "1"},
-                                reference(rig)},
-                      .function = [](const auto& x) { return x[0] * x[1] / (x[2] * x[3]); },
+                                {"W", pivot_amplitude(rig).result, "m"}},
+                      .function = [](const auto& x) { return x[0] * x[1] / x[2]; },
                       .result = {}});
 }
 
@@ -95,14 +108,13 @@ Calculation pivot_height_error(const RollingRig& rig) {
 Calculation pivot_displacement(const RollingRig& rig, const contact::PrintedValue& height) {
     return calculate({.name = "pivot_displacement",
                       .symbol = "DU",
-                      .formula = "w a Dh/R, Dh as printed",
+                      .formula = "Dh W/R, Dh as printed",
                       .source = "(5.1.11)",
                       .unit = "m",
                       .given = {{"Dh", height.value, "m"},
                                 {"R", rig.roller.radius, "m"},
-                                {"w", rig.pivot->amplitude_ratio, "1"},
-                                reference(rig)},
-                      .function = [](const auto& x) { return x[2] * x[3] * x[0] / x[1]; },
+                                {"W", pivot_amplitude(rig).result, "m"}},
+                      .function = [](const auto& x) { return x[0] * x[2] / x[1]; },
                       .result = {}});
 }
 
@@ -115,7 +127,7 @@ Calculation wobble_ratio(const RollingRig& rig) {
                       .given = {{"DU", rig.pivot->displacement, "m"},
                                 {"R", rig.roller.radius, "m"},
                                 {"mu", rig.friction_coefficient, "1"},
-                                reference(rig)},
+                                {"a", reference_radius(rig), "m"}},
                       .function = [](const auto& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); },
                       .result = {}});
 }
@@ -128,10 +140,10 @@ Assumption quasi_static_drive(const RollingRig& rig) {
                      "The drive is quasi-static: neither the rig nor waves in the substrate "
                      "have a say",
                  .criteria = {},
-                 .background = {excitation_frequency(rig)},
+                 .background = {smallest_amplitude(rig), excitation_frequency(rig)},
                  .missing = {},
                  .consequence = {}};
-    const theory::Uncertain f0 = a.background.front().result;
+    const theory::Uncertain f0 = a.background.back().result;
     if (const auto* frequency = find_printed(rig, "excitation_frequency"))
         a.background.push_back(drive_speed(rig, *frequency));
     using enum Criterion::Relation;
@@ -170,6 +182,7 @@ Assumption ideal_rolling(const RollingRig& rig) {
     }
     a.criteria.push_back({wobble_ratio(rig), Criterion::Relation::at_most, largest_wobble,
                           "measured shifts are of the order mu d, d = a^2/R"});
+    a.background.push_back(pivot_amplitude(rig));
     a.background.push_back(pivot_height_error(rig));
     if (const auto* height = find_printed(rig, "pivot_height_error"))
         a.background.push_back(pivot_displacement(rig, *height));

@@ -177,12 +177,11 @@ Assumption elastic_substrate(const RollingRig& rig) {
                     return t / (1 + t * t);
                 }));
     a.consequence = fmt::format(
-        "Viscous stresses are {:.1g} of the elastic ones; they reach 1 % at a drive speed of "
-        "{:.0f} "
-        "mm/s. The loss modulus as printed in (5.1.16) has a square too many: a slow dash-pot "
-        "gives G'' = omega eta, the print {:.0e} of that.",
-        a.criteria.front().calculation.result.value, 1e3 * a.background[1].result.value,
-        a.background[3].result.value);
+        "Viscous stresses are one part in {:.0f} of the elastic ones; they reach 1 % at a drive "
+        "speed of {:.0f} mm/s. The loss modulus as printed in (5.1.16) has a square too many: a "
+        "slow dash-pot gives G'' = omega eta, the print one part in {:.0f} of that.",
+        1 / a.criteria.front().calculation.result.value, 1e3 * a.background[1].result.value,
+        1 / a.background[3].result.value);
     return a;
 }
 

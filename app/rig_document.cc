@@ -1,0 +1,188 @@
+#include "app/rig_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/rig_text.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Cell;
+using comparisons::DocumentSection;
+using comparisons::DocumentTable;
+using comparisons::Verdict;
+using Agreement = rig::PrintedCheck::Agreement;
+
+Verdict::Standing standing_of(rig::Standing standing) {
+    switch (standing) {
+        case rig::Standing::holds:
+            return Verdict::Standing::holds;
+        case rig::Standing::fails:
+            return Verdict::Standing::fails;
+        case rig::Standing::cannot_tell:
+            break;
+    }
+    return Verdict::Standing::cannot_tell;
+}
+
+std::string missing_text(const rig::Assumption& assumption) {
+    std::string text;
+    for (const std::string& one : assumption.missing)
+        text += (text.empty() ? "Not given: " : ", ") + one;
+    return text.empty() ? text : text + '.';
+}
+
+// Claim, what follows, what is missing.
+std::string sentence_of(const rig::Assumption& assumption) {
+    std::string text = assumption.claim + '.';
+    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
+        if (!part.empty()) text += ' ' + part;
+    return text;
+}
+
+DocumentTable criteria_table(const rig::Assumption& assumption) {
+    DocumentTable table{.id = assumption.name + "_criteria",
+                        .title = "What decides",
+                        .columns = {{"quantity"},
+                                    {"formula"},
+                                    {"source"},
+                                    {"with"},
+                                    {"number"},
+                                    {"must be"},
+                                    {"since"},
+                                    {"verdict"}},
+                        .rows = {}};
+    for (const rig::Criterion& one : assumption.criteria) {
+        const rig::Calculation& c = one.calculation;
+        table.rows.push_back({c.symbol, c.formula, c.source, given_text(c),
+                              text_of(c.result, c.unit), threshold_text(one), one.reason,
+                              std::string(word_of(one.standing()))});
+    }
+    return table;
+}
+
+DocumentTable background_table(const rig::Assumption& assumption) {
+    DocumentTable table{.id = assumption.name + "_numbers",
+                        .title = "Further numbers",
+                        .columns = {{"quantity"}, {"formula"}, {"source"}, {"with"}, {"number"}},
+                        .rows = {}};
+    for (const rig::Calculation& c : assumption.background)
+        table.rows.push_back(
+            {c.symbol, c.formula, c.source, given_text(c), text_of(c.result, c.unit)});
+    return table;
+}
+
+DocumentSection section_of(const rig::Assumption& assumption) {
+    DocumentSection section{
+        .id = assumption.name,
+        .heading = fmt::format("{} ({})", assumption.claim, word_of(assumption.standing()))};
+    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
+        if (!part.empty()) section.paragraphs.push_back(part);
+    if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
+    if (!assumption.background.empty()) section.tables.push_back(background_table(assumption));
+    return section;
+}
+
+bool is_flagged(const rig::PrintedCheck& check) {
+    return check.agreement == Agreement::differs || !check.error_agrees;
+}
+
+std::string flag_sentence(const rig::PrintedCheck& check) {
+    std::string text = fmt::format("{}, printed as {} in {}", check.calculation->symbol,
+                                   check.printed.text, check.printed.source);
+    if (check.agreement == Agreement::differs) {
+        text += fmt::format(", does not follow: {}.", arithmetic(*check.calculation));
+        if (!check.substitutes.empty())
+            text += " The print would follow from " + substitutes_text(check) + '.';
+    } else {
+        text += fmt::format(" ({}): {}.", word_of(check.agreement), arithmetic(*check.calculation));
+    }
+    if (const std::string error = error_text(check); !error.empty())
+        text += fmt::format(" And {}.", error);
+    return text;
+}
+
+DocumentSection printed_section(const std::vector<rig::PrintedCheck>& printed) {
+    DocumentSection section{.id = "printed", .heading = "Printed numbers that follow from others"};
+    for (const rig::PrintedCheck& check : printed)
+        if (check.calculation && is_flagged(check))
+            section.paragraphs.push_back(flag_sentence(check));
+    DocumentTable table{
+        .id = "printed_numbers",
+        .title = "Print and arithmetic",
+        .note =
+            "Agrees: equal when rounded to the printed digits. Each value that stands in the "
+            "last column would alone lead to the print.",
+        .columns = {{"quantity"},
+                    {"source"},
+                    {"printed"},
+                    {"computed"},
+                    {"formula"},
+                    {"with"},
+                    {"printed/computed"},
+                    {"verdict"},
+                    {"follows from"}},
+        .rows = {}};
+    for (const rig::PrintedCheck& check : printed) {
+        const bool known = check.calculation.has_value();
+        std::string verdict = word_of(check.agreement);
+        if (const std::string error = error_text(check); !error.empty()) verdict += "; " + error;
+        table.rows.push_back(
+            {known ? check.calculation->symbol : check.printed.name, check.printed.source,
+             check.printed.text,
+             known ? text_of(check.calculation->result, check.calculation->unit) : "",
+             known ? check.calculation->formula : "", known ? given_text(*check.calculation) : "",
+             known ? Cell(check.ratio) : Cell(""), verdict, substitutes_text(check)});
+    }
+    section.tables.push_back(std::move(table));
+    return section;
+}
+
+Verdict printed_verdict(const std::vector<rig::PrintedCheck>& printed) {
+    std::string names;
+    int n = 0;
+    for (const rig::PrintedCheck& check : printed)
+        if (check.calculation && is_flagged(check)) {
+            names += fmt::format("{}{} = {}", n++ ? ", " : "", check.calculation->symbol,
+                                 check.printed.text);
+        }
+    if (n == 0)
+        return {Verdict::Standing::finding,
+                fmt::format("All {} printed numbers that can be computed follow from the others.",
+                            printed.size())};
+    return {Verdict::Standing::finding,
+            fmt::format("{} of {} printed numbers do not follow from the others: {}.", n,
+                        printed.size(), names)};
+}
+
+}  // namespace
+
+comparisons::Document rig_document(const rig::RigReport& report, const std::string& command) {
+    comparisons::Document document{
+        .kind = "Assumptions of an experiment",
+        .title = report.title,
+        .lead =
+            "What the evaluation of this rig takes for granted, each with the number that "
+            "decides, its threshold and what follows; and the published numbers beside what "
+            "follows from the others.",
+        .verdicts = {},
+        .settings = {},
+        .sections = {},
+        .files = {{"all numbers (JSON)", "rig.json"}},
+        .command = command,
+        .version = TRICONTACT_VERSION};
+    for (const rig::Assumption& assumption : report.assumptions) {
+        document.verdicts.push_back({standing_of(assumption.standing()), sentence_of(assumption)});
+        document.sections.push_back(section_of(assumption));
+    }
+    if (!report.printed.empty()) {
+        document.verdicts.push_back(printed_verdict(report.printed));
+        document.sections.push_back(printed_section(report.printed));
+    }
+    return document;
+}
+
+}  // namespace tricontact::app

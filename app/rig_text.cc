@@ -1,0 +1,97 @@
+#include "app/rig_text.h"
+
+#include <fmt/format.h>
+
+#include "comparisons/format.h"
+
+namespace tricontact::app {
+
+namespace {
+
+constexpr int digits = 4;
+
+// Prefixes do not suit units that have one.
+comparisons::Unit unit_for(double value, const std::string& unit) {
+    if (unit == "1") return {1, ""};
+    if (unit.starts_with("kg")) return {1, unit};
+    return comparisons::fitting_unit(value, unit);
+}
+
+}  // namespace
+
+std::string text_of(const theory::Uncertain& value, const std::string& unit) {
+    const comparisons::Unit fitting = unit_for(value.value, unit);
+    const double number = value.value / fitting.factor;
+    std::string text = value.standard_error > 0
+                           ? comparisons::with_error(number, value.standard_error / fitting.factor)
+                           : comparisons::significant(number, digits);
+    if (!fitting.symbol.empty()) text += ' ' + fitting.symbol;
+    return text;
+}
+
+std::string given_text(const rig::Calculation& calculation) {
+    std::string text;
+    for (const rig::Given& one : calculation.given) {
+        const comparisons::Unit fitting = unit_for(one.value.value, one.unit);
+        const std::string number = one.value.standard_error > 0
+                                       ? text_of(one.value, one.unit)
+                                       : comparisons::as_given(one.value.value / fitting.factor) +
+                                             (fitting.symbol.empty() ? "" : ' ' + fitting.symbol);
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", one.symbol, number);
+    }
+    return text;
+}
+
+std::string arithmetic(const rig::Calculation& calculation) {
+    return fmt::format("{} = {} = {}, with {}", calculation.symbol, calculation.formula,
+                       text_of(calculation.result, calculation.unit), given_text(calculation));
+}
+
+std::string threshold_text(const rig::Criterion& criterion) {
+    const char* relation =
+        criterion.relation == rig::Criterion::Relation::at_most ? "at most" : "at least";
+    return fmt::format("{} {}", relation, comparisons::as_given(criterion.threshold));
+}
+
+const char* word_of(rig::Standing standing) {
+    switch (standing) {
+        case rig::Standing::holds:
+            return "holds";
+        case rig::Standing::fails:
+            return "fails";
+        case rig::Standing::cannot_tell:
+            break;
+    }
+    return "cannot tell";
+}
+
+const char* word_of(rig::PrintedCheck::Agreement agreement) {
+    using enum rig::PrintedCheck::Agreement;
+    switch (agreement) {
+        case agrees:
+            return "agrees";
+        case within_error:
+            return "within its error";
+        case differs:
+            return "differs";
+        case not_computed:
+            break;
+    }
+    return "not computed";
+}
+
+std::string substitutes_text(const rig::PrintedCheck& check) {
+    std::string text;
+    for (const rig::Substitute& one : check.substitutes)
+        text += fmt::format("{}{} = {} instead of {}", text.empty() ? "" : "; ", one.symbol,
+                            text_of({one.needed}, one.unit), text_of({one.given}, one.unit));
+    return text;
+}
+
+std::string error_text(const rig::PrintedCheck& check) {
+    if (!check.error_ratio || check.error_agrees) return "";
+    return fmt::format("the printed error is {} times the propagated one",
+                       comparisons::significant(*check.error_ratio, 3));
+}
+
+}  // namespace tricontact::app

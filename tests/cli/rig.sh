@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# tricontact rig: the rigs of the thesis' chapter 5, what they flag, their files; what is refused
+# leaves nothing behind.
+# usage: rig.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+# tells FILE PATTERN: a line of it matches.
+tells() {
+    grep -qE -- "$2" "$1" || complain "$1: no line matches $2"
+}
+
+# 1. All rig files; assumptions that fail are no error.
+n=0
+for file in "$source_dir"/rigs/*.toml; do
+    name=$(basename "$file" .toml)
+    "$program" rig "$file" >"$name.txt" 2>&1 || complain "$name: $(cat "$name.txt")"
+    [ -s "results/$name/rig.json" ] && [ -s "results/$name/report.html" ] || complain "$name: files"
+    n=$((n + 1))
+done
+[ "$n" -ge 8 ] || complain "only $n rig files"
+
+# 2. What is wrong in print, with the number that it would follow from.
+tells sphere_parallel.txt '^differs +contact_radius = 4\.56 mm table 5\.1\.1$'
+tells sphere_parallel.txt 'E_2 = 5\.007 MPa instead of 5\.200 MPa'
+tells sphere_parallel.txt '^differs +drive_speed = 1 m/s'
+tells sphere_parallel.txt '^differs +pivot_height_error = 62\.17 ± 5\.38 um'
+tells sphere_parallel.txt 'W = 997\.[0-9] µm instead of 3\.420 mm'
+tells sphere_parallel.txt '^agrees +viscous_ratio'
+# The layer's coupling, by boundary elements: 0.3 % of the shift.
+tells sphere_parallel.txt 'U_stat uncoupled - 1\| = 0\.003[0-9]*, at most 0\.05: holds'
+tells sphere_parallel.txt '^fails +The substrate is a half-space'
+tells cylinder_parallel.txt '^differs +edge_exponent = -0\.23'
+tells micro_walking_set_5.txt '^differs +hertz_diameter = 0\.4 mm'
+tells results/sphere_parallel/rig.json '"standing": "fails"'
+tells results/sphere_parallel/report.html 'does not follow'
+
+# 3. The same file, the same bytes.
+"$program" rig "$source_dir/rigs/sphere_parallel.toml" --output again >/dev/null
+cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
+cmp -s again/report.html results/sphere_parallel/report.html || complain "report.html differs"
+
+# refused EXPECTED FILE: exit code 2, one line, nothing written.
+refused() {
+    local message code
+    mkdir empty
+    message=$(cd empty && "$program" rig "$2" 2>&1)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $2"
+    [[ $message == "error: "*"$1"* && $message != *$'\n'* ]] ||
+        complain "$2: expected $1, got $message"
+    [ -z "$(ls -A empty)" ] || complain "files left behind: $2"
+    rm -rf empty
+}
+refused "missing key rig" "$source_dir/cases/rig_sphere_parallel.toml"
+refused "the file cannot be read" missing.toml
+sed 's/"8 mm"/"8 N"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
+refused 'bad.toml:13:13: substrate.thickness = "8 N": "N" is a unit of force' ../bad.toml
+sed 's/"8 mm"/"0.02 mm"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
+refused "layer" ../bad.toml
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
