@@ -108,6 +108,16 @@ struct RigOptions {
 /// NotConverged.
 void rig_command(const RigOptions& options);
 
+struct IdentifyOptions {
+    std::string file;    ///< what was measured on which rig
+    std::string output;  ///< empty: results/<name of the file>
+    int threads = 1;
+    bool quiet = false;
+};
+/// Finds E and mu from a measurement by several models; writes identify.json and report.html,
+/// prints a table and the answer to standard output. Throws InputError, NotConverged.
+void identify_command(const IdentifyOptions& options);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

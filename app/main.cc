@@ -82,6 +82,18 @@ const CLI::App* add_rig(CLI::App& app, tricontact::app::RigOptions& options) {
     return rig;
 }
 
+const CLI::App* add_identify(CLI::App& app, tricontact::app::IdentifyOptions& options) {
+    auto* identify = app.add_subcommand("identify", "Find E and mu from a measurement on a rig");
+    identify->add_option("data", options.file, "What was measured (TOML)")
+        ->required()
+        ->type_name("DATA.toml");
+    identify->add_option("--output", options.output, "Folder (results/<data>)")->type_name("DIR");
+    identify->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    identify->add_flag("--quiet", options.quiet, "No progress");
+    return identify;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
@@ -158,6 +170,9 @@ int run_program(int argc, char** argv) {
     const auto* experiment = add_experiment(app, experiment_options);
     tricontact::app::MergeOptions merge_options;
     const auto* merge = add_merge(app, merge_options);
+    tricontact::app::IdentifyOptions identify_options;
+    identify_options.threads = options.threads;
+    const auto* identify = add_identify(app, identify_options);
 
     tricontact::app::RigOptions rig_options;
     const auto* rig = add_rig(app, rig_options);
@@ -186,6 +201,7 @@ int run_program(int argc, char** argv) {
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*merge) tricontact::app::merge_command(merge_options);
     if (*rig) tricontact::app::rig_command(rig_options);
+    if (*identify) tricontact::app::identify_command(identify_options);
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);

@@ -22,6 +22,10 @@ constexpr int n_friction_values = 24;
 // A minimum is told from its neighbours by the square root of what a double resolves.
 constexpr int minimum_bits = std::numeric_limits<double>::digits / 2;
 
+// Of ln E, in the search for a start of least squares; and the largest step of it.
+constexpr double scale_tolerance = 1e-3, largest_scale_step = 2;
+constexpr int most_scale_steps = 50;
+
 void check(const IdentificationTask& task, int n_free) {
     if (n_free == 0) throw std::invalid_argument("nothing is to be identified");
     if (task.observed.size() <= static_cast<std::size_t>(n_free))
@@ -56,13 +60,39 @@ double BestSumOfSquares::at(const Properties& properties) const {
     return std::isfinite(sum) ? sum : infinity;
 }
 
+/// Where the model's values need no common factor to be nearest the observed ones: close to the
+/// best E, and found without straying far, since a model's values are nearly a power of E.
+double BestSumOfSquares::scaled_young(double guess, double friction) const {
+    const auto log_factor = [&](double log_young) {
+        const auto values = task_.model({std::exp(log_young), friction});
+        double ym = 0, mm = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double weight = weights_.empty() ? 1 : weights_[i];
+            ym += weight * task_.observed[i] * values[i];
+            mm += weight * values[i] * values[i];
+        }
+        if (!(ym > 0))
+            throw contact::NotConverged("identification: the observations have the wrong sign");
+        return std::log(ym / mm);
+    };
+    double before = std::log(guess), x = before + scale_tolerance, f_before = log_factor(before);
+    for (int i = 0; i < most_scale_steps; ++i) {
+        const double f = log_factor(x), step = -f * (x - before) / (f - f_before);
+        before = x;
+        f_before = f;
+        x += std::clamp(step, -largest_scale_step, largest_scale_step);
+        if (std::abs(step) < scale_tolerance) return std::exp(x);
+    }
+    throw contact::NotConverged("identification: no value of E explains the observations");
+}
+
 LeastSquares BestSumOfSquares::best_young(double friction) const {
     if (!task_.young_is_free) {
         const Properties fixed{task_.start.young, friction};
         return {fixed, at(fixed)};
     }
     // By its logarithm: E stays positive, and what is measured is nearly a power of it.
-    const double unit = guess_;
+    const double unit = scaled_young(guess_, friction);
     const auto young_of = [&](double p) { return unit * std::exp(p - 1); };
     const auto model = [&](const std::vector<double>& p) {
         return task_.model({young_of(p[0]), friction});

@@ -34,6 +34,7 @@ class BestSumOfSquares {
     const std::vector<double>& weights() const { return weights_; }
 
   private:
+    double scaled_young(double guess, double friction) const;
     template <class Along>
     LeastSquares least_along_friction(const Along& along) const;
 

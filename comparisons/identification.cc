@@ -237,7 +237,7 @@ Identification identify(const IdentificationTask& task) {
     if (fit) {
         const double factor = task.standard_errors.empty()
                                   ? student_t(task.confidence, found.degrees_of_freedom)
-                                  : gsl_cdf_ugaussian_Pinv((1 + task.confidence) / 2);
+                                  : normal_quantile(task.confidence);
         found.fitted_half_widths = half_widths(task, best.at, *fit, factor);
     }
     add_goodness(task, squares, found);

@@ -21,31 +21,12 @@ using contact::NormalControl;
 /// Compliance of the indenter over the substrate's up to which it counts as rigid.
 constexpr double negligible_compliance = 1e-3;
 
-theory::ElasticLayer elastic_layer(const Case& c) {
-    return {c.substrate, *c.layer.thickness,
-            c.layer.base == Case::Base::bonded ? theory::LayerBase::bonded
-                                               : theory::LayerBase::frictionless};
-}
-
 double plane_compliance(const contact::Material& body) {
     return (1 - body.poisson * body.poisson) / body.young;
 }
 
-/// Empty where theory covers the case.
-std::string why_theory_is_silent(const Case& c) {
-    if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
-    if (c.layer.base == Case::Base::half_space)
-        return "the exact theory knows a rigid ground, that of the case is elastic";
-    if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
-    if (c.bem.influence) return "the influence coefficients of the case come from a file";
-    if (c.indenter.material && plane_compliance(*c.indenter.material) >
-                                   negligible_compliance * plane_compliance(c.substrate))
-        return "the exact theory takes the indenter as rigid, that of the case is not";
-    return {};
-}
-
 void add_exact(const Case& c, LayerComparison& result) {
-    result.why_not = why_theory_is_silent(c);
+    result.why_not = why_no_exact_theory(c);
     if (!result.why_not.empty()) return;
     try {
         const theory::LayerContact exact = theory::solve_layer_contact(
@@ -99,6 +80,24 @@ PressedValues values_of(const Case& c, const History& history, const LoadingStud
 }
 
 }  // namespace
+
+theory::ElasticLayer elastic_layer(const Case& c) {
+    return {c.substrate, *c.layer.thickness,
+            c.layer.base == Case::Base::bonded ? theory::LayerBase::bonded
+                                               : theory::LayerBase::frictionless};
+}
+
+std::string why_no_exact_theory(const Case& c) {
+    if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
+    if (c.layer.base == Case::Base::half_space)
+        return "the exact theory knows a rigid ground, that of the case is elastic";
+    if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
+    if (c.bem.influence) return "the influence coefficients of the case come from a file";
+    if (c.indenter.material && plane_compliance(*c.indenter.material) >
+                                   negligible_compliance * plane_compliance(c.substrate))
+        return "the exact theory takes the indenter as rigid, that of the case is not";
+    return {};
+}
 
 const std::vector<PressedQuantity>& pressed_quantities() {
     using Values = const PressedValues&;

@@ -8,6 +8,7 @@
 #include "comparisons/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
+#include "theory/layer_compliance.h"
 
 namespace tricontact::comparisons {
 
@@ -61,6 +62,12 @@ struct LayerComparison {
     /// wide enough, chosen by the program.
     std::optional<double> half_width, half_depth;
 };
+
+/// Why the exact theory of one layer under a rigid indenter (theory/elastic_layer.h) does not cover
+/// the case; empty where it does. The case has a thickness.
+std::string why_no_exact_theory(const contact::Case& c);
+/// The layer of such a case.
+theory::ElasticLayer elastic_layer(const contact::Case& c);
 
 /// MDR and BEM: models that do not see the thickness.
 bool is_half_space(const std::string& model);

@@ -90,7 +90,7 @@ Fit with_errors(const std::vector<double>& parameters, const std::vector<double>
     fit.residual_standard_deviation = std::sqrt(variance);
     const double scale = options.weights_are_absolute ? 1 : variance;
     const double t = options.weights_are_absolute
-                         ? gsl_cdf_ugaussian_Pinv((1 + options.confidence) / 2)
+                         ? normal_quantile(options.confidence)
                          : student_t(options.confidence, fit.degrees_of_freedom);
     for (std::size_t k = 0; k < m; ++k) {
         std::vector<double> row;
@@ -146,6 +146,10 @@ double Fit::r_squared() const {
 
 double student_t(double confidence, int degrees_of_freedom) {
     return gsl_cdf_tdist_Pinv((1 + confidence) / 2, degrees_of_freedom);
+}
+
+double normal_quantile(double confidence) {
+    return gsl_cdf_ugaussian_Pinv((1 + confidence) / 2);
 }
 
 Fit fit_linear(const std::vector<std::vector<double>>& columns, const std::vector<double>& y,

@@ -58,5 +58,7 @@ Fit fit_nonlinear(const FitModel& model, const std::vector<double>& y,
 
 /// Half width of a two-sided interval in standard errors: Student's t at `confidence` in (0, 1).
 double student_t(double confidence, int degrees_of_freedom);
+/// The same of the normal distribution, for known standard errors.
+double normal_quantile(double confidence);
 
 }  // namespace tricontact::comparisons

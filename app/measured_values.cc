@@ -1,0 +1,140 @@
+#include "app/measured_values.h"
+
+#include <algorithm>
+
+#include "app/models.h"
+#include "app/run_model.h"
+#include "comparisons/layer.h"
+#include "contact/load_path.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/elastic_layer.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using contact::NormalControl;
+using Measurement = io::IdentificationInput::Measurement;
+
+std::unique_ptr<contact::Model> quiet_model(const std::string& name, const Case& c, int threads) {
+    return make_model(name, c, threads, [](const std::string&) {});
+}
+
+/// Pressed as the case says.
+void press(contact::Model& model, const Case& c) {
+    contact::LoadStep step = contact::press_step(c);
+    step.friction = false;
+    model.advance(step);
+    if (!model.is_coupled()) return;
+    const contact::Scales scales = model.scales();
+    model.release();
+    const auto path = contact::make_load_path(c, scales.normal_force, scales.contact_radius);
+    for (const auto& pressing : path.pressing) model.advance(pressing);
+}
+
+std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
+    const contact::HertzScales hertz = contact::hertz_scales(rig);
+    const double limit = rig.friction_coefficient * hertz.normal_force;
+    std::vector<double> shifts;
+    for (const double force : forces)  // rounding may make the largest one reach the limit
+        shifts.push_back(hertz.unit_shift *
+                         theory::static_shift_ratio(std::min(1., force / limit)));
+    return shifts;
+}
+
+/// The rig pressed without friction by a force, or to a depth.
+Case pressed(const Case& rig, const NormalControl& control) {
+    Case c = rig;
+    c.load.normal_force.reset();
+    c.load.indentation.reset();
+    (control.kind == NormalControl::Kind::force ? c.load.normal_force : c.load.indentation) =
+        control.value;
+    return c;
+}
+
+/// What is measured when the rig is pressed: the force at a depth, or the radius under a force.
+struct Pressed {
+    double normal_force = 0, contact_radius = 0;
+};
+
+std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
+                                      const std::vector<NormalControl>& controls, int threads) {
+    // The deepest one decides how far the model reaches.
+    const auto deepest = std::ranges::max(controls, {}, &NormalControl::value);
+    const auto model = quiet_model(name, pressed(rig, deepest), threads);
+    std::vector<Pressed> presses;
+    for (const auto& control : controls) {
+        model->release();
+        contact::LoadStep step = contact::press_step(pressed(rig, control));
+        step.friction = false;
+        const auto record = model->advance(step);
+        presses.push_back({record.normal_force, model->scales().contact_radius});
+    }
+    require_sound(model->audit(), name);
+    return presses;
+}
+
+Pressed half_space_press(const Case& rig, const NormalControl& control) {
+    const contact::HertzScales hertz = contact::hertz_scales(pressed(rig, control));
+    return {hertz.normal_force, hertz.contact_radius};
+}
+
+Pressed exact_press(const Case& rig, const NormalControl& control) {
+    const auto layer =
+        theory::solve_layer_contact(comparisons::elastic_layer(rig), *rig.make_indenter(), control);
+    return {layer.normal_force, layer.contact_radius};
+}
+
+std::vector<Pressed> presses(const std::string& model, const Case& rig,
+                             const std::vector<NormalControl>& controls, int threads) {
+    // Springs coupled by any layers make the normal contact exact but for their spacing.
+    const bool exact = model == "layer" && comparisons::why_no_exact_theory(rig).empty();
+    if (model != "half-space" && !exact)
+        return presses_of_model(model == "layer" ? "mdr-layer" : model, rig, controls, threads);
+    std::vector<Pressed> all;
+    for (const auto& control : controls)
+        all.push_back(exact ? exact_press(rig, control) : half_space_press(rig, control));
+    return all;
+}
+
+}  // namespace
+
+std::string shift_model(const std::string& model) {
+    return model == "layer" ? "mdr-layer" : model;
+}
+
+std::vector<double> static_shifts(const std::string& name, const Case& rig,
+                                  const std::vector<double>& forces, int threads) {
+    const auto model = quiet_model(name, rig, threads);
+    press(*model, rig);
+    const std::string state = model->write_state();
+    std::vector<double> shifts;
+    for (const double force : forces) {
+        model->read_state(state);
+        contact::LoadStep step = contact::press_step(rig);
+        step.tangential[0].value = force;
+        shifts.push_back(model->advance(step).shift[0]);
+    }
+    require_sound(model->audit(), name);
+    return shifts;
+}
+
+std::vector<double> measured_values(const std::string& model, Measurement measurement,
+                                    const Case& rig, const std::vector<double>& given,
+                                    int threads) {
+    if (measurement == Measurement::static_shift)
+        return model == "half-space" ? half_space_shifts(rig, given)
+                                     : static_shifts(shift_model(model), rig, given, threads);
+    const bool deep = measurement == Measurement::force_indentation;
+    std::vector<NormalControl> controls;
+    for (const double value : given)
+        controls.push_back(
+            {deep ? NormalControl::Kind::indentation : NormalControl::Kind::force, value});
+    std::vector<double> values;
+    for (const Pressed& press : presses(model, rig, controls, threads))
+        values.push_back(deep ? press.normal_force : press.contact_radius);
+    return values;
+}
+
+}  // namespace tricontact::app

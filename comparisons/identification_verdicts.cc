@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/identification_report.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+// Chance exceeds the sum of squares so rarely that the model is to blame.
+constexpr double least_goodness = 0.01;
+// A property that moves by less than this is not called different.
+constexpr double least_bias = 0.005;
+
+std::string shown(const PropertyEstimate& estimate, const std::string& unit, double lowest) {
+    const auto text = [&](double value) {
+        return unit.empty() ? significant(value, 3) : quantity(value, unit, 3);
+    };
+    const auto [low, high] = estimate.likelihood;
+    if (std::isinf(high) && low <= lowest) return "cannot be told";
+    if (std::isinf(high)) return "above " + text(low);
+    if (low <= lowest && lowest == 0) return "below " + text(high);
+    return fmt::format("{} ({} to {})", text(estimate.value), text(low), text(high));
+}
+
+Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
+    const Identification& found = model.found;
+    std::string sentence = model.name + ": ";
+    if (found.young) sentence += "E = " + shown_young(found);
+    if (found.young && found.friction) sentence += ", ";
+    if (found.friction) sentence += "mu = " + shown_friction(found);
+    sentence += fmt::format("; intervals of {:g} %, from the likelihood.", 100 * found.confidence);
+    if (&model == &reference_model(study) && study.models.size() > 1)
+        sentence += " This is the model that leaves out least.";
+    return {Verdict::Standing::finding, sentence};
+}
+
+/// What the model that knows less makes of E.
+std::optional<Verdict> bias(const IdentificationStudy& study) {
+    const IdentifiedModel& reference = reference_model(study);
+    const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
+    if (half_space == study.models.end() || &*half_space == &reference || !reference.found.young)
+        return {};
+    const double ratio = half_space->found.best.young / reference.found.best.young;
+    if (std::abs(ratio - 1) < least_bias)
+        return Verdict{Verdict::Standing::holds,
+                       fmt::format("The half-space finds E within {:.1f} % of {}.",
+                                   100 * least_bias, reference.name)};
+    std::string sentence =
+        fmt::format("The half-space finds E = {}, {} {}: {:.0f} % too {}",
+                    quantity(half_space->found.best.young, "Pa", 3), reference.name,
+                    quantity(reference.found.best.young, "Pa", 3), 100 * std::abs(ratio - 1),
+                    ratio > 1 ? "high" : "low");
+    if (study.thickness_ratio)
+        sentence += fmt::format(", because the layer is only {} contact widths thick",
+                                significant(*study.thickness_ratio, 2));
+    return Verdict{Verdict::Standing::fails, sentence + "."};
+}
+
+Verdict explains(const IdentifiedModel& model) {
+    const Identification& found = model.found;
+    const bool good = *found.goodness >= least_goodness;
+    return {good ? Verdict::Standing::holds : Verdict::Standing::fails,
+            fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom; chance "
+                        "alone exceeds that in {} % of all measurements.",
+                        model.name, good ? "explains" : "does not explain",
+                        significant(found.sum_of_squares, 3), found.degrees_of_freedom,
+                        significant(100 * *found.goodness, 2))};
+}
+
+/// A fit that looks good is no proof of the half-space.
+std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
+    const auto good = [](const IdentifiedModel& m) {
+        return m.found.goodness && *m.found.goodness >= least_goodness;
+    };
+    const auto biased = bias(study);
+    if (study.models.size() < 2 || !biased || biased->standing != Verdict::Standing::fails ||
+        !std::ranges::all_of(study.models, good))
+        return {};
+    return Verdict{Verdict::Standing::cannot_tell,
+                   "The measurement alone does not show which model is right: all of them pass "
+                   "through it. The thickness of the layer decides."};
+}
+
+}  // namespace
+
+const IdentifiedModel& reference_model(const IdentificationStudy& study) {
+    constexpr std::array<const char*, 4> order{"fem", "bem-layer", "layer", "half-space"};
+    for (const char* name : order) {
+        const auto found = std::ranges::find(study.models, name, &IdentifiedModel::name);
+        if (found != study.models.end()) return *found;
+    }
+    return study.models.front();
+}
+
+std::string shown_young(const Identification& found) {
+    return shown(*found.young, "Pa", 0);
+}
+
+std::string shown_friction(const Identification& found) {
+    return shown(*found.friction, "", 0);
+}
+
+double combined_standard_error(const IdentifiedModel& model, Property property) {
+    const bool young = property == Property::young;
+    const auto& estimate = young ? model.found.young : model.found.friction;
+    double error = estimate ? estimate->standard_error : 0;
+    for (const InputContribution& input : model.contributions)
+        error = std::hypot(error, young ? input.change.young : input.change.friction);
+    return error;
+}
+
+std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
+    std::vector<Verdict> verdicts;
+    const IdentifiedModel& reference = reference_model(study);
+    verdicts.push_back(values_found(study, reference));
+    if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
+    for (const IdentifiedModel& model : study.models) {
+        if (model.found.goodness) verdicts.push_back(explains(model));
+        if (model.found.friction && std::isinf(model.found.friction->likelihood.high))
+            verdicts.push_back(
+                {Verdict::Standing::cannot_tell,
+                 model.name + " cannot tell mu: the forces are too small to make the contact slip "
+                              "much. Measure closer to sliding."});
+    }
+    if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
+    return verdicts;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,317 @@
+#include "io/identification_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "contact/error.h"
+#include "io/case_reader.h"
+#include "io/field_reader.h"
+#include "io/identification_table.h"
+#include "io/input_file.h"
+#include "io/messages.h"
+#include "io/toml_document.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using Input = IdentificationInput;
+using Measurement = Input::Measurement;
+using Kind = Key::Kind;
+
+constexpr std::string_view errors_section = "standard_errors";
+
+const std::array<Key, 5>& own_keys() {
+    static const std::array<Key, 5> keys{
+        Key{.path = "title", .example = R"("Rig, static shift")", .text = "what was measured"},
+        Key{.path = "measurement",
+            .kind = Kind::choice,
+            .choices = {{"static-shift"}, {"force-indentation"}, {"contact-radius"}},
+            .example = R"("static-shift")",
+            .text = "what the table holds"},
+        Key{.path = "data", .example = R"("shift.csv")", .text = "the table"},
+        Key{.path = "models",
+            .kind = Kind::choice_list,
+            .choices = {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
+            .example = R"(["half-space", "layer"])",
+            .text = "models that explain it"},
+        Key{.path = "confidence",
+            .kind = Kind::number,
+            .range = {0.5, 0.9999},
+            .example = "0.95",
+            .text = "level of the intervals"}};
+    return keys;
+}
+
+const Key* own_key(std::string_view path) {
+    const auto found = std::find_if(own_keys().begin(), own_keys().end(),
+                                    [&](const Key& key) { return key.path == path; });
+    return found == own_keys().end() ? nullptr : &*found;
+}
+
+/// Keys of a case that describe a rig.
+bool describes_rig(const Key& key) {
+    constexpr std::array<std::string_view, 8> sections{
+        "indenter", "substrate", "lower_layer", "ground", "friction", "contact", "bem", "fem"};
+    constexpr std::array<std::string_view, 3> load{"load.normal_force", "load.press",
+                                                   "load.press_steps"};
+    return std::find(sections.begin(), sections.end(), key.section()) != sections.end() ||
+           std::find(load.begin(), load.end(), key.path) != load.end();
+}
+
+bool is_nested_section(std::string_view path) {
+    return path.starts_with("standard_errors.");
+}
+
+bool is_error(const Entry& entry) {
+    return entry.path.starts_with("standard_errors.");
+}
+
+void check_known(const Document& document) {
+    std::vector<std::string_view> known;
+    for (const Key& key : own_keys()) known.push_back(key.path);
+    for (const Key& key : case_keys())
+        if (describes_rig(key)) known.push_back(key.path);
+    std::vector<std::string_view> sections{errors_section};
+    for (const std::string_view path : known)
+        if (!section_of(path).empty()) sections.push_back(section_of(path));
+    for (const auto& section : document.sections)
+        if (!is_nested_section(section.name) &&
+            std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
+            const std::string near(nearest(section.name, sections));
+            fail(
+                section.place, "",
+                (is_section(section.name) ? "a measurement has no section ["
+                                          : "unknown section [") +
+                    section.name + "]",
+                near.empty() ? "docs/identify.md lists what it has" : "did you mean " + near + "?");
+        }
+    for (const Entry& entry : document.entries) {
+        if (is_error(entry) || std::find(known.begin(), known.end(), entry.path) != known.end())
+            continue;
+        const std::string near(nearest(entry.path, known));
+        fail(entry.key_place, "",
+             (find_key(entry.path) ? "a measurement has no key " : "unknown key ") + entry.path,
+             near.empty() ? "docs/identify.md lists what it has" : "did you mean " + near + "?");
+    }
+}
+
+const Entry& required(const Document& document, std::string_view path) {
+    if (const Entry* entry = document.find(path)) return *entry;
+    const Key* key = own_key(path) ? own_key(path) : find_key(path);
+    const std::string section(section_of(path));
+    fail(document.place_of(path), "", "missing key " + std::string(path),
+         "add " + std::string(name_of_key(path)) + " = " + std::string(key->example) +
+             (section.empty() ? "" : " to [" + section + "]"));
+}
+
+template <class T>
+void read_own(const Document& document, std::string_view path, T& value) {
+    read_field(*own_key(path), *document.find(path), Field(&value));
+}
+
+Measurement read_measurement(const Document& document) {
+    const Entry& entry = required(document, "measurement");
+    read_field(*own_key("measurement"), entry, Field());
+    const auto& word = std::get<std::string>(entry.value);
+    for (const auto kind : {Measurement::force_indentation, Measurement::contact_radius})
+        if (word == name_of(kind)) return kind;
+    return Measurement::static_shift;
+}
+
+double quantity_of(const Document& document, std::string_view path) {
+    double value = 0;
+    read_field(*find_key(path), required(document, path), Field(&value));
+    return value;
+}
+
+/// What the models of the case have to be so that its checks are those of the identification's.
+std::vector<std::string> case_models(const Input& input) {
+    const bool sheared = input.measurement == Measurement::static_shift;
+    std::vector<std::string> models;
+    for (const std::string& model : input.models)
+        models.push_back(model == "half-space" ? "mdr"
+                         : model != "layer"    ? model
+                         : sheared             ? "mdr-layer"
+                                               : "mdr");
+    std::sort(models.begin(), models.end());
+    models.erase(std::unique(models.begin(), models.end()), models.end());
+    return models;
+}
+
+void check_models(const Input& input, const Document& document) {
+    const Entry& entry = *document.find("models");
+    for (const std::string& model : input.models) {
+        if (model != "half-space" && !document.find("substrate.thickness"))
+            fail(entry.place, entry.subject(),
+                 model + " is a model of a layer, but substrate.thickness is missing",
+                 "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+        if (model == "bem-layer" && input.measurement != Measurement::static_shift)
+            fail(entry.place, entry.subject(),
+                 "without tangential force bem-layer approximates what layer knows exactly",
+                 "write \"layer\" instead");
+    }
+}
+
+/// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
+/// infinite.
+double guessed_young(const Input& input, double radius, double normal_force) {
+    const auto row =
+        std::max_element(input.observed.begin(), input.observed.end()) - input.observed.begin();
+    const double x = input.given[row], y = input.observed[row];
+    constexpr double over_plane = 0.75;                  // E/E*
+    constexpr double shear_over_plane = 2. / 3;          // G*/E*
+    const double cube = 3. / 4 * radius * normal_force;  // a^3 E*
+    switch (input.measurement) {
+        case Measurement::force_indentation:
+            return over_plane * 3. / 4 * y / std::sqrt(radius * x * x * x);
+        case Measurement::contact_radius:
+            return over_plane * 3. / 4 * radius * x / (y * y * y);
+        case Measurement::static_shift:
+            break;
+    }
+    return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
+}
+
+Entry generated(std::string path, Value value, const std::string& place) {
+    return {.path = std::move(path),
+            .value = std::move(value),
+            .place = place,
+            .key_place = place,
+            .overridden = true};
+}
+
+/// The rig as a case: what is to be found has a guess.
+contact::Case rig_of(const Input& input, const Document& document) {
+    Document rig = document;
+    std::erase_if(rig.entries, [](const Entry& entry) {
+        return section_of(entry.path).empty() || is_error(entry);
+    });
+    std::erase_if(rig.sections, [](const Document::Section& section) {
+        return section.name == errors_section || is_nested_section(section.name);
+    });
+    const std::string& place = input.data_file;
+    const bool sheared = input.measurement == Measurement::static_shift;
+    std::vector<Entry> guesses{
+        generated("models", case_models(input), document.find("models")->place),
+        generated("load.tangential_ratio", 0., place)};
+    double normal_force = 0;
+    if (sheared) {
+        normal_force = quantity_of(document, "load.normal_force");
+    } else {
+        if (const Entry* entry = document.find("load.normal_force"))
+            fail(entry->place, entry->subject(), "the normal force is in the table",
+                 "omit this key");
+        const auto& forces =
+            input.measurement == Measurement::contact_radius ? input.given : input.observed;
+        normal_force = *std::max_element(forces.begin(), forces.end());
+        guesses.push_back(generated("load.normal_force", shortest(normal_force) + " N", place));
+        // Frictionless contact knows no coupling.
+        guesses.push_back(generated("contact.coupling", false, place));
+    }
+    if (input.young_is_free)
+        guesses.push_back(generated(
+            "substrate.young",
+            shortest(guessed_young(input, quantity_of(document, "indenter.radius"), normal_force)) +
+                " Pa",
+            place));
+    if (!document.find("friction.coefficient")) {
+        const double largest = *std::max_element(input.given.begin(), input.given.end());
+        guesses.push_back(
+            generated("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1., place));
+    }
+    return resolve_case(rig, guesses);
+}
+
+std::vector<Input::RigError> read_rig_errors(const Document& document) {
+    std::vector<Input::RigError> errors;
+    for (const Entry& entry : document.entries) {
+        if (!is_error(entry)) continue;
+        const std::string path = entry.path.substr(errors_section.size() + 1);
+        const Key* key = find_key(path);
+        if (!key || !describes_rig(*key) || key->section() == "bem" || key->section() == "fem" ||
+            (key->kind != Kind::quantity && key->kind != Kind::number))
+            fail(entry.key_place, entry.path, "is no number that describes the rig",
+                 "write for example load.normal_force = \"0.1 N\"");
+        if (!document.find(path))
+            fail(entry.key_place, entry.path, "has an error, but no value",
+                 "give " + path + ", or omit its error");
+        Key error_key = *key;
+        error_key.range = {0, key->range.high, false, true};
+        error_key.reason = {};
+        double value = 0;
+        read_field(error_key, entry, Field(&value));
+        errors.push_back({key, value});
+    }
+    return errors;
+}
+
+/// Sliding contacts have no static shift.
+void check_friction(const Input& input, const Document& document) {
+    const Entry* entry = document.find("friction.coefficient");
+    if (input.measurement != Measurement::static_shift || !entry) return;
+    const double largest = *std::max_element(input.given.begin(), input.given.end());
+    const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
+    if (largest >= limit)
+        fail(entry->place, entry->subject(),
+             "the contact would slide: F_T of the table reaches " + shortest(largest) +
+                 " N, mu F_N is " + shortest(limit) + " N",
+             "correct it, or omit it to have it identified");
+}
+
+}  // namespace
+
+std::string_view name_of(Measurement measurement) {
+    switch (measurement) {
+        case Measurement::force_indentation:
+            return "force-indentation";
+        case Measurement::contact_radius:
+            return "contact-radius";
+        case Measurement::static_shift:
+            break;
+    }
+    return "static-shift";
+}
+
+Input parse_identification(std::string_view text, const std::string& name) {
+    const Document document = parse_document(text, name, is_nested_section);
+    check_known(document);
+    Input input;
+    input.name = name;
+    if (document.find("title")) read_own(document, "title", input.title);
+    if (document.find("confidence")) read_own(document, "confidence", input.confidence);
+    input.measurement = read_measurement(document);
+    required(document, "models");
+    read_own(document, "models", input.models);
+    check_models(input, document);
+    input.young_is_free = !document.find("substrate.young");
+    input.friction_is_free =
+        input.measurement == Measurement::static_shift && !document.find("friction.coefficient");
+    if (!input.young_is_free && !input.friction_is_free)
+        fail(document.find("substrate.young")->place, document.find("substrate.young")->subject(),
+             "nothing is left to be identified", "omit the key that is to be found");
+
+    std::string file;
+    const Entry& data = required(document, "data");
+    read_field(*own_key("data"), data, Field(&file));
+    input.data_file =
+        (std::filesystem::path(name).parent_path() / file).lexically_normal().string();
+    try {
+        read_measured_table(input);
+    } catch (const contact::InputError& error) {
+        fail(data.place, data.subject(), error.what(), "");
+    }
+    input.rig = rig_of(input, document);
+    input.rig.title = input.title;
+    check_friction(input, document);
+    input.rig_errors = read_rig_errors(document);
+    return input;
+}
+
+Input read_identification(const std::string& path) {
+    return parse_identification(read_input_file(path, "identification file"), path);
+}
+
+}  // namespace tricontact::io

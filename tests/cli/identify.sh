@@ -1,0 +1,128 @@
+#!/usr/bin/env bash
+# tricontact identify: the examples give their truth back, the half-space does not; every bad file
+# is refused with one line and leaves nothing behind.
+# usage: identify.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# number PATH: of the result in out, by python's notation of keys.
+number() { python3 -c "import json; print(json.load(open('out/identify.json'))$1)"; }
+# holds EXPRESSION: in awk.
+holds() { awk "BEGIN { exit !($1) }" || complain "$1: $2"; }
+
+# 1. Depths: the layer finds the stated 4.22 MPa, the half-space twice as much.
+"$program" identify "$source_dir/measurements/rig_indentation.toml" --output out --quiet >text ||
+    complain "indentation"
+low=$(number "['models']['layer']['young_Pa']['likelihood_interval'][0]")
+high=$(number "['models']['layer']['young_Pa']['likelihood_interval'][1]")
+holds "$low < 4.22e6 && 4.22e6 < $high" "layer's interval holds the truth"
+ratio=$(number "['models']['half-space']['young_over_reference']")
+holds "1.9 < $ratio && $ratio < 2.1" "the half-space's E"
+grep -q "The half-space finds E = .* too high" text || complain "no sentence: $(cat text)"
+grep -q "<html" out/report.html || complain "no report"
+
+# 2. Shifts: E and mu. 1 % for the coupling that the layer's springs leave out.
+sed 's/, "bem-layer"//' "$source_dir/measurements/rig_static_shift.toml" >shift.toml
+cp "$source_dir/measurements/rig_static_shift.csv" .
+"$program" identify shift.toml --output out --quiet >text || complain "shift"
+young=$(number "['models']['layer']['young_Pa']['value']")
+friction=$(number "['models']['layer']['friction_coefficient']['value']")
+holds "4.18e6 < $young && $young < 4.26e6" "E of the layer"
+holds "0.564 < $friction && $friction < 0.576" "mu of the layer"
+holds "$(number "['models']['half-space']['young_over_reference']") > 1.2" "the half-space's E"
+holds "$(number "['models']['layer']['young_Pa']['change_by_standard_errors_of_inputs']['load.normal_force']") < 0" \
+    "more force at the same shift is a stiffer hold, so a softer substrate"
+
+# 3. Small forces tell no friction, and the report says so.
+{
+    echo "tangential_force [N], shift [um], shift_error [um]"
+    for i in 1 2 3 4 5; do
+        awk -v i="$i" 'BEGIN { printf "%g, %g, 0.3\n", i * 0.1, i * 2.23 + (i % 2) * 0.1 }'
+    done
+} >small.csv
+sed 's/rig_static_shift.csv/small.csv/; s/"layer"/"half-space"/; s/"half-space", "half-space"/"half-space"/' \
+    shift.toml >small.toml
+"$program" identify small.toml --output out --quiet >text || complain "small forces"
+grep -q "cannot tell mu" text || complain "mu of small forces: $(cat text)"
+[ "$(number "['models']['half-space']['friction_coefficient']['likelihood_interval'][1]")" = None ] ||
+    complain "the interval of mu is open"
+
+# 4. Without errors in the table they are estimated from the residuals.
+sed 's/, 0\.5$//; s/, shift_error \[um\]//' rig_static_shift.csv >plain.csv
+sed 's/rig_static_shift.csv/plain.csv/' shift.toml >plain.toml
+"$program" identify plain.toml --output out --quiet >text || complain "without errors"
+[ "$(number "['models']['layer']['goodness']")" = None ] || complain "goodness without errors"
+
+# 5. The thesis' curve belongs to a softer rubber with more friction.
+"$program" identify "$source_dir/measurements/thesis_static_shift.toml" --output out --quiet \
+    >text || complain "thesis"
+young=$(number "['models']['half-space']['young_Pa']['value']")
+holds "5.199e6 < $young && $young < 5.201e6" "the curve is that of the half-space: $young"
+young=$(number "['models']['layer']['young_Pa']['value']")
+holds "3.7e6 < $young && $young < 3.85e6" "E of the layer by the thesis' curve: $young"
+
+# refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
+n=0
+refused() {
+    local expected=$1 message code
+    n=$((n + 1))
+    mkdir refused && cp rig_static_shift.csv refused
+    sed "$2" shift.toml >refused/bad.toml
+    [ $# -lt 3 ] || printf "$3" >refused/rig_static_shift.csv
+    message=$("$program" identify refused/bad.toml --output refused/out 2>&1 >stdout)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $expected"
+    case $message in
+        *$'\n'*) complain "more than one line: $message" ;;
+        "error: "*"$expected"*) ;;
+        *) complain "expected: $expected"$'\n'"       got: $message" ;;
+    esac
+    [ ! -e refused/out ] || complain "output in spite of the error: $expected"
+    [ ! -s stdout ] || complain "text in spite of the error: $expected"
+    rm -r refused
+}
+header='tangential_force [N], shift [um], shift_error [um]\n'
+rows='1, 20, 1\n2, 45, 1\n3, 70, 1\n'
+refused 'the table is empty' '' ''
+refused 'rig_static_shift.csv:1: the table has 2 rows' '' "${header}1, 20, 1\n2, 45, 1\n"
+refused 'the column "shift" has no unit in brackets' '' "tangential_force [N], shift\n1, 20\n2, 45\n3, 70\n"
+refused 'tangential_force = -2: must be positive' '' "${header}1, 20, 1\n-2, 45, 1\n3, 70, 1\n4, 90, 1\n"
+refused 'shift_error = 0: must be positive' '' "${header}${rows}4, 90, 0\n"
+refused 'shift = nan: must be a finite number' '' "${header}${rows}4, nan, 1\n"
+refused 'no value is positive' '' "${header}1, -20, 1\n2, -45, 1\n3, -70, 1\n"
+refused 'unknown column "shift_eror"' '' "tangential_force [N], shift [um], shift_eror [um]\n${rows}"
+refused 'unknown column "normal_force"; known are tangential_force, shift, shift_error' '' \
+    "normal_force [N], shift [um]\n1, 20\n2, 45\n3, 70\n"
+refused 'the column shift is missing' '' "tangential_force [N]\n1\n2\n3\n"
+refused 'the contact would slide: F_T of the table reaches 11 N, mu F_N is 10.55 N' \
+    's/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
+refused 'unknown key mesurement; did you mean measurement?' 's/^measurement/mesurement/'
+refused 'missing key measurement' '/^measurement/d'
+refused 'measurement = "shift": ' 's/"static-shift"/"shift"/'
+refused 'missing key data; add' '/^data/d'
+refused 'missing.csv: ' 's/rig_static_shift.csv/missing.csv/'
+refused 'missing key load.normal_force' '/^normal_force/d'
+refused 'layer is a model of a layer, but substrate.thickness is missing' '/thickness/d'
+refused 'nothing is left to be identified' \
+    's/^\[load\]/[friction]\ncoefficient = 0.6\n[load]/; s/^poisson = 0.5/poisson = 0.5\nyoung = "5 MPa"/'
+refused 'a measurement has no section [rolling]' '$a [rolling]\namplitude = "1 mm"'
+refused 'a measurement has no key load.tangential_force' 's/^normal_force.*/&\ntangential_force = "1 N"/'
+refused 'unknown key substrate.poison' 's/^poisson = 0.5/poison = 0.5/'
+refused 'standard_errors.load.normal_force = "0.1 mm"' 's/"0.1 N"/"0.1 mm"/'
+refused 'has an error, but no value' 's/^load.normal_force.*/friction.coefficient = 0.01/'
+refused 'is no number that describes the rig' 's/^load.normal_force.*/substrate.base = "bonded"/'
+refused 'confidence = 1.5: must be' 's/^models/confidence = 1.5\nmodels/'
+refused 'the normal force is in the table' 's/static-shift"/force-indentation"/' \
+    'indentation [um], normal_force [N]\n100, 2\n200, 7\n'
+printf '%d files refused, %d failures\n' "$n" "$failures"
+[ "$failures" -eq 0 ]
