@@ -13,6 +13,7 @@ namespace {
 using comparisons::Cell;
 using comparisons::DocumentSection;
 using comparisons::DocumentTable;
+using comparisons::Figure;
 using comparisons::Verdict;
 using Agreement = rig::PrintedCheck::Agreement;
 
@@ -78,7 +79,8 @@ DocumentTable background_table(const rig::Assumption& assumption) {
 DocumentSection section_of(const rig::Assumption& assumption) {
     DocumentSection section{
         .id = assumption.name,
-        .heading = fmt::format("{} ({})", assumption.claim, word_of(assumption.standing()))};
+        .heading = fmt::format("{}: {}", assumption.title, word_of(assumption.standing()))};
+    section.paragraphs.push_back(assumption.claim + '.');
     for (const std::string& part : {assumption.consequence, missing_text(assumption)})
         if (!part.empty()) section.paragraphs.push_back(part);
     if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
@@ -141,6 +143,46 @@ DocumentSection printed_section(const std::vector<rig::PrintedCheck>& printed) {
     return section;
 }
 
+std::vector<double> in(double unit, std::vector<double> values) {
+    for (double& value : values) value /= unit;
+    return values;
+}
+
+// Hertz dashed, the layer, and what was measured.
+Figure force_figure(const rig::ForceCurves& curves, const char* id, const char* title,
+                    const char* label, const std::vector<double>& hertz,
+                    const std::vector<double>& layer) {
+    constexpr double mm = 1e-3;
+    return {
+        .id = id,
+        .title = title,
+        .caption = fmt::format(
+            "Exact frictionless contact of the rig's sphere with its bonded layer, and Hertz' "
+            "contact with a half-space of the same E_2; the rig has F_N = {}.",
+            text_of(curves.rig_force, "N")),
+        .x = {"normal force F_N [N]"},
+        .y = {label},
+        .curves = {
+            {.name = "half-space (Hertz)", .x = curves.force, .y = in(mm, hertz), .theory = true},
+            {.name = "layer", .x = curves.force, .y = in(mm, layer)}}};
+}
+
+void add_figures(DocumentSection& section, const rig::ForceCurves& curves) {
+    Figure diameter =
+        force_figure(curves, "diameter", "Contact diameter", "contact diameter 2a [mm]",
+                     curves.hertz_diameter, curves.layer_diameter);
+    if (const auto& measured = curves.measured_diameter)
+        diameter.curves.push_back({.name = "measured",
+                                   .x = {curves.rig_force.value},
+                                   .y = {1e3 * measured->value},
+                                   .y_error = {1e3 * measured->standard_error},
+                                   .kind = comparisons::Curve::Kind::points});
+    section.figures.push_back(std::move(diameter));
+    section.figures.push_back(force_figure(curves, "indentation", "Indentation",
+                                           "indentation d [mm]", curves.hertz_indentation,
+                                           curves.layer_indentation));
+}
+
 Verdict printed_verdict(const std::vector<rig::PrintedCheck>& printed) {
     std::string names;
     int n = 0;
@@ -177,6 +219,8 @@ comparisons::Document rig_document(const rig::RigReport& report, const std::stri
     for (const rig::Assumption& assumption : report.assumptions) {
         document.verdicts.push_back({standing_of(assumption.standing()), sentence_of(assumption)});
         document.sections.push_back(section_of(assumption));
+        if (report.curves && assumption.name == "half_space")
+            add_figures(document.sections.back(), *report.curves);
     }
     if (!report.printed.empty()) {
         document.verdicts.push_back(printed_verdict(report.printed));

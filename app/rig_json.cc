@@ -43,6 +43,7 @@ json assumption_json(const rig::Assumption& assumption) {
     for (const auto& one : assumption.criteria) criteria.push_back(criterion_json(one));
     for (const auto& one : assumption.background) background.push_back(calculation_json(one));
     return {{"name", assumption.name},
+            {"title", assumption.title},
             {"claim", assumption.claim},
             {"standing", word_of(assumption.standing())},
             {"consequence", assumption.consequence},

@@ -25,6 +25,7 @@ struct Criterion {
 /// What the evaluation of an experiment takes for granted.
 struct Assumption {
     std::string name;   ///< "half_space"
+    std::string title;  ///< "Half-space"
     std::string claim;  ///< "The substrate is a half-space"
     std::vector<Criterion> criteria;
     std::vector<Calculation> background;  ///< further numbers

@@ -18,8 +18,7 @@ constexpr double widest_factor = 1e6;
 // Factor on the i-th quantity that makes the result `wanted`; empty if none within `widest_factor`
 // does. Formulas here are monotonic in each quantity.
 std::optional<double> factor_for(const Calculation& calculation, std::size_t i, double wanted) {
-    std::vector<double> x;
-    for (const Given& one : calculation.given) x.push_back(one.value.value);
+    std::vector<double> x = values_of(calculation.given);
     const double value = x[i];
     const auto excess = [&](double log_factor) {
         x[i] = value * std::exp(log_factor);
@@ -42,6 +41,12 @@ std::optional<double> factor_for(const Calculation& calculation, std::size_t i, 
 }
 
 }  // namespace
+
+std::vector<double> values_of(const std::vector<Given>& given) {
+    std::vector<double> values;
+    for (const Given& one : given) values.push_back(one.value.value);
+    return values;
+}
 
 Calculation calculate(Calculation calculation) {
     std::vector<theory::Uncertain> quantities;

@@ -26,6 +26,9 @@ struct Calculation {
     theory::Uncertain result;   ///< first-order error of the given ones
 };
 
+/// The values alone.
+std::vector<double> values_of(const std::vector<Given>& given);
+
 /// Fills `result`. Throws what `function` throws.
 Calculation calculate(Calculation calculation);
 

@@ -6,6 +6,7 @@
 
 #include "contact/printed_value.h"
 #include "rig/assumption.h"
+#include "rig/force_curves.h"
 
 namespace tricontact::rig {
 
@@ -33,6 +34,7 @@ struct RigReport {
     std::string title;
     std::vector<Assumption> assumptions;
     std::vector<PrintedCheck> printed;
+    std::optional<ForceCurves> curves;  ///< of a sphere
 };
 
 /// Looks the printed quantities up by name among the calculations of the assumptions.

@@ -5,14 +5,17 @@
 namespace tricontact::rig {
 
 RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_shift) {
-    RigReport report{.title = rig.title, .assumptions = {}, .printed = {}};
+    RigReport report{.title = rig.title, .assumptions = {}, .printed = {}, .curves = {}};
     const bool cylinder = rig.roller.shape == contact::RollingRig::Shape::cylinder;
     report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
                           cylinder ? half_space_of_line(rig) : half_space(rig)};
     if (cylinder) report.assumptions.push_back(long_cylinder(rig));
     report.assumptions.push_back(elastic_substrate(rig));
     report.assumptions.push_back(uncoupled(rig, static_shift));
-    if (!cylinder) report.assumptions.push_back(fitted_constants(rig));
+    if (!cylinder) {
+        report.assumptions.push_back(fitted_constants(rig));
+        report.curves = force_curves(rig);
+    }
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;
 }

@@ -129,9 +129,7 @@ Calculation modulus_factor(const RollingRig& rig, bool from_indentation) {
 }
 
 double ratio(const Quantity& q, const RollingRig& rig) {
-    std::vector<double> x;
-    for (const Given& one : with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}))
-        x.push_back(one.value.value);
+    const auto x = values_of(with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}));
     return layer_value(q, x) / hertz_value(q, x);
 }
 
@@ -160,6 +158,7 @@ std::string print_sentence(const RollingRig& rig) {
 
 Assumption half_space(const RollingRig& rig) {
     Assumption a{.name = "half_space",
+                 .title = "Half-space",
                  .claim = "The substrate is a half-space, since b >= D_c suffices",
                  .criteria = {{thickness_ratio(rig), Criterion::Relation::at_least, 1,
                                "the thesis' own rule (section 5.1.5)"}},

@@ -156,6 +156,7 @@ Calculation moved_load(const RollingRig& rig) {
 
 Assumption half_space_of_line(const RollingRig& rig) {
     Assumption a{.name = "half_space",
+                 .title = "Half-space",
                  .claim = "The substrate is a half-space, since b >= D_c suffices",
                  .criteria = {{thickness_ratio(rig), Criterion::Relation::at_least, 1,
                                "the thesis' own rule (section 5.1.5)"}},
@@ -189,6 +190,7 @@ Assumption half_space_of_line(const RollingRig& rig) {
 
 Assumption long_cylinder(const RollingRig& rig) {
     Assumption a{.name = "long_cylinder",
+                 .title = "Long cylinder",
                  .claim = "Pressure does not vary along the cylinder",
                  .criteria = {{moved_load(rig), Criterion::Relation::at_most, accepted_difference,
                                accepted_reason}},

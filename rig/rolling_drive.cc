@@ -136,6 +136,7 @@ Calculation wobble_ratio(const RollingRig& rig) {
 
 Assumption quasi_static_drive(const RollingRig& rig) {
     Assumption a{.name = "quasi_static_drive",
+                 .title = "Quasi-static drive",
                  .claim =
                      "The drive is quasi-static: neither the rig nor waves in the substrate "
                      "have a say",
@@ -169,6 +170,7 @@ Assumption quasi_static_drive(const RollingRig& rig) {
 
 Assumption ideal_rolling(const RollingRig& rig) {
     Assumption a{.name = "ideal_rolling",
+                 .title = "Ideal rolling",
                  .claim =
                      "The lever's pivot is level with the contact: rolling alone does not "
                      "move the substrate",

@@ -65,12 +65,9 @@ theory::LineContact layer_line_of(const std::vector<double>& x) {
 }
 
 double half_size(const RollingRig& rig) {
-    std::vector<Given> given = hertz_given(rig);
-    const bool cylinder = rig.roller.shape == RollingRig::Shape::cylinder;
-    if (cylinder) given = with_length(given, rig);
-    std::vector<double> x;
-    for (const Given& one : given) x.push_back(one.value.value);
-    return cylinder ? line_half_width_of(x) : hertz_of(x).contact_radius;
+    if (rig.roller.shape == RollingRig::Shape::cylinder)
+        return line_half_width_of(values_of(with_length(hertz_given(rig), rig)));
+    return hertz_of(values_of(hertz_given(rig))).contact_radius;
 }
 
 theory::Uncertain reference_radius(const RollingRig& rig) {

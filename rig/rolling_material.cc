@@ -146,6 +146,7 @@ Calculation layer_modulus(const RollingRig& rig, bool as_factor) {
 
 Assumption elastic_substrate(const RollingRig& rig) {
     Assumption a{.name = "elastic_substrate",
+                 .title = "Elastic rubber",
                  .claim = "The rubber is elastic at the speed of the drive",
                  .criteria = {},
                  .background = {shear_modulus(rig)},
@@ -188,6 +189,7 @@ Assumption elastic_substrate(const RollingRig& rig) {
 Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
     using enum Criterion::Relation;
     Assumption a{.name = "uncoupled",
+                 .title = "Normal and tangential contact uncoupled",
                  .claim = "Normal and tangential contact do not couple",
                  .criteria = {{dundurs_beta(rig), at_most, largest_beta,
                                "changes of shift are of the order beta"}},
@@ -212,6 +214,7 @@ Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
 
 Assumption fitted_constants(const RollingRig& rig) {
     Assumption a{.name = "fitted_constants",
+                 .title = "Fitted constants",
                  .claim = "E_2, fitted to static shifts by the half-space, is the rubber's",
                  .criteria = {{layer_modulus(rig, true), Criterion::Relation::at_most,
                                accepted_difference, accepted_reason}},

@@ -9,7 +9,8 @@ RigReport check_rig(const contact::WalkingRig& rig) {
         .title = rig.title,
         .assumptions = {contact_diameter(rig), known_stiffness(rig), similar_stiffness(rig),
                         rigid_sensor(rig), rod_as_spring(rig), no_tilting(rig), sampled_often(rig)},
-        .printed = {}};
+        .printed = {},
+        .curves = {}};
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;
 }

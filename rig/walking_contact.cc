@@ -183,6 +183,7 @@ Calculation weight_ratio(const WalkingRig& rig) {
 
 Assumption contact_diameter(const WalkingRig& rig) {
     Assumption a{.name = "contact_diameter",
+                 .title = "Contact diameter",
                  .claim = "Three ways find the same contact diameter",
                  .criteria = {hertz_ratio(rig)},
                  .background = {hertz_diameter(rig), normal_stiffness(rig),
@@ -204,6 +205,7 @@ Assumption known_stiffness(const WalkingRig& rig) {
     const Calculation stiffness =
         rig.oscillation ? stiffness_of_time(rig) : tangential_stiffness(rig);
     Assumption a{.name = "known_stiffness",
+                 .title = "Contact stiffness",
                  .claim = "The contact stiffness is known well enough to tell kappa_1 and kappa_4",
                  .criteria = {{relative_error(stiffness), Criterion::Relation::at_most,
                                largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}},

@@ -95,6 +95,7 @@ Assumption similar_stiffness(const WalkingRig& rig) {
     const Calculation kappa = kappa1(rig);
     const char* reason = "micro-walking was found for kappa_1 about 1 (5.2.8): within a decade";
     return {.name = "similar_stiffness",
+            .title = "Spring and contact",
             .claim = "Spring and contact are of similar stiffness",
             .criteria = {{kappa, Relation::at_least, least_kappa1, reason},
                          {kappa, Relation::at_most, largest_kappa1, reason}},
@@ -106,6 +107,7 @@ Assumption similar_stiffness(const WalkingRig& rig) {
 
 Assumption rigid_sensor(const WalkingRig& rig) {
     Assumption a{.name = "rigid_sensor",
+                 .title = "Force sensor",
                  .claim = "The force sensor is rigid beside the spring",
                  .criteria = {},
                  .background = {},
@@ -125,6 +127,7 @@ Assumption rigid_sensor(const WalkingRig& rig) {
 
 Assumption rod_as_spring(const WalkingRig& rig) {
     Assumption a{.name = "rod_as_spring",
+                 .title = "Rod as a spring",
                  .claim = "The rod pulls only: its bending acts on nothing",
                  .criteria = {},
                  .background = {},
@@ -159,6 +162,7 @@ Assumption rod_as_spring(const WalkingRig& rig) {
 
 Assumption no_tilting(const WalkingRig& rig) {
     Assumption a{.name = "no_tilting",
+                 .title = "No tilting",
                  .claim = "Friction alone does not tilt the specimen",
                  .criteria = {},
                  .background = {},
@@ -177,6 +181,7 @@ Assumption no_tilting(const WalkingRig& rig) {
 
 Assumption sampled_often(const WalkingRig& rig) {
     Assumption a{.name = "sampled_often",
+                 .title = "Sampling",
                  .claim = "The force is sampled often enough",
                  .criteria = {},
                  .background = {},

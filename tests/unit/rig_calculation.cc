@@ -35,6 +35,7 @@ contact::PrintedValue printed(double value, double error, double half_digit) {
 
 PrintedCheck check(const contact::PrintedValue& value) {
     const Assumption holder{.name = "",
+                            .title = "",
                             .claim = "",
                             .criteria = {},
                             .background = {cube()},
@@ -82,6 +83,7 @@ TEST(RigAssumption, StandsAsItsWeakestCriterion) {
     EXPECT_EQ(criterion(55).standing(), cannot_tell);  // within the error of 4.2
     EXPECT_EQ(criterion(40).standing(), fails);
     Assumption a{.name = "",
+                 .title = "",
                  .claim = "",
                  .criteria = {criterion(60)},
                  .background = {},

@@ -78,6 +78,21 @@ TEST(RollingRig, LayerOfThePerpendicularRig) {
     EXPECT_EQ(print_of(report, "indentation").agreement, differs);
 }
 
+TEST(RollingRig, CurvesOverTheForceMeetTheRigsNumbers) {
+    const auto report = report_of("sphere_parallel");
+    const rig::ForceCurves& curves = report.curves.value();
+    const std::size_t n = curves.force.size();
+    expect_digits(curves.force.back(), 1.5 * 21.1, 1e-12);
+    // Hertz: d ~ F^(2/3); the layer's indentation stays behind.
+    expect_digits(curves.hertz_indentation.back(),
+                  value_of(report, "indentation") * std::pow(1.5, 2. / 3), 1e-12);
+    for (std::size_t i = 0; i < n; ++i) {
+        EXPECT_LT(curves.layer_diameter[i], curves.hertz_diameter[i]);
+        EXPECT_LT(curves.layer_indentation[i], curves.hertz_indentation[i]);
+    }
+    EXPECT_FALSE(report_of("cylinder_parallel").curves);
+}
+
 TEST(RollingRig, PrintedContactBelongsToAnotherModulus) {
     const auto report = report_of("sphere_parallel");
     for (const char* name : {"contact_radius", "indentation"}) {
