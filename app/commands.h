@@ -74,6 +74,7 @@ struct SweepOptions {
     std::string shard;   ///< "i/n": the i-th of n parts; empty: everything
     int jobs = 1;        ///< processes side by side
     bool retry_failed = false;
+    bool vtk = false;  ///< files for ParaView of each point, as output.vtk of the case says
     bool quiet = false;
     bool report = true;
 };

@@ -8,6 +8,8 @@
 #include "app/run_model.h"
 #include "comparisons/point_results.h"
 #include "contact/run.h"
+#include "io/atomic_file.h"
+#include "io/case_writer.h"
 
 namespace tricontact::app {
 
@@ -15,12 +17,34 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json computed(const SweepPoint& point) {
+contact::History history_of(const SweepPoint& point) {
     const auto silent = [](const std::string&) {};
     const auto model = make_model(point.model, point.c, 1, silent);
     contact::History history = contact::run(point.c, *model);
     history.audit = model->audit();
     require_sound(history.audit, point.model);
+    return history;
+}
+
+std::string folder_of(const SweepPoint& point) {
+    return "points/" + point.key;
+}
+
+contact::History history_with_files(const SweepPoint& point, const std::string& folder) {
+    contact::Case c = point.c;
+    c.output = point.output;
+    const std::string text = io::write_case(c);
+    RunOptions options;
+    options.output = folder + '/' + folder_of(point);
+    options.quiet = true;
+    io::make_output_folder(options.output);
+    io::write_file(options.output + '/' + resolved_case_name, text);
+    return run_model(point.model, c, text, options);
+}
+
+json computed(const SweepPoint& point, const std::string& folder) {
+    const contact::History history =
+        folder.empty() ? history_of(point) : history_with_files(point, folder);
     return {{"results", comparisons::point_results(point.c, history)},
             {"cpu_s", history.cpu_s},
             {"wall_s", history.wall_s}};
@@ -28,12 +52,16 @@ json computed(const SweepPoint& point) {
 
 }  // namespace
 
-std::string compute_point(const SweepPoint& point) noexcept {
+std::string surface_file(const SweepPoint& point) {
+    return folder_of(point) + '/' + point.model + "/surface.pvd";
+}
+
+std::string compute_point(const SweepPoint& point, const std::string& folder) noexcept {
     const auto failed = [](const char* what) {
         return json{{"error", what}}.dump(-1, ' ', false, json::error_handler_t::replace);
     };
     try {
-        return computed(point).dump();
+        return computed(point, folder).dump();
     } catch (const std::bad_alloc&) {
         return failed("not enough memory; use fewer --jobs or a coarser resolution");
     } catch (const std::exception& error) {

@@ -8,9 +8,13 @@
 
 namespace tricontact::app {
 
-/// Computes a point, on one thread, and puts results, times or error into a line of text. Throws
+/// Where the files for ParaView of a point belong, from the folder of its sweep.
+std::string surface_file(const SweepPoint& point);
+
+/// Computes a point, on one thread, and puts results, times or error into a line of text. With the
+/// folder of a sweep it also writes the point's files: resolved case, history, ParaView. Throws
 /// nothing.
-std::string compute_point(const SweepPoint& point) noexcept;
+std::string compute_point(const SweepPoint& point, const std::string& folder) noexcept;
 
 /// What that line, or the end of the process that should have written it, says of the point.
 io::PointOutcome outcome_of(const SweepPoint& point, const WorkerReport& report);

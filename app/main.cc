@@ -48,6 +48,7 @@ const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options)
         ->type_name("i/n");
     sweep->add_option("--output", options.output, "Folder (results/<study>)")->type_name("DIR");
     sweep->add_flag("--retry-failed", options.retry_failed, "Compute failed points again");
+    sweep->add_flag("--vtk", options.vtk, "Files for ParaView of each point (output.vtk)");
     sweep->add_flag("!--no-report", options.report, "Leave out report.html");
     sweep->add_flag("--quiet", options.quiet, "No progress, no closing line");
     return sweep;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <set>
 
@@ -17,13 +18,18 @@ namespace {
 
 // The same case may stand at several places of a study.
 std::vector<std::size_t> missing(const std::vector<SweepPoint>& points,
-                                 const io::ResultStore& store, bool retry_failed) {
+                                 const io::ResultStore& store, const PointRuns& runs) {
+    const auto lacks_files = [&](const SweepPoint& point) {
+        return !runs.folder.empty() &&
+               !std::filesystem::exists(runs.folder + '/' + surface_file(point));
+    };
     std::vector<std::size_t> open;
     std::set<std::string> seen;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!seen.insert(points[i].key).second) continue;
         const auto found = store.find(points[i].key);
-        if (!found || (found->error && retry_failed)) open.push_back(i);
+        if (!found || (found->error ? runs.retry_failed : lacks_files(points[i])))
+            open.push_back(i);
     }
     return open;
 }
@@ -34,7 +40,7 @@ void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& sto
                      const PointRuns& runs) {
     // Threads of BLAS beside other points would only be in each other's way.
     ::setenv("OPENBLAS_NUM_THREADS", "1", 1);
-    const std::vector<std::size_t> open = missing(points, store, runs.retry_failed);
+    const std::vector<std::size_t> open = missing(points, store, runs);
     const std::size_t n_found = points.size() - open.size();
     if (n_found > 0 && !runs.quiet)
         std::cerr << fmt::format("{} of {} points are there already\n", n_found, points.size());
@@ -42,7 +48,7 @@ void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& sto
                         "point");
     int n_done = 0;
     std::vector<std::size_t> killed;
-    const auto task = [&](std::size_t i) { return compute_point(points[i]); };
+    const auto task = [&](std::size_t i) { return compute_point(points[i], runs.folder); };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
         store.add(outcome_of(points[i], report));
         bar.update(++n_done, static_cast<int>(open.size()));

@@ -63,8 +63,10 @@ std::vector<SweepPoint> points_of(const io::Study& study, const SweepOptions& op
 }
 
 std::string report_of(const io::Study& study, const std::vector<SweepPoint>& points,
-                      const io::ResultStore& store, const std::string& shard) {
-    comparisons::Document document = comparisons::sweep_document(sweep_of(study, points, store));
+                      const io::ResultStore& store, const std::string& folder,
+                      const std::string& shard) {
+    comparisons::Document document =
+        comparisons::sweep_document(sweep_of(study, points, store, folder));
     if (!shard.empty()) document.settings.emplace_back("shard", shard);
     document.files = {{"table of all points", table_name},
                       {"everything that is stored, for SQLite", io::result_store_name}};
@@ -74,12 +76,22 @@ std::string report_of(const io::Study& study, const std::vector<SweepPoint>& poi
     return comparisons::document_html(document);
 }
 
+void check_files(const std::vector<SweepPoint>& points) {
+    for (const SweepPoint& point : points)
+        if (point.output.vtk == contact::Case::VtkOutput::none)
+            throw contact::InputError(
+                "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
+                "\"quarters\" "
+                "in the case or in [set], or omit --vtk");
+}
+
 }  // namespace
 
 void sweep_command(const SweepOptions& options) {
     const std::string folder = folder_of(options);
     const io::Study study = io::read_study(options.study_file);
     const std::vector<SweepPoint> points = points_of(study, options);
+    if (options.vtk) check_files(points);
 
     io::make_output_folder(folder);
     io::ResultStore store(folder + '/' + io::result_store_name);
@@ -87,9 +99,15 @@ void sweep_command(const SweepOptions& options) {
     std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
     for (const std::string& old : {table, report})  // of an unfinished sweep they must not seem
         std::filesystem::remove(old, ignored);
-    compute_missing(points, store, {"sweep", options.jobs, options.retry_failed, options.quiet});
+    compute_missing(points, store,
+                    {.name = "sweep",
+                     .jobs = options.jobs,
+                     .retry_failed = options.retry_failed,
+                     .quiet = options.quiet,
+                     .folder = options.vtk ? folder : ""});
     io::write_file(table, sweep_table(study, points, store));
-    if (options.report) io::write_file(report, report_of(study, points, store, options.shard));
+    if (options.report)
+        io::write_file(report, report_of(study, points, store, folder, options.shard));
     if (!options.quiet)
         std::cerr << fmt::format("{} points in {}{}\n", points.size(), table,
                                  options.report ? " (open report.html)" : "");

@@ -201,7 +201,7 @@ std::vector<SweepPoint> sweep_points(const Study& study) {
 }
 
 SweepPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
-    SweepPoint point{.values = {}, .model = model, .level = level, .c = c};
+    SweepPoint point{.values = {}, .model = model, .level = level, .c = c, .output = c.output};
     point.c.title.clear();
     point.c.models = {model};
     point.c.output = {.vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none};

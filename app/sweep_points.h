@@ -12,10 +12,11 @@ namespace tricontact::app {
 struct SweepPoint {
     std::vector<std::string> values;  ///< one per axis of the study, as in the table
     std::string model;
-    int level = 0;              ///< of refinement
-    contact::Case c = {};       ///< with this model only, without title and output
-    std::string resolved = {};  ///< text of the case
-    std::string key = {};       ///< digest of program version and case: what the results depend on
+    int level = 0;                      ///< of refinement
+    contact::Case c = {};               ///< with this model only, without title and output
+    contact::Case::Output output = {};  ///< what its files for ParaView hold, if they are asked for
+    std::string resolved = {};          ///< text of the case
+    std::string key = {};  ///< digest of program version and case: what the results depend on
 };
 
 /// Most points of a study, models and levels included: each one's case is checked ahead and kept,

@@ -1,10 +1,12 @@
 #include "app/sweep_report.h"
 
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
+#include "app/compute_point.h"
 #include "comparisons/format.h"
 
 namespace tricontact::app {
@@ -48,19 +50,22 @@ void read_results(const std::string& text, Sweep::Point& point) {
         point.state = found->get<std::string>();
 }
 
-Sweep::Point point_of(const SweepPoint& point, const io::ResultStore& store) {
+Sweep::Point point_of(const SweepPoint& point, const io::ResultStore& store,
+                      const std::string& folder) {
     Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
     for (const std::string& value : point.values) result.values.push_back(cell_of(value));
     const auto outcome = store.find(point.key);
     if (outcome && outcome->results) read_results(*outcome->results, result);
     if (!outcome || outcome->error) result.error = outcome ? *outcome->error : "not computed";
+    if (std::filesystem::exists(folder + '/' + surface_file(point)))
+        result.surface = surface_file(point);
     return result;
 }
 
 }  // namespace
 
 comparisons::Sweep sweep_of(const io::Study& study, const std::vector<SweepPoint>& points,
-                            const io::ResultStore& store) {
+                            const io::ResultStore& store, const std::string& folder) {
     Sweep sweep{.title = study.title.empty() ? study.name : study.title,
                 .settings = {{"case", study.base.name},
                              {"models", comparisons::display_names(study.models)}},
@@ -71,7 +76,7 @@ comparisons::Sweep sweep_of(const io::Study& study, const std::vector<SweepPoint
     for (const io::Entry& entry : study.settings)
         sweep.settings.emplace_back(entry.path, io::shown(entry.value));
     for (const io::Study::Axis& axis : study.axes) sweep.axes.push_back(axis_of(axis));
-    for (const SweepPoint& point : points) sweep.points.push_back(point_of(point, store));
+    for (const SweepPoint& point : points) sweep.points.push_back(point_of(point, store, folder));
     return sweep;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/sweep_points.h"
@@ -9,8 +10,8 @@
 
 namespace tricontact::app {
 
-/// Study and results as a report tells them.
+/// Study and results as a report tells them, with the files for ParaView that `folder` has.
 comparisons::Sweep sweep_of(const io::Study& study, const std::vector<SweepPoint>& points,
-                            const io::ResultStore& store);
+                            const io::ResultStore& store, const std::string& folder);
 
 }  // namespace tricontact::app

@@ -51,11 +51,16 @@ struct Figure {
     std::optional<ContourMap> map = {};  ///< curves lie over it
 };
 
-/// Words, a number (NaN: undefined), or a number with the half width of its interval.
+/// A number with the half width of its interval.
 struct WithError {
     double value = 0, error = 0;
 };
-using Cell = std::variant<std::string, double, WithError>;
+/// A file, its path from the report's folder.
+struct Link {
+    std::string text, path;
+};
+/// Words, a number (NaN: undefined), a number with its error, or a file.
+using Cell = std::variant<std::string, double, WithError, Link>;
 
 /// A table that readers can sort by any column.
 struct DocumentTable {

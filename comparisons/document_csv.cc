@@ -94,6 +94,8 @@ std::string table_csv(const DocumentTable& table) {
                 fields.push_back(csv_field(*words));
             } else if (const auto* number = std::get_if<double>(&row[i])) {
                 fields.push_back(csv_field(*number));
+            } else if (const auto* link = std::get_if<Link>(&row[i])) {
+                fields.push_back(csv_field(link->path));
             } else {
                 const auto& measured = std::get<WithError>(row[i]);
                 fields.push_back(csv_field(measured.value));

@@ -54,11 +54,19 @@ struct ColumnStyle {
     int digits = 4;      ///< significant, of other numbers
 };
 
+bool is_text(const Cell& content) {
+    return std::holds_alternative<std::string>(content) || std::holds_alternative<Link>(content);
+}
+
+std::string escaped(const std::string& text) {
+    return kainjow::mustache::html_escape<std::string>(text);
+}
+
 ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
     constexpr double most = 1e6;  // beyond, numbers are magnitudes and no counts
     ColumnStyle style{.first = column == 0, .digits = content.columns[column].digits};
     for (const std::vector<Cell>& row : content.rows) {
-        style.words = style.words && std::holds_alternative<std::string>(row[column]);
+        style.words = style.words && is_text(row[column]);
         if (const auto* number = std::get_if<double>(&row[column]))
             style.whole = style.whole && (std::isnan(*number) || (std::abs(*number) < most &&
                                                                   std::rint(*number) == *number));
@@ -69,11 +77,14 @@ ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
 data cell(const Cell& content, const ColumnStyle& style) {
     data result{data::type::object};
     const auto* words = std::get_if<std::string>(&content);
-    result.set("is_words", words != nullptr);
+    result.set("is_words", is_text(content));
     result.set("is_heading", words && style.first);
     std::string value;
     if (words) {
         result.set("text", typeset(*words));
+    } else if (const auto* link = std::get_if<Link>(&content)) {
+        result.set("text",
+                   R"(<a href=")" + escaped(link->path) + R"(">)" + escaped(link->text) + "</a>");
     } else if (const auto* number = std::get_if<double>(&content)) {
         value = csv_field(*number);
         result.set("text", style.whole ? as_given(*number) : significant(*number, style.digits));

@@ -207,13 +207,12 @@ DocumentTable noise_table(const ExperimentEvaluation& e) {
                         .rows = {}};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const RunEvaluation& run : e.runs) {
-        const Cell after =
-            run.after ? Cell(WithError{nm * run.after->value, nm * run.after->standard_error})
-                      : Cell(nan);
+        const Drift after = run.after.value_or(Drift{nan, nan});
         table.rows.push_back(
             {run.name, nm * run.noise.resolution(), nm * run.noise.standard_deviation(),
              run.noise.correlated_samples(),
-             WithError{nm * run.before.value, nm * run.before.standard_error}, after,
+             WithError{nm * run.before.value, nm * run.before.standard_error},
+             WithError{nm * after.value, nm * after.standard_error},
              run.wobble ? Cell(with_half_width(*run.wobble, um / mm)) : Cell(nan)});
     }
     return table;

@@ -58,6 +58,10 @@ DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales
     table.columns.push_back({failures ? "error" : "state"});
     if (!failures)
         for (const auto& [value, heading] : results) table.columns.push_back({heading});
+    const bool has_files =
+        !failures && std::any_of(sweep.points.begin(), sweep.points.end(),
+                                 [](const auto& p) { return !p.surface.empty(); });
+    if (has_files) table.columns.push_back({"ParaView"});
     for (const Sweep::Point& point : sweep.points) {
         if (!wanted(point)) continue;
         std::vector<Cell>& row = table.rows.emplace_back();
@@ -67,6 +71,8 @@ DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales
         row.emplace_back(failures ? *point.error : point.state);
         if (!failures)
             for (const auto& [value, heading] : results) row.emplace_back(point.*value);
+        if (has_files)
+            row.push_back(point.surface.empty() ? Cell("") : Cell(Link{"surface", point.surface}));
     }
     return table;
 }

@@ -26,6 +26,7 @@ struct Sweep {
         std::string state = {};  ///< "shakedown", "ratcheting", "undecided"; empty without rolling
         double static_shift_ratio = NAN, final_shift_ratio = NAN, shift_increment_ratio = NAN;
         double kappa = NAN, eta = NAN;
+        std::string surface = {};  ///< its file for ParaView, from the report; empty: none
     };
     std::string title;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit

@@ -60,6 +60,22 @@ done
 grep -q '12 points computed, none failed' a/report.html || complain "the report's verdict"
 [ "$(grep -c '<figure id="figure_static_shift_[12]"' a/report.html)" -eq 2 ] || complain "figures of the report"
 
+# Files for ParaView: of points that have results too, which stay as they are; the report names them.
+before=$(md5sum <a/results.csv)
+"$program" sweep a.toml --output a --vtk --quiet 2>log || complain "--vtk failed: $(cat log)"
+[ "$(md5sum <a/results.csv)" = "$before" ] || complain "--vtk changed results"
+[ "$(find a/points -name surface.pvd | wc -l)" -eq 12 ] || complain "not twelve series"
+link=$(grep -o 'href="points/[0-9a-f]*/bem/surface.pvd"' a/report.html | head -1)
+[ -n "$link" ] && [ -f "a/$(cut -d'"' -f2 <<<"$link")" ] || complain "the report's link: $link"
+folder=$(dirname "$(dirname "a/$(cut -d'"' -f2 <<<"$link")")")
+"$program" run "$folder/case.toml" --output rerun --quiet --no-report --no-studies
+cmp -s rerun/bem/history.csv "$folder/bem/history.csv" || complain "a point's case is another"
+study none.toml 'load.tangential_ratio = [0.1]'
+sed -i 's/^\[set\]/&\noutput.vtk = "none"/' none.toml
+"$program" sweep none.toml --output none --vtk 2>log && complain "--vtk without files"
+grep -q 'output.vtk = "none" leaves nothing to write' log || complain "no reason: $(cat log)"
+[ ! -e none ] || complain "a folder without results"
+
 # 2. Called again nothing is computed; a study with more points takes over what is there.
 "$program" sweep a.toml --output a 2>log || complain "the second call"
 grep -q '^12 of 12 points are there already$' log || complain "computed again: $(cat log)"

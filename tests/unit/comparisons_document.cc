@@ -179,6 +179,16 @@ TEST(DocumentHtml, ColumnsOfWholeNumbersHaveNoDecimals) {
                          "<td data-value=\"3\">3.000</td>"));
 }
 
+TEST(DocumentHtml, CellsLeadToFiles) {
+    Document page = document();
+    page.sections.back().tables = {{.id = "t",
+                                    .title = "T",
+                                    .columns = {{"n"}, {"file"}},
+                                    .rows = {{3., Link{"a < b", "p/\"q\".pvd"}}}}};
+    EXPECT_TRUE(contains(document_html(page), R"(<a href="p/&quot;q&quot;.pvd">a &lt; b</a>)"));
+    EXPECT_EQ(table_csv(page.sections.back().tables[0]), "n,file\n3,\"p/\"\"q\"\".pvd\"\n");
+}
+
 TEST(DocumentHtml, DataAreLinksThatNeedNoScript) {
     const std::string page = document_html(document());
     for (const Figure& figure : {curves(), contour_map()})
