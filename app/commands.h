@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/limit_variable.h"
+
 namespace tricontact::app {
 
 struct RunOptions {
@@ -67,6 +69,20 @@ struct RefineOptions {
 /// the report of the finest, prints a table to standard output. Finished levels of an earlier call
 /// are taken over. Throws InputError, NotConverged.
 void refine_command(const RefineOptions& options);
+
+struct LimitOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;               ///< empty: results/<name of the case file>_limit
+    std::vector<std::string> models;  ///< empty: those of the case
+    comparisons::LimitVariable variable = comparisons::LimitVariable::load;
+    std::optional<double> tolerance;  ///< of the bracket; empty: the models' own
+    int threads = 1;
+    bool quiet = false;
+};
+/// Looks for the limit of shakedown of each model; writes limit.json, limit.csv and the report,
+/// prints a table to standard output. Throws InputError, NotConverged.
+void limit_command(const LimitOptions& options);
 
 struct SweepOptions {
     std::string study_file;

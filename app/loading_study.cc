@@ -7,6 +7,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "contact/load_path.h"
 #include "contact/run.h"
 
 namespace tricontact::app {
@@ -74,18 +75,12 @@ Case without_rolling(Case c) {
     return c;
 }
 
-/// Nothing happens between turning points that the next one would remember.
-bool turning_points_suffice(const Case& c) {
-    return !c.relaxation && c.load.normal_amplitude_ratio == 0 &&
-           c.load.tangential_amplitude_ratio == 0;
-}
-
 /// The case as the study rolls it. What settles does so by turning points as well, in a fraction of
 /// the time; the shift per period of what ratchets is that of the run's own steps. Without rolling
 /// where that would take too long.
 Case rolled(const Case& c, const History& history) {
     if (!c.rolling) return c;
-    if (history.state != State::ratcheting && turning_points_suffice(c)) {
+    if (history.state != State::ratcheting && contact::turning_points_suffice(c)) {
         Case result = c;
         result.rolling->steps = Case::Steps::turning_points;
         result.rolling->periods = std::max(c.rolling->periods, enough_periods);

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <thread>
 
@@ -35,6 +36,28 @@ void add_case_arguments(CLI::App& command, std::string& file, std::vector<std::s
         ->type_name("KEY=VALUE")
         ->take_all()
         ->allow_extra_args(false);
+}
+
+const CLI::App* add_limit(CLI::App& app, tricontact::app::LimitOptions& options) {
+    using tricontact::comparisons::LimitVariable;
+    static const std::map<std::string, LimitVariable> variables{
+        {"load", LimitVariable::load}, {"amplitude", LimitVariable::amplitude}};
+    auto* limit = app.add_subcommand("limit", "Bisect the limit of shakedown of each model");
+    add_case_arguments(*limit, options.case_file, options.overrides);
+    limit->add_option("--vary", options.variable, "Limit in the load (f_T) or the amplitude (w)")
+        ->transform(CLI::CheckedTransformer(variables))
+        ->type_name("load|amplitude");
+    limit->add_option("--tolerance", options.tolerance, "Of f_T or w (1e-6 for mdr, else 1e-3)")
+        ->check(CLI::Range(1e-9, 0.1));
+    limit->add_option("--models", options.models, "These models instead of the case's")
+        ->type_name("NAME,NAME")
+        ->delimiter(',');
+    limit->add_option("--output", options.output, "Folder (results/<case>_limit)")
+        ->type_name("DIR");
+    limit->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    limit->add_flag("--quiet", options.quiet, "No progress, no closing line");
+    return limit;
 }
 
 const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options) {
@@ -163,6 +186,9 @@ int run_program(int argc, char** argv) {
     influence
         ->add_option("--threads", influence_options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
+    tricontact::app::LimitOptions limit_options;
+    limit_options.threads = options.threads;
+    const auto* limit = add_limit(app, limit_options);
     tricontact::app::SweepOptions sweep_options;
     sweep_options.jobs = options.threads;
     const auto* sweep = add_sweep(app, sweep_options);
@@ -198,6 +224,7 @@ int run_program(int argc, char** argv) {
     if (*check) tricontact::app::check_command(check_file, check_overrides);
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*influence) tricontact::app::influence_command(influence_options);
+    if (*limit) tricontact::app::limit_command(limit_options);
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*merge) tricontact::app::merge_command(merge_options);

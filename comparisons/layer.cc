@@ -25,12 +25,16 @@ double plane_compliance(const contact::Material& body) {
     return (1 - body.poisson * body.poisson) / body.young;
 }
 
+theory::LayerContact solve(const Case& c) {
+    return theory::solve_layer_contact(elastic_layer(c), *c.make_indenter(),
+                                       contact::press_step(c).normal);
+}
+
 void add_exact(const Case& c, LayerComparison& result) {
     result.why_not = why_no_exact_theory(c);
     if (!result.why_not.empty()) return;
     try {
-        const theory::LayerContact exact = theory::solve_layer_contact(
-            elastic_layer(c), *c.make_indenter(), contact::press_step(c).normal);
+        const theory::LayerContact exact = solve(c);
         std::optional<double> shift = exact.unit_shift;
         if (shift) *shift *= c.friction_coefficient;
         result.exact = {exact.contact_radius,
@@ -128,6 +132,17 @@ PressedValues hertz_values(const Case& c) {
 
 bool is_half_space(const std::string& model) {
     return model == "mdr" || model == "bem";
+}
+
+std::optional<theory::LayerContact> exact_layer_contact(const Case& c) {
+    if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
+    try {
+        return solve(c);
+    } catch (const contact::InputError&) {  // out of the theory's range
+        return {};
+    } catch (const contact::NotConverged&) {
+        return {};
+    }
 }
 
 std::optional<LayerComparison> compare_with_layer(const Case& c,

@@ -8,6 +8,7 @@
 #include "comparisons/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
+#include "theory/elastic_layer.h"
 #include "theory/layer_compliance.h"
 
 namespace tricontact::comparisons {
@@ -74,6 +75,10 @@ bool is_half_space(const std::string& model);
 
 /// Hertz' solution of the case's paraboloid, U_max of the uncoupled half-space, 2 E* a.
 PressedValues hertz_values(const contact::Case& c);
+
+/// The case's layer pressed by its indenter, exactly (theory/elastic_layer.h); empty without
+/// substrate.thickness and where theory does not cover the case.
+std::optional<theory::LayerContact> exact_layer_contact(const contact::Case& c);
 
 /// Empty without substrate.thickness. The models' values are their histories' scales; the stiffness
 /// of half-space models is 2 E* a (Pharr, Oliver and Brotzen 1992), that of others the study's.

@@ -92,6 +92,11 @@ double triangle_wave(double phase) {
     return p <= 0.25 ? 4 * p : (p <= 0.75 ? 2 - 4 * p : 4 * p - 4);
 }
 
+bool turning_points_suffice(const Case& c) {
+    return !c.relaxation && c.load.normal_amplitude_ratio == 0 &&
+           c.load.tangential_amplitude_ratio == 0;
+}
+
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);

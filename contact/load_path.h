@@ -54,6 +54,10 @@ LoadStep press_step(const Case& c);
 /// on the path (force control).
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
 
+/// Rolling by turning points reaches the settled state of every finer path, exactly in uncoupled
+/// contact: nothing happens between them that the next one would remember.
+bool turning_points_suffice(const Case& c);
+
 /// Triangular wave of period 1 and amplitude 1: 0, 1, 0, -1, 0 at phases 0, 1/4, 1/2, 3/4, 1.
 double triangle_wave(double phase);
 

@@ -28,6 +28,8 @@ class Model {
     virtual Scales scales() const = 0;
     /// Fields of the present state.
     virtual Surface surface() const = 0;
+    /// What every point did in the last step, also where `surface` is thinned out.
+    virtual std::vector<ContactState> contact_states() const { return surface().contact_state; }
     /// (1/F_N) ∫ min p dA, the minimum taken over all states since `start_limit`: the exact
     /// shakedown limit of F_T/(mu F_N) in uncoupled contact.
     virtual double limit_tangential_ratio() const = 0;

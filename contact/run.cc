@@ -44,8 +44,8 @@ class SnapshotKeeper {
 
 class Run {
   public:
-    Run(const Case& c, Model& model, const Observer& observer)
-        : case_(c), model_(model), observer_(observer) {}
+    Run(const Case& c, Model& model, const Observer& observer, const Enough& enough)
+        : case_(c), model_(model), observer_(observer), enough_(enough) {}
 
     History go() {
         const double cpu = cpu_now();
@@ -107,7 +107,7 @@ class Run {
             }
             history_.shift_per_period.push_back(history_.steps.back().shift[0]);
             history_.dissipation_per_period.push_back(dissipation);
-            if (look_back() && !path_.run_all) break;
+            if (enough_ ? enough_(history_) : look_back() && !path_.run_all) break;
         }
     }
 
@@ -119,7 +119,7 @@ class Run {
         history_.steps.push_back(record);
         history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
-        if (quarter && snapshots_.wants(step.phase, perhaps_last_period_))
+        if (quarter && !enough_ && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());
         if (observer_)
             observer_(history_.steps.back(), model_,
@@ -159,6 +159,7 @@ class Run {
     const Case& case_;
     Model& model_;
     const Observer& observer_;
+    const Enough& enough_;
     History history_;
     LoadPath path_;
     SnapshotKeeper snapshots_;
@@ -170,7 +171,11 @@ class Run {
 }  // namespace
 
 History run(const Case& c, Model& model, const Observer& observer) {
-    return Run(c, model, observer).go();
+    return Run(c, model, observer, {}).go();
+}
+
+History run_until(const Case& c, Model& model, const Enough& enough, const Observer& observer) {
+    return Run(c, model, observer, enough).go();
 }
 
 }  // namespace tricontact::contact

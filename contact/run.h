@@ -21,4 +21,9 @@ using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>
 /// Throws NotConverged (also when a solution fails its audit) and InputError.
 History run(const Case& c, Model& model, const Observer& observer = {});
 
+/// What ends a run of many periods in the place of the verdict; the history, not judged, is asked
+/// for after each period. Surfaces are not kept.
+using Enough = std::function<bool(const History&)>;
+History run_until(const Case& c, Model& model, const Enough& enough, const Observer& observer);
+
 }  // namespace tricontact::contact

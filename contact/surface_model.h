@@ -49,6 +49,7 @@ class SurfaceModel final : public Model {
     void release() override;
     Scales scales() const override;
     Surface surface() const override;
+    std::vector<ContactState> contact_states() const override { return contact_state_; }
     double limit_tangential_ratio() const override;
     void start_limit() override;
     std::unique_ptr<const Interior> interior() override;

@@ -46,6 +46,9 @@ class JournalledModel final : public contact::Model {
     bool is_coupled() const override { return model_->is_coupled(); }
     contact::Scales scales() const override { return model_->scales(); }
     contact::Surface surface() const override { return model_->surface(); }
+    std::vector<contact::ContactState> contact_states() const override {
+        return model_->contact_states();
+    }
     double limit_tangential_ratio() const override { return model_->limit_tangential_ratio(); }
     std::unique_ptr<const contact::Interior> interior() override { return model_->interior(); }
     /// Of the model alone: what it does is in no journal.

@@ -42,6 +42,9 @@ class LayerModel final : public contact::Model {
     contact::Scales scales() const override;
     /// Line layout, thinned out; tractions transformed back, displacements those of the line.
     contact::Surface surface() const override;
+    std::vector<contact::ContactState> contact_states() const override {
+        return model_.contact_states();
+    }
     double limit_tangential_ratio() const override { return model_.limit_tangential_ratio(); }
     void start_limit() override { model_.start_limit(); }
     std::string write_state() const override { return model_.write_state(); }

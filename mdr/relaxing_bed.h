@@ -35,6 +35,7 @@ class RelaxingBed final : public contact::Model {
     /// The unit shift is mu E*/G* d: what the traction mu p makes that has the same past as p.
     contact::Scales scales() const override;
     contact::Surface surface() const override;
+    std::vector<contact::ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
     void start_limit() override;
     const contact::Audit& audit() const override { return audit_; }
@@ -55,6 +56,7 @@ class RelaxingBed final : public contact::Model {
     void audit_step(const contact::LoadStep& step, const SlipSums& sums);
     contact::StepRecord record(const contact::LoadStep& step, const SlipSums& sums) const;
     double slip(int spring) const;
+    contact::ContactState contact_state(int spring) const;
     double negligible_slip() const;
 
     std::unique_ptr<PlaneProfile> profile_;

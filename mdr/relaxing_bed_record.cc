@@ -101,17 +101,27 @@ contact::Surface RelaxingBed::surface() const {
         const double x = std::abs(row_.position(i) - position_);
         const double gap =
             profile_->value(std::min(x, profile_->range())) + normal_.deflection()[i] - depth_;
-        const bool open = !(pressed_[i] > 0);
-        const bool slips = !open && std::abs(slip(i)) > negligible_slip();
+        const contact::ContactState state = contact_state(i);
         f.normal_load.push_back(effective_modulus_ * stiffness * pressed_[i]);
         f.tangential_load.push_back(effective_shear_modulus_ * stiffness * sheared_[i]);
-        f.gap.push_back(open ? std::max(gap, 0.) : 0.);
-        f.slip_x.push_back(slips ? slip(i) : 0.);
-        f.contact_state.push_back(
-            open ? contact::ContactState::open
-                 : (slips ? contact::ContactState::slip : contact::ContactState::stick));
+        f.gap.push_back(state == contact::ContactState::open ? std::max(gap, 0.) : 0.);
+        f.slip_x.push_back(state == contact::ContactState::slip ? slip(i) : 0.);
     }
+    f.contact_state = contact_states();
     return make_line_surface(f);
+}
+
+contact::ContactState RelaxingBed::contact_state(int spring) const {
+    if (!(pressed_[spring] > 0)) return contact::ContactState::open;
+    return std::abs(slip(spring)) > negligible_slip() ? contact::ContactState::slip
+                                                      : contact::ContactState::stick;
+}
+
+std::vector<contact::ContactState> RelaxingBed::contact_states() const {
+    std::vector<contact::ContactState> states;
+    states.reserve(size());
+    for (int i = 0; i < size(); ++i) states.push_back(contact_state(i));
+    return states;
 }
 
 }  // namespace tricontact::mdr

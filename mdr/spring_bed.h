@@ -39,6 +39,7 @@ class SpringBed final : public contact::Model {
     /// Line layout, thinned out to about a thousand points: springs' deflections and line loads,
     /// gap and displacement_z of the springs too (plane picture); tractions transformed back.
     contact::Surface surface() const override;
+    std::vector<contact::ContactState> contact_states() const override;
     double limit_tangential_ratio() const override;
     void start_limit() override;
     const contact::Audit& audit() const override { return audit_; }
@@ -57,6 +58,8 @@ class SpringBed final : public contact::Model {
     void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
     /// Slip [m] below which a spring counts as sticking: rounding on the bound.
     double negligible_slip() const { return 1e-11 * bound_ratio_ * normal_.depth(); }
+    double slip(int spring) const;  // of the last step [m]
+    contact::ContactState contact_state(int spring) const;
     void set_spring_fields(int spring, int point, contact::Surface& surface) const;
     contact::StepRecord record(const contact::LoadStep& step, const SlipSums& sums) const;
 

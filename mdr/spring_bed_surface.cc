@@ -77,19 +77,34 @@ void SpringBed::set_spring_fields(int spring, int point, Surface& s) const {
     const PlaneProfile& profile = normal_.profile();
     const double x = s.x(point) - normal_.position();
     const double gap = profile.value(std::min(std::abs(x), profile.range())) - normal_.depth();
-    if (spring < normal_.contact().first || spring >= normal_.contact().last) {
+    s.contact_state[point] = contact_state(spring);
+    if (s.contact_state[point] == ContactState::open) {
         s.gap[point] = std::max(gap, 0.);
         return;
     }
-    const double slip = shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
-    const bool slips = std::abs(slip) > negligible_slip();
     s.displacement_x[point] = deflections_[spring];
     s.displacement_z[point] = std::max(-gap, 0.);
     s.normal_line_load[point] = effective_modulus_ * s.displacement_z[point];
     s.tangential_line_load[point] = effective_shear_modulus_ * s.displacement_x[point];
-    s.slip_x[point] = slips ? slip : 0;
+    s.slip_x[point] = s.contact_state[point] == ContactState::slip ? slip(spring) : 0;
     s.dissipation[point] = std::abs(s.tangential_traction_x[point] * s.slip_x[point]);
-    s.contact_state[point] = slips ? ContactState::slip : ContactState::stick;
+}
+
+double SpringBed::slip(int spring) const {
+    return shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
+}
+
+ContactState SpringBed::contact_state(int spring) const {
+    if (spring < normal_.contact().first || spring >= normal_.contact().last)
+        return ContactState::open;
+    return std::abs(slip(spring)) > negligible_slip() ? ContactState::slip : ContactState::stick;
+}
+
+std::vector<ContactState> SpringBed::contact_states() const {
+    std::vector<ContactState> states;
+    states.reserve(normal_.size());
+    for (int i = 0; i < normal_.size(); ++i) states.push_back(contact_state(i));
+    return states;
 }
 
 }  // namespace tricontact::mdr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// What was found at one value of that which is varied.
+struct LimitProbe {
+    double value = 0;
+    contact::State state = contact::State::undecided;
+};
+
+/// Between which values shakedown ends.
+struct LimitBracket {
+    double last_shakedown = 0, first_ratcheting = 0;
+    /// The lowest and the highest value in between that could not be decided, if there is one.
+    std::optional<std::pair<double, double>> undecided = {};
+    std::vector<LimitProbe> probes = {};  ///< in the order of their evaluation
+
+    double centre() const { return (last_shakedown + first_ratcheting) / 2; }
+    double half_width() const { return (first_ratcheting - last_shakedown) / 2; }
+};
+
+/// Bisects until last shakedown and first ratcheting are at most `tolerance` > 0 apart or, where a
+/// verdict is undecided, each at most that far from the undecided values: these are a band, which
+/// is left as wide as it is. Shakedown at `low` and ratcheting at `high` are taken for granted.
+/// `guess`, if it lies between: the search begins there, with steps of the tolerance that double.
+LimitBracket find_limit(const std::function<contact::State(double)>& verdict, double low,
+                        double high, double tolerance, std::optional<double> guess = {});
+
+}  // namespace tricontact::comparisons

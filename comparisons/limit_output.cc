@@ -1,0 +1,93 @@
+// Limits of shakedown as files and on a terminal.
+
+#include <fmt/format.h>
+
+#include "comparisons/csv.h"
+#include "comparisons/format.h"
+#include "comparisons/json_number.h"
+#include "comparisons/limit.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+const char* name_of(LimitVariable variable) {
+    return variable == LimitVariable::load ? "tangential_ratio" : "amplitude_ratio";
+}
+
+json to_json(const LimitRun& run) {
+    return {{"value", run.value},
+            {"state", contact::name_of(run.state)},
+            {"periods", run.periods},
+            {"final_shift_ratio", number(run.final_shift_ratio)}};
+}
+
+json to_json(const ModelLimit& m) {
+    const auto& band = m.bracket.undecided;
+    const auto shift = m.shift_ratio();
+    json runs = json::array();
+    for (const LimitRun& run : m.runs) runs.push_back(to_json(run));
+    return {{"limit", m.limit().value},
+            {"last_shakedown", m.bracket.last_shakedown},
+            {"first_ratcheting", m.bracket.first_ratcheting},
+            {"undecided", band ? json{band->first, band->second} : json()},
+            {"limit_by_pressures", number(m.by_pressures)},
+            {"exact_uncoupled_limit", number(m.exact)},
+            {"final_shift_ratio_at_limit",
+             shift ? json{{"value", shift->value}, {"low", shift->low}, {"high", shift->high}}
+                   : json()},
+            {"coupled", m.coupled},
+            {"periods_at_most", m.periods_at_most},
+            {"runs", runs}};
+}
+
+std::string csv_optional(std::optional<double> value) {
+    return value ? csv_field(*value) : "";
+}
+
+}  // namespace
+
+json limit_json(const std::string& version, const LimitStudy& study) {
+    json models = json::object();
+    for (const ModelLimit& m : study.models) models[m.model] = to_json(m);
+    const bool load = study.variable == LimitVariable::load;
+    return {{"version", version},
+            {"limit_of", name_of(study.variable)},
+            {load ? "amplitude_ratio" : "tangential_ratio", study.given},
+            {"thesis", number(study.thesis)},
+            {"models", models}};
+}
+
+std::string limit_csv(const LimitStudy& study) {
+    std::string text =
+        csv_line({"model", "limit_of", "limit", "last_shakedown", "first_ratcheting",
+                  "limit_by_pressures", "exact_uncoupled_limit", "final_shift_ratio_at_limit",
+                  "final_shift_ratio_low", "final_shift_ratio_high"});
+    for (const ModelLimit& m : study.models) {
+        const auto shift = m.shift_ratio();
+        text += csv_line({m.model, name_of(study.variable), csv_field(m.limit().value),
+                          csv_field(m.bracket.last_shakedown),
+                          csv_field(m.bracket.first_ratcheting), csv_field(m.by_pressures),
+                          csv_optional(m.exact), shift ? csv_field(shift->value) : "",
+                          shift ? csv_field(shift->low) : "", shift ? csv_field(shift->high) : ""});
+    }
+    return text;
+}
+
+std::string limit_text(const LimitStudy& study) {
+    const bool load = study.variable == LimitVariable::load;
+    std::string text =
+        fmt::format("limit of shakedown in {} at {} = {:.6g}\n{:<10} {:>11} {:>11} {:>11} {:>11}\n",
+                    load ? "f_T" : "w", load ? "w" : "f_T", study.given, "", "shakes down",
+                    "ratchets", "pressures", "exact");
+    for (const ModelLimit& m : study.models)
+        text += fmt::format("{:<10} {:>11.7f} {:>11.7f} {:>11.7f} {:>11}\n", m.model,
+                            m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
+                            m.exact ? fmt::format("{:.7f}", *m.exact) : "-");
+    if (study.thesis) text += fmt::format("{:<10} {:>23.7f}\n", "thesis", *study.thesis);
+    return text;
+}
+
+}  // namespace tricontact::comparisons
