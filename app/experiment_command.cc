@@ -66,17 +66,10 @@ class Predictions {
     }
 
   private:
-    // Between turning points nothing happens that a contact which settles would remember; the walk
-    // of one that ratchets depends on the steps of the case.
     Case case_with(double amplitude, int periods, bool run_all) const {
         std::vector<std::string> overrides{fmt::format("rolling.periods={}", periods),
                                            fmt::format("rolling.run_all={}", run_all)};
         if (amplitude > 0) overrides.push_back(fmt::format("rolling.amplitude={} m", amplitude));
-        const Case c = io::read_case(*input_.case_file, overrides);
-        const bool steady = !c.relaxation && c.load.normal_amplitude_ratio == 0 &&
-                            c.load.tangential_amplitude_ratio == 0;
-        if (evaluation_.kind == Experiment::Kind::ratcheting || !steady) return c;
-        overrides.push_back("rolling.steps=turning-points");
         return io::read_case(*input_.case_file, overrides);
     }
 
@@ -100,7 +93,8 @@ class Predictions {
                    const std::vector<CaseQuantity>& quantities) {
         say(fmt::format("{}: {} periods", name, evaluation_.periods));
         const contact::History history = run(name, c);
-        comparisons::ModelPrediction prediction{name, shift_of(history), history.state, {}};
+        comparisons::ModelPrediction prediction{
+            name, shift_of(history), history.state, comparisons::model_wobble(c, history), {}};
         for (const CaseQuantity& quantity : quantities) {
             say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
             Case raised = c;

@@ -15,6 +15,7 @@ namespace {
 using contact::Experiment;
 
 constexpr double um = 1e6, mm = 1e3;
+constexpr double least_drawn = 1e-3;      // [um] of growth: below what a vibrometer could see
 constexpr std::size_t most_drawn = 1500;  // samples of a curve: more than a screen has columns
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
@@ -55,6 +56,43 @@ Figure periods_figure(const ExperimentEvaluation& e) {
     for (const ModelPrediction& p : e.predictions) {
         Curve curve{
             .name = display_name(p.model), .x = counts(p.shift.size()), .y = scaled(p.shift, um)};
+        curve.colour = colour++;
+        figure.curves.push_back(curve);
+    }
+    return figure;
+}
+
+// No logarithm of what does not grow.
+std::vector<double> growth(const std::vector<double>& shift) {
+    std::vector<double> result;
+    for (std::size_t n = 1; n < shift.size(); ++n) {
+        const double d = um * (shift[n] - shift[n - 1]);
+        result.push_back(d > least_drawn ? d : std::numeric_limits<double>::quiet_NaN());
+    }
+    return result;
+}
+
+Figure increments_figure(const ExperimentEvaluation& e) {
+    Figure figure{.id = "increments",
+                  .title = "Growth per period",
+                  .caption = fmt::format(
+                      "u_n - u_(n-1): a transient falls along a straight line, ratcheting stays "
+                      "at its level. Bars: {:.4g} %; values that do not grow are left out.",
+                      100 * e.confidence),
+                  .x = {"period n [-]"},
+                  .y = {"growth in the period [µm]", true}};
+    std::vector<double> n = counts(e.shift.size());
+    n.erase(n.begin());
+    std::vector<double> shift, errors;
+    for (const Estimate& u : e.shift) shift.push_back(u.value);
+    for (const Estimate& d : e.period_increments) errors.push_back(um * (d.high - d.low) / 2);
+    Curve measured{.name = "measured", .x = n, .y = growth(shift), .y_error = errors};
+    measured.kind = Curve::Kind::points;
+    measured.colour = 0;
+    figure.curves.push_back(measured);
+    int colour = 1;
+    for (const ModelPrediction& p : e.predictions) {
+        Curve curve{.name = display_name(p.model), .x = n, .y = growth(p.shift)};
         curve.colour = colour++;
         figure.curves.push_back(curve);
     }
@@ -166,7 +204,7 @@ DocumentSection limit_section(const ExperimentEvaluation& e) {
 
 DocumentSection values_section(const ExperimentEvaluation& e) {
     DocumentSection section{.id = "values", .heading = "Shift over the periods"};
-    section.figures = {periods_figure(e)};
+    section.figures = {periods_figure(e), increments_figure(e)};
     section.tables = {values_table(e)};
     if (e.normalised) section.tables.push_back(normalised_table(e));
     if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
@@ -212,10 +250,11 @@ Document experiment_document(const ExperimentEvaluation& e) {
         document.sections.push_back(values_section(e));
         document.sections.push_back(criteria_section(e));
     }
-    document.sections.push_back({.id = "measurement",
-                                 .heading = "Records and their noise",
-                                 .figures = {records_figure(e)},
-                                 .tables = {noise_table(e)}});
+    DocumentSection measurement{.id = "measurement", .heading = "Records and their noise"};
+    measurement.figures = {records_figure(e)};
+    measurement.tables = {noise_table(e)};
+    if (e.wobble && e.normalised) measurement.tables.push_back(wobble_table(e));
+    document.sections.push_back(measurement);
     return document;
 }
 

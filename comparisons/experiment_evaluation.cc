@@ -30,6 +30,14 @@ Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
     return interval_of(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
 }
 
+// The drift's error is nearly the same in both values.
+Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence) {
+    const StageEvaluation& stage = run.stages.front();
+    return interval_of(stage.shift[n] - stage.shift[n - 1],
+                       std::hypot(stage.shift_error[n], stage.shift_error[n - 1]), confidence,
+                       run.degrees_of_freedom);
+}
+
 State joint_state(const std::vector<RunEvaluation>& runs) {
     State joint = State::undecided;
     for (const RunEvaluation& run : runs) {
@@ -64,6 +72,16 @@ void put_together(ExperimentEvaluation& e) {
     }
     for (const auto& of_runs : shift)
         e.shift.push_back(repeated(of_runs, e.confidence).at_confidence);
+    for (std::size_t n = 1; n < shift.size(); ++n) {
+        std::vector<Estimate> of_runs;
+        for (const RunEvaluation& run : e.runs)
+            of_runs.push_back(increment_at(run, n, e.confidence));
+        e.period_increments.push_back(repeated(of_runs, e.confidence).at_confidence);
+    }
+    std::vector<Estimate> wobble;
+    for (const RunEvaluation& run : e.runs)
+        if (run.wobble) wobble.push_back(*run.wobble);
+    if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
     e.static_shift = repeated(shift.front(), e.confidence);
     e.final_shift = repeated(shift.back(), e.confidence);
     e.settled_shift = repeated(settled, e.confidence);

@@ -36,9 +36,7 @@ struct NormalisedResults {
     theory::Uncertain static_ratio, final_ratio, increment_ratio;
     /// w_lim of the half-space by f_T alone: 1 - 3/2 w + 1/2 w^3 = f_T, and the thesis' 1 - f_T.
     theory::Uncertain exact_limit, thesis_limit;
-    /// Dh = R dU/dW, the pivot's height over the contact that would make the table wobble so
-    /// (5.1.11) [m]; empty without a recorded wobble.
-    std::optional<theory::Uncertain> pivot_height;
+    double radius = 0;  ///< R [m]
 };
 
 /// What a model says about the same runs.
@@ -46,6 +44,7 @@ struct ModelPrediction {
     std::string model;
     std::vector<double> shift;  ///< u_0 ... u_N [m]
     contact::State state{};
+    double wobble = 0;  ///< dU/dW of the last period [-]
     /// `shift` when a quantity of the case grows by its standard error, one each.
     std::vector<std::vector<double>> raised;
 };
@@ -79,6 +78,12 @@ struct ExperimentEvaluation {
     Repeated settled_shift;       ///< extrapolated [m]
     Repeated increment;           ///< Du, second half of the periods [m]
     std::vector<Estimate> shift;  ///< per period, at `confidence` [m]
+    /// Of each period, u_n - u_(n-1), at `confidence` [m]; of one run by noise.
+    std::vector<Estimate> period_increments;
+
+    /// dU/dW: the shift that follows the drive [-]; empty where the amplitude is unknown or
+    /// changes.
+    std::optional<Repeated> wobble;
 
     /// Limit runs, by the walk: per run, empty where it cannot be read.
     std::vector<std::optional<LimitReading>> limits;
@@ -100,6 +105,15 @@ ExperimentEvaluation evaluate_experiment(const contact::Experiment& experiment);
 /// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4).
 void normalise(ExperimentEvaluation& evaluation, const contact::Case& c,
                const std::vector<CaseQuantity>& quantities);
+
+/// Shift that follows the drive in the last period of a model's run, beside a straight line in
+/// time: dU/dW [-]. On a layer that couples normal and tangential contact free rolling creeps: this
+/// is not zero, even without a tangential force.
+double model_wobble(const contact::Case& c, const contact::History& history);
+
+/// What is left of the measured wobble beside a model's own, as a pivot that is Dh = R dU/dW too
+/// high (5.1.11) [m]. Needs `wobble` and `normalised`.
+theory::Uncertain pivot_height(const ExperimentEvaluation& e, double own_wobble);
 
 /// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting).
 void add_prediction(ExperimentEvaluation& evaluation, ModelPrediction prediction);

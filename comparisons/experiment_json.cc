@@ -100,8 +100,7 @@ json normalised_json(const std::optional<NormalisedResults>& n) {
             {"final_shift_ratio", uncertain(n->final_ratio)},
             {"increment_ratio", uncertain(n->increment_ratio)},
             {"exact_amplitude_limit", uncertain(n->exact_limit)},
-            {"thesis_amplitude_limit", uncertain(n->thesis_limit)},
-            {"pivot_height_m", n->pivot_height ? uncertain(*n->pivot_height) : json()}};
+            {"thesis_amplitude_limit", uncertain(n->thesis_limit)}};
 }
 
 json models_json(const ExperimentEvaluation& e) {
@@ -115,10 +114,13 @@ json models_json(const ExperimentEvaluation& e) {
                                       {"predicted_m", estimate(d.predicted)},
                                       {"measured_over_predicted", number(d.ratio())},
                                       {"differs", d.differs()}});
-        models.push_back({{"model", p.model},
-                          {"state", contact::name_of(p.state)},
-                          {"shift_m", numbers(p.shift)},
-                          {"deviations", deviations}});
+        models.push_back(
+            {{"model", p.model},
+             {"state", contact::name_of(p.state)},
+             {"shift_m", numbers(p.shift)},
+             {"wobble_ratio", number(p.wobble)},
+             {"pivot_height_m", e.wobble ? uncertain(pivot_height(e, p.wobble)) : json()},
+             {"deviations", deviations}});
     }
     for (const ModelLimit& limit : e.model_limits) {
         json states = json::array();
@@ -133,6 +135,8 @@ json models_json(const ExperimentEvaluation& e) {
 std::string experiment_json(const std::string& version, const ExperimentEvaluation& e) {
     json shift = json::array();
     for (const Estimate& u : e.shift) shift.push_back(estimate(u));
+    json increments = json::array();
+    for (const Estimate& d : e.period_increments) increments.push_back(estimate(d));
     json runs = json::array();
     for (const RunEvaluation& run : e.runs) runs.push_back(run_json(run));
     const json document{{"version", version},
@@ -147,6 +151,8 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
                         {"settled_shift_m", repeated_json(e.settled_shift)},
                         {"increment_m", repeated_json(e.increment)},
                         {"shift_per_period_m", shift},
+                        {"increment_per_period_m", increments},
+                        {"wobble_ratio", e.wobble ? repeated_json(*e.wobble) : json()},
                         {"limit", limits_json(e)},
                         {"normalised", normalised_json(e.normalised)},
                         {"models", models_json(e)},

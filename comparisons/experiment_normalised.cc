@@ -82,13 +82,7 @@ void normalise(ExperimentEvaluation& e, const Case& c,
     });
     r.thesis_limit = propagated([](const Case& k) { return 1 - tangential_ratio(k); });
 
-    std::vector<Estimate> wobble;
-    for (const RunEvaluation& run : e.runs)
-        if (run.wobble) wobble.push_back(*run.wobble);
-    if (!wobble.empty())
-        r.pivot_height =
-            propagated([](const Case& k, double slope) { return k.indenter.radius * slope; },
-                       uncertain(repeated(wobble, e.confidence).at_confidence));
+    r.radius = c.indenter.radius;
     e.normalised = r;
 }
 

@@ -197,6 +197,20 @@ Verdict drift_verdict(const ExperimentEvaluation& e) {
                         changes, runs(static_cast<int>(e.runs.size())))};
 }
 
+std::string slope(const Estimate& e) {
+    return with_error(mm * e.value, mm * (e.high - e.low) / 2, 3) + " µm/mm";
+}
+
+Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
+    const theory::Uncertain height = pivot_height(e, p.wobble);
+    return {Standing::finding,
+            fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest is "
+                        "a pivot {} µm too high (5.1.11, one standard error).",
+                        slope(e.wobble->at_confidence), display_name(p.model),
+                        significant(mm * p.wobble, 3),
+                        with_error(1e6 * height.value, 1e6 * height.standard_error, 3))};
+}
+
 }  // namespace
 
 std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
@@ -208,6 +222,9 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        for (const ModelPrediction& p : e.predictions)
+            if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)
+                verdicts.push_back(wobble_verdict(e, p));
     }
     if (std::ranges::any_of(e.runs, [](const RunEvaluation& run) { return run.drift_changes; }))
         verdicts.push_back(drift_verdict(e));

@@ -75,7 +75,6 @@ DocumentTable normalised_table(const ExperimentEvaluation& e) {
         add("w = W/a", n.amplitude_ratio);
     }
     add("U_max [µm]", n.unit_shift, um);
-    if (n.pivot_height) add("Dh = R dU/dW [µm]", *n.pivot_height, um);
     add("u_stat/U_max", n.static_ratio);
     if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "u_sd/U_max", n.final_ratio);
     if (!limit) add("Du/U_max", n.increment_ratio);
@@ -184,6 +183,26 @@ DocumentTable model_stages_table(const ExperimentEvaluation& e) {
         for (const ModelLimit& limit : e.model_limits)
             table.rows.back().push_back(word(limit.states[k]));
     }
+    return table;
+}
+
+DocumentTable wobble_table(const ExperimentEvaluation& e) {
+    DocumentTable table{.id = "wobble",
+                        .title = "Shift that follows the drive",
+                        .note =
+                            "dU/dW of whole periods. On a layer that couples normal and "
+                            "tangential contact free rolling creeps, so that a model has a "
+                            "wobble of its own; what the measured one has beside it is a pivot "
+                            "Dh = R dU/dW too high (5.1.11), one standard error behind ±.",
+                        .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}},
+                        .rows = {}};
+    const auto add = [&](const std::string& name, double own) {
+        const theory::Uncertain height = pivot_height(e, own);
+        table.rows.push_back(
+            {name, um / mm * own, WithError{um * height.value, um * height.standard_error}});
+    };
+    add("nothing", 0);
+    for (const ModelPrediction& p : e.predictions) add(display_name(p.model), p.wobble);
     return table;
 }
 

@@ -14,6 +14,7 @@ DocumentTable criteria_table(const ExperimentEvaluation& e);      ///< walk and 
 DocumentTable stages_table(const ExperimentEvaluation& e);        ///< verdict per amplitude and run
 DocumentTable limits_table(const ExperimentEvaluation& e);        ///< W_lim and U_lim per run
 DocumentTable model_stages_table(const ExperimentEvaluation& e);  ///< models' verdicts
+DocumentTable wobble_table(const ExperimentEvaluation& e);        ///< with the models' own
 DocumentTable noise_table(const ExperimentEvaluation& e);         ///< noise, drift, wobble per run
 
 }  // namespace tricontact::comparisons
