@@ -105,12 +105,16 @@ MeasuredQuantity measured(const Entry& entry, Dimension dimension) {
     }
 }
 
-void check_range(const Entry& entry, const RigKey& key, double value) {
-    if (std::isfinite(value) && key.range.contains(value)) return;
+// What is propagated is evaluated within the errors.
+void check_range(const Entry& entry, const RigKey& key, const Uncertain& quantity) {
+    const auto [value, error] = quantity;
+    const bool inside = key.range.contains(value);
+    if (inside && key.range.contains(value - error) && key.range.contains(value + error)) return;
     const std::string unit =
         key.dimension == Dimension::none ? "" : ' ' + std::string(si_unit(key.dimension));
     fail(entry.place, entry.subject(),
-         "must be " + std::string(key.range.low_included ? "at least " : "greater than ") +
+         std::string(inside ? "with its error it " : "") + "must be " +
+             std::string(key.range.low_included ? "at least " : "greater than ") +
              shortest(key.range.low) + unit + " and at most " + shortest(key.range.high) + unit,
          "write for example " + std::string(name_of_key(key.path)) + " = " +
              std::string(key.example));
@@ -128,7 +132,7 @@ void read_key(const Document& document, const RigKey& key) {
         return;
     }
     const Uncertain quantity = measured(*entry, key.dimension).quantity;
-    check_range(*entry, key, quantity.value);
+    check_range(*entry, key, quantity);
     if (auto* const* place = std::get_if<Uncertain*>(&key.target)) **place = quantity;
     if (auto* const* place = std::get_if<std::optional<Uncertain>*>(&key.target))
         **place = quantity;

@@ -10,9 +10,9 @@ namespace tricontact::theory {
 namespace {
 
 // (df/dx_i) sigma_i at the values x. The difference formula knows no scale: its variable is
-// (x_i - value)/scale, so that its steps (at most 1 % of it) stay in the function's domain.
+// (x_i - value)/scale, so that its steps (at most 0.9 % of it) stay within one standard error.
 double contribution(const Quantity& f, std::vector<double> x, std::size_t i, double sigma) {
-    const double value = x[i], scale = std::max(std::abs(value), sigma);
+    const double value = x[i], scale = std::min(std::max(std::abs(value), sigma), 100 * sigma);
     const auto along = [&](double t) {
         x[i] = value + t * scale;
         return f(x);

@@ -77,6 +77,8 @@ TEST(RigReader, RefusesWithPlaceRuleAndRemedy) {
           Pair{replaced(rolling, "40.0 ± 0.1 mm", "-40 mm"), "must be greater than 0 m"},
           Pair{replaced(rolling, "40.0 ± 0.1 mm", "40 N"), "\"N\" is a unit of force"},
           Pair{replaced(rolling, "poisson = 0.3", "poisson = 0.6"), "rig.toml:7:11"},
+          Pair{replaced(rolling, "0.49 ± 0.01", "0.5 ± 0.01"),
+               "rig.toml:11:11: substrate.poisson = \"0.5 ± 0.01\": with its error it must be"},
           Pair{replaced(rolling, "poisson = 0.3", "poisson = true"),
                "must be a pure number, but is a truth value"},
           Pair{replaced(rolling, "radius", "raduis"),

@@ -55,6 +55,12 @@ TEST(ErrorPropagation, AValueOfZeroHasASlope) {
     EXPECT_NEAR(p.result.standard_error, 0.01, 1e-10);
 }
 
+TEST(ErrorPropagation, StaysWithinTheStandardErrors) {
+    // As Poisson's ratio near 1/2: the function ends one error away.
+    const auto f = [](const auto& v) { return v[0] <= 0.5 ? v[0] * v[0] : std::nan(""); };
+    EXPECT_NEAR(propagate(f, {{0.4999, 1e-4}}).result.standard_error, 2 * 0.4999 * 1e-4, 1e-12);
+}
+
 TEST(ErrorPropagation, RefusesWhatHasNoMeaning) {
     const auto root = [](const auto& v) { return std::sqrt(v[0]); };
     EXPECT_THROW(propagate(root, {{1, -0.1}}), std::invalid_argument);
