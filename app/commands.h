@@ -99,6 +99,19 @@ struct SweepOptions {
 /// failed.
 void sweep_command(const SweepOptions& options);
 
+struct DeviationOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;  ///< empty: results/<name of the case file>_deviation
+    int jobs = 1;        ///< processes side by side
+    bool runs = true;    ///< of boundary elements; else exact theory alone
+    bool quiet = false;
+};
+/// How far the layer of a case is from a half-space: writes deviation.json, deviation.csv and the
+/// report, prints a table to standard output. Finished runs of an earlier call are taken over.
+/// Throws InputError.
+void deviation_command(const DeviationOptions& options);
+
 struct MergeOptions {
     std::string output;
     std::vector<std::string> inputs;  ///< folders of sweeps

@@ -77,6 +77,19 @@ const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options)
     return sweep;
 }
 
+const CLI::App* add_deviation(CLI::App& app, tricontact::app::DeviationOptions& options) {
+    auto* deviation =
+        app.add_subcommand("deviation", "How far the layer of a case is from a half-space");
+    add_case_arguments(*deviation, options.case_file, options.overrides);
+    deviation->add_option("--jobs", options.jobs, "Processes side by side (all cores)")
+        ->check(CLI::Range(1, 1024));
+    deviation->add_option("--output", options.output, "Folder (results/<case>_deviation)")
+        ->type_name("DIR");
+    deviation->add_flag("!--no-runs", options.runs, "Exact theory alone: no friction, no rolling");
+    deviation->add_flag("--quiet", options.quiet, "No progress, no closing line");
+    return deviation;
+}
+
 const CLI::App* add_merge(CLI::App& app, tricontact::app::MergeOptions& options) {
     auto* merge = app.add_subcommand("merge", "Bring the results of sweeps into one folder");
     merge->add_option("output", options.output, "Folder of the whole")
@@ -195,6 +208,9 @@ int run_program(int argc, char** argv) {
     tricontact::app::ExperimentOptions experiment_options;
     experiment_options.threads = options.threads;
     const auto* experiment = add_experiment(app, experiment_options);
+    tricontact::app::DeviationOptions deviation_options;
+    deviation_options.jobs = options.threads;
+    const auto* deviation = add_deviation(app, deviation_options);
     tricontact::app::MergeOptions merge_options;
     const auto* merge = add_merge(app, merge_options);
     tricontact::app::IdentifyOptions identify_options;
@@ -227,6 +243,7 @@ int run_program(int argc, char** argv) {
     if (*limit) tricontact::app::limit_command(limit_options);
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
+    if (*deviation) tricontact::app::deviation_command(deviation_options);
     if (*merge) tricontact::app::merge_command(merge_options);
     if (*rig) tricontact::app::rig_command(rig_options);
     if (*identify) tricontact::app::identify_command(identify_options);

@@ -52,14 +52,18 @@ theory::ElasticLayer DeviationContact::layer(double thickness_ratio, double pois
 
 ExactDeviation::ExactDeviation(DeviationContact contact, double poisson, LayerBase base)
     : contact_(std::move(contact)), poisson_(poisson), base_(base) {
-    const theory::LayerContact thick = solve(half_space_thickness);
+    const theory::LayerContact thick = half_space();
     for (const ExactQuantity q : exact_quantities())
         half_space_[static_cast<std::size_t>(q)] = value(q, half_space_thickness, thick);
 }
 
-theory::LayerContact ExactDeviation::solve(double thickness_ratio) const {
+theory::LayerContact ExactDeviation::contact_at(double thickness_ratio) const {
     return solve_layer_contact(contact_.layer(thickness_ratio, poisson_, base_), *contact_.indenter,
                                {contact::NormalControl::Kind::force, contact_.normal_force});
+}
+
+theory::LayerContact ExactDeviation::half_space() const {
+    return contact_at(half_space_thickness);
 }
 
 std::optional<double> ExactDeviation::value(ExactQuantity q, double thickness_ratio,
@@ -97,11 +101,11 @@ std::optional<double> ExactDeviation::value(ExactQuantity q, double thickness_ra
 std::optional<double> ExactDeviation::ratio(ExactQuantity q, double thickness_ratio) const {
     const auto half_space = half_space_[static_cast<std::size_t>(q)];
     if (!half_space) return {};
-    return *value(q, thickness_ratio, solve(thickness_ratio)) / *half_space;
+    return *value(q, thickness_ratio, contact_at(thickness_ratio)) / *half_space;
 }
 
 ExactRatios ExactDeviation::ratios(double thickness_ratio, bool coupled) const {
-    const theory::LayerContact c = solve(thickness_ratio);
+    const theory::LayerContact c = contact_at(thickness_ratio);
     ExactRatios result;
     for (const ExactQuantity q : exact_quantities()) {
         const auto i = static_cast<std::size_t>(q);

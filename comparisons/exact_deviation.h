@@ -41,7 +41,7 @@ struct DeviationContact {
     double normal_force = 0;       ///< F_N [N]
     double effective_modulus = 0;  ///< E* = E/(1 - nu^2) of the layer [Pa]
     double hertz_diameter = 0;     ///< D_c [m]
-    double amplitude_ratio = 0;    ///< w, for f_T,lim; 0: nothing rolls, no limits
+    double amplitude_ratio = 0;    ///< w = W/a on the layer, for f_T,lim; 0: nothing rolls
     double tangential_ratio = 0;   ///< f_T, for w_lim; 0: no limit of w
 
     theory::ElasticLayer layer(double thickness_ratio, double poisson,
@@ -64,11 +64,13 @@ class ExactDeviation {
     /// others, they are quick.
     ExactRatios ratios(double thickness_ratio, bool coupled = true) const;
 
+    theory::LayerContact contact_at(double thickness_ratio) const;
+    theory::LayerContact half_space() const;
+
     double poisson() const { return poisson_; }
     theory::LayerBase base() const { return base_; }
 
   private:
-    theory::LayerContact solve(double thickness_ratio) const;
     std::optional<double> value(ExactQuantity q, double thickness_ratio,
                                 const theory::LayerContact& c) const;
 

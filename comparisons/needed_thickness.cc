@@ -16,13 +16,13 @@ namespace {
 
 using Function = std::function<double(double)>;
 
-/// Root of `f` between two arguments at which its signs differ.
-double root_between(const Function& f, double low, double high) {
-    if (f(low) == 0) return low;
-    if (f(high) == 0) return high;
+/// Root of `f` between two arguments at which its values, given, differ in sign.
+double root_between(const Function& f, double low, double high, double at_low, double at_high) {
+    if (at_low == 0) return low;
+    if (at_high == 0) return high;
     std::uintmax_t evaluations = 200;  // toms748 needs about 10
     const auto [left, right] = boost::math::tools::toms748_solve(
-        f, low, high, boost::math::tools::eps_tolerance<double>(50), evaluations);
+        f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), evaluations);
     return std::midpoint(left, right);
 }
 
@@ -38,7 +38,7 @@ Crossings crossings(const Function& f, const std::vector<double>& grid) {
     for (std::size_t i = 1; i < grid.size(); ++i) {
         const double now = f(grid[i]);
         if ((before < 0) != (now < 0)) {
-            if (!result.first) result.first = root_between(f, grid[i - 1], grid[i]);
+            if (!result.first) result.first = root_between(f, grid[i - 1], grid[i], before, now);
             ++result.n;
         }
         before = now;
@@ -105,8 +105,10 @@ NeededThickness needed_thickness(const std::vector<RatioPoint>& points, const Fu
         return std::abs(exact(std::exp(log_thickness)) - 1) - tolerance;
     };
     NeededThickness result;
-    result.ratio = std::exp(root_between(excess, std::log(last->thickness_ratio),
-                                         std::log(std::prev(last)->thickness_ratio)));
+    const RatioPoint &thin = *last, &thick = *std::prev(last);
+    result.ratio = std::exp(
+        root_between(excess, std::log(thin.thickness_ratio), std::log(thick.thickness_ratio),
+                     std::abs(thin.ratio - 1) - tolerance, std::abs(thick.ratio - 1) - tolerance));
     result.last_of_several = std::find_if_not(last, points.rend(), exceeds) != points.rend();
     return result;
 }

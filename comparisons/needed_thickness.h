@@ -24,7 +24,7 @@ struct RatioPoint {
 };
 
 /// Of an exact ratio known at `points` (thickness increasing): the crossing between two of them by
-/// root finding on `exact` to full precision. A crossing and its return between neighbours are not
+/// root finding on `exact` to 1e-12. A crossing and its return between neighbours are not
 /// seen. Throws std::domain_error if the thickest point still exceeds the tolerance.
 NeededThickness needed_thickness(const std::vector<RatioPoint>& points,
                                  const std::function<double(double)>& exact, double tolerance);

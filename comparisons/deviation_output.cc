@@ -1,0 +1,141 @@
+#include "comparisons/deviation_output.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/csv.h"
+#include "comparisons/deviation_rows.h"
+#include "comparisons/format.h"
+#include "comparisons/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+using theory::LayerBase;
+
+/// What the ratios of one body belong to.
+struct Body {
+    const char* part;
+    LayerBase base;
+    double poisson, thickness_ratio;
+    std::string coupled;
+};
+
+std::string row(const Body& body, const DeviationQuantity& q, double ratio, double error) {
+    return csv_line({body.part, name_of(body.base), csv_field(body.poisson), body.coupled,
+                     csv_field(body.thickness_ratio), q.key, csv_field(ratio), csv_field(error)});
+}
+
+std::string rows(const Body& body, const ExactRatios& ratios) {
+    std::string text;
+    for (const ExactQuantity q : exact_quantities())
+        if (const auto ratio = ratios.at(static_cast<std::size_t>(q)))
+            text += row(body, describe(q), *ratio, 0);
+    return text;
+}
+
+json ratio_json(const std::optional<RolledRatio>& ratio) {
+    if (!ratio) return nullptr;
+    return {{"ratio", number(ratio->value)}, {"error", number(ratio->error)}};
+}
+
+json needed_json(const NeededThicknesses& needed) {
+    json result = json::array();
+    for (std::size_t i = 0; i < needed.size(); ++i)
+        result.push_back({{"deviation", deviation_tolerances.at(i)},
+                          {"thickness_ratio", number(needed.at(i).ratio)},
+                          {"low", number(needed.at(i).low)},
+                          {"high", number(needed.at(i).high)},
+                          {"last_of_several", needed.at(i).last_of_several}});
+    return result;
+}
+
+json rows_json(const HalfSpaceDeviation& deviation) {
+    json result = json::object();
+    for (const DeviationRow& r : rows_here(deviation))
+        result[r.computed ? "computed" : "exact"][r.quantity->key] = ratio_json(r.ratio);
+    return result;
+}
+
+json exact_curve_json(const ExactCurve& curve) {
+    json needed = json::object();
+    for (const ExactQuantity q : exact_quantities())
+        if (const auto& n = curve.needed.at(static_cast<std::size_t>(q)))
+            needed[describe(q).key] = needed_json(*n);
+    return {{"part", "exact"},
+            {"base", name_of(curve.base)},
+            {"poisson", curve.poisson},
+            {"needed", needed}};
+}
+
+json rolled_curve_json(const RolledCurve& curve) {
+    json needed = json::object(), points = json::array();
+    for (const RolledQuantity q : rolled_quantities())
+        if (const auto& n = curve.needed.at(static_cast<std::size_t>(q)))
+            needed[describe(q).key] = needed_json(*n);
+    for (const RolledDeviation& point : curve.points) {
+        json ratios = json::object();
+        for (const RolledQuantity q : rolled_quantities())
+            ratios[describe(q).key] = ratio_json(point.ratios.at(static_cast<std::size_t>(q)));
+        points.push_back({{"thickness_ratio", number(point.body.thickness_ratio)},
+                          {"state", point.state.empty() ? json() : json(point.state)},
+                          {"ratios", ratios}});
+    }
+    return {{"part", "computed"},       {"base", "bonded"}, {"poisson", curve.poisson},
+            {"coupled", curve.coupled}, {"needed", needed}, {"points", points}};
+}
+
+}  // namespace
+
+std::string deviation_csv(const HalfSpaceDeviation& deviation) {
+    std::string text = csv_line(
+        {"part", "base", "poisson", "coupled", "thickness_ratio", "quantity", "ratio", "error"});
+    for (const ExactCurve& curve : deviation.curves)
+        for (std::size_t i = 0; i < curve.ratios.size(); ++i)
+            text += rows({"exact", curve.base, curve.poisson, curve.thickness_ratios[i], ""},
+                         curve.ratios[i]);
+    const ExactMap& map = deviation.map;
+    for (std::size_t i = 0; i < map.ratios.size(); ++i)
+        text += rows({"exact map", LayerBase::bonded, map.poissons[i / map.thickness_ratios.size()],
+                      map.thickness_ratios[i % map.thickness_ratios.size()], ""},
+                     map.ratios[i]);
+    for (const RolledCurve& curve : deviation.rolled)
+        for (const RolledDeviation& point : curve.points)
+            for (const RolledQuantity q : rolled_quantities())
+                if (const auto& ratio = point.ratios.at(static_cast<std::size_t>(q)))
+                    text += row({"computed", LayerBase::bonded, curve.poisson,
+                                 point.body.thickness_ratio, curve.coupled ? "true" : "false"},
+                                describe(q), ratio->value, ratio->error);
+    return text;
+}
+
+std::string deviation_json(const std::string& version, const std::string& case_text,
+                           const HalfSpaceDeviation& deviation) {
+    json curves = json::array();
+    for (const ExactCurve& curve : deviation.curves) curves.push_back(exact_curve_json(curve));
+    for (const RolledCurve& curve : deviation.rolled) curves.push_back(rolled_curve_json(curve));
+    const ApparentModuli& apparent = deviation.apparent;
+    const json document{{"version", version},
+                        {"case", case_text},
+                        {"hertz_diameter_m", number(deviation.contact.hertz_diameter)},
+                        {"normal_force_N", number(deviation.contact.normal_force)},
+                        {"thickness_ratio", number(deviation.thickness_ratio)},
+                        {"base", name_of(deviation.base)},
+                        {"tangential_ratio", number(deviation.contact.tangential_ratio)},
+                        {"amplitude_ratio", number(deviation.contact.amplitude_ratio)},
+                        {"settling_amplitude_ratio", number(deviation.amplitudes.settling)},
+                        {"ratcheting_amplitude_ratio", number(deviation.amplitudes.ratcheting)},
+                        {"layer", rows_json(deviation)},
+                        {"apparent_young_Pa",
+                         {{"from_indentation", number(apparent.from_indentation)},
+                          {"from_contact_radius", number(apparent.from_contact_radius)},
+                          {"from_unit_shift", number(apparent.from_unit_shift)}}},
+                        {"curves", curves},
+                        {"failed_runs", deviation.n_failed_runs}};
+    return document.dump(2) + "\n";
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,79 @@
+#!/usr/bin/env bash
+# tricontact deviation: exact part and its numbers in the documents, runs, taking over what is
+# there; what is refused leaves nothing behind.
+# usage: deviation.sh PROGRAM SOURCE_DIR
+set -uo pipefail
+program=$(realpath "$1")
+source_dir=$(realpath "$2")
+rig=$source_dir/cases/rig_layer_parallel.toml
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+# 1. Exact theory alone: the rig's layer, and the thicknesses of docs/half-space-deviation.md.
+"$program" deviation "$rig" --no-runs --quiet >out 2>err || complain "exact part: $(cat err)"
+folder=results/rig_layer_parallel_deviation
+for file in report.html deviation.csv deviation.json; do
+    [ -s "$folder/$file" ] || complain "no $file"
+done
+[ ! -e "$folder/results.sqlite" ] || complain "runs in spite of --no-runs"
+[ ! -s err ] || complain "not quiet: $(cat err)"
+grep -q '36\.3 % below that of a half-space under the same force' out || complain "verdict: $(cat out)"
+# documented SYMBOL KEY: the column nu = 0.5 of the table.
+documented() {
+    local found
+    found=$(awk -v key="$2" '$1 == key { print $5, $6, $7 }' out)
+    grep -F "| $1 |" "$source_dir/docs/half-space-deviation.md" | cut -d'|' -f6 | grep -qF "$found" ||
+        complain "docs: $1 at nu = 0.5 is $found"
+}
+documented a contact_radius
+documented d indentation
+documented p0 peak_pressure
+documented U_max unit_shift
+documented dF_N/dd normal_stiffness
+documented dF_T/dU tangential_stiffness
+documented f_T,lim limit_tangential_ratio
+documented w_lim limit_amplitude_ratio
+
+# 2. Runs: of a case that is loaded and not rolled, the quickest. Called again nothing is computed.
+sed '/^\[rolling\]/,/^$/d; /^\[fem\]/,$d' "$rig" >static.toml
+"$program" deviation static.toml --set load.press=frictionless --output static >out 2>err ||
+    complain "runs: $(cat err)"
+grep -q '^static_shift_ratio (u_stat) ' out || complain "no static shift: $(cat out)"
+! grep -q settled out || complain "a settled shift without rolling"
+cp -r static before
+"$program" deviation static.toml --set load.press=frictionless --output static >again 2>err
+grep -qE '^([0-9]+) of \1 points are there already$' err || complain "computed again: $(cat err)"
+for file in report.html deviation.csv deviation.json; do
+    cmp -s "static/$file" "before/$file" || complain "$file differs the second time"
+done
+
+# refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
+refused() {
+    local expected=$1 message code
+    shift
+    mkdir empty
+    message=$(cd empty && "$program" deviation "$@" 2>&1)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
+    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
+        complain "$*: expected $expected, got $message"
+    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
+    rm -rf empty
+}
+refused "rig_sphere_parallel.toml: substrate.thickness is missing: without it" \
+    "$source_dir/cases/rig_sphere_parallel.toml"
+refused "the exact theory knows one layer" "$source_dir/cases/rig_layer_on_glue.toml"
+refused "substrate.relaxation: deviations are those of an elastic layer" \
+    "$source_dir/cases/rig_sphere_layer_relaxing.toml"
+refused "w = W/a is at least 1" "$rig" --set rolling.amplitude_ratio=1.5
+refused "the file cannot be read" missing.toml
+
+printf '%d failures\n' "$failures"
+[ "$failures" -eq 0 ]
