@@ -42,6 +42,8 @@ void print(const rig::RigReport& report) {
     for (const rig::PrintedCheck& check : report.printed) {
         std::cout << fmt::format("{:<17} {} = {} {}\n", word_of(check.agreement),
                                  check.printed.name, check.printed.text, check.printed.source);
+        if (const std::string error = error_text(check); !error.empty())
+            std::cout << fmt::format("{:18}{}\n", "", error);
         if (!check.calculation || check.agreement == rig::PrintedCheck::Agreement::agrees) continue;
         std::cout << fmt::format("{:18}{}\n", "", arithmetic(*check.calculation));
         if (!check.substitutes.empty())

@@ -186,11 +186,12 @@ void add_figures(DocumentSection& section, const rig::ForceCurves& curves) {
 Verdict printed_verdict(const std::vector<rig::PrintedCheck>& printed) {
     std::string names;
     int n = 0;
-    for (const rig::PrintedCheck& check : printed)
-        if (check.calculation && is_flagged(check)) {
-            names += fmt::format("{}{} = {}", n++ ? ", " : "", check.calculation->symbol,
-                                 check.printed.text);
-        }
+    for (const rig::PrintedCheck& check : printed) {
+        if (!check.calculation || !is_flagged(check)) continue;
+        std::string name = check.printed.name;
+        std::ranges::replace(name, '_', ' ');
+        names += fmt::format("{}{} {}", n++ ? "; " : "", name, check.printed.text);
+    }
     if (n == 0)
         return {Verdict::Standing::finding,
                 fmt::format("All {} printed numbers that can be computed follow from the others.",

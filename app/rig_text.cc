@@ -33,10 +33,10 @@ std::string given_text(const rig::Calculation& calculation) {
     std::string text;
     for (const rig::Given& one : calculation.given) {
         const comparisons::Unit fitting = unit_for(one.value.value, one.unit);
-        const std::string number = one.value.standard_error > 0
-                                       ? text_of(one.value, one.unit)
-                                       : comparisons::as_given(one.value.value / fitting.factor) +
-                                             (fitting.symbol.empty() ? "" : ' ' + fitting.symbol);
+        std::string number = comparisons::as_given(one.value.value / fitting.factor);
+        if (one.value.standard_error > 0)
+            number += " ± " + comparisons::as_given(one.value.standard_error / fitting.factor);
+        if (!fitting.symbol.empty()) number += ' ' + fitting.symbol;
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", one.symbol, number);
     }
     return text;
