@@ -27,16 +27,30 @@ std::string shown(const PropertyEstimate& estimate, const std::string& unit, dou
     return fmt::format("{} ({} to {})", text(estimate.value), text(low), text(high));
 }
 
+/// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
+std::string named(const std::string& name, const std::string& value) {
+    const bool number = value.find_first_of("0123456789") == 0;
+    return name + (number ? " = " : " ") + value;
+}
+
 Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
     const Identification& found = model.found;
     std::string sentence = model.name + ": ";
-    if (found.young) sentence += "E = " + shown_young(found);
+    if (found.young) sentence += named("E", shown_young(found));
     if (found.young && found.friction) sentence += ", ";
-    if (found.friction) sentence += "mu = " + shown_friction(found);
+    if (found.friction) sentence += named("mu", shown_friction(found));
     sentence += fmt::format("; intervals of {:g} %, from the likelihood.", 100 * found.confidence);
     if (&model == &reference_model(study) && study.models.size() > 1)
         sentence += " This is the model that leaves out least.";
     return {Verdict::Standing::finding, sentence};
+}
+
+bool overlap(const Interval& a, const Interval& b) {
+    return a.low <= b.high && b.low <= a.high;
+}
+
+std::string off(double ratio) {
+    return fmt::format("{:.0f} % too {}", 100 * std::abs(ratio - 1), ratio > 1 ? "high" : "low");
 }
 
 /// What the model that knows less makes of E.
@@ -50,14 +64,22 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
         return Verdict{Verdict::Standing::holds,
                        fmt::format("The half-space finds E within {:.1f} % of {}.",
                                    100 * least_bias, reference.name)};
-    std::string sentence =
-        fmt::format("The half-space finds E = {}, {} {}: {:.0f} % too {}",
-                    quantity(half_space->found.best.young, "Pa", 3), reference.name,
-                    quantity(reference.found.best.young, "Pa", 3), 100 * std::abs(ratio - 1),
-                    ratio > 1 ? "high" : "low");
+    std::string sentence = fmt::format(
+        "The half-space finds E = {}, {} {}: ", quantity(half_space->found.best.young, "Pa", 3),
+        reference.name, quantity(reference.found.best.young, "Pa", 3));
+    if (overlap(half_space->found.young->likelihood, reference.found.young->likelihood))
+        return Verdict{Verdict::Standing::cannot_tell,
+                       sentence +
+                           "their intervals overlap, the measurement does not tell how far "
+                           "they are apart."};
+    sentence += off(ratio);
     if (study.thickness_ratio)
         sentence += fmt::format(", because the layer is only {} contact widths thick",
                                 significant(*study.thickness_ratio, 2));
+    const auto& friction = half_space->found.friction;
+    if (friction && !overlap(friction->likelihood, reference.found.friction->likelihood))
+        sentence +=
+            "; its mu is " + off(half_space->found.best.friction / reference.found.best.friction);
     return Verdict{Verdict::Standing::fails, sentence + "."};
 }
 
@@ -124,8 +146,8 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
         if (model.found.friction && std::isinf(model.found.friction->likelihood.high))
             verdicts.push_back(
                 {Verdict::Standing::cannot_tell,
-                 model.name + " cannot tell mu: the forces are too small to make the contact slip "
-                              "much. Measure closer to sliding."});
+                 model.name + " cannot tell mu: all larger ones are as likely. Measure at larger "
+                              "forces, closer to sliding."});
     }
     if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
     return verdicts;

@@ -183,6 +183,20 @@ Entry generated(std::string path, Value value, const std::string& place) {
             .overridden = true};
 }
 
+/// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
+void check_lengths(const Input& input, double radius, const Entry& data) {
+    const bool deep = input.measurement == Measurement::force_indentation;
+    const MeasuredColumns& columns = columns_of(input.measurement);
+    const auto& lengths = deep ? input.given : input.observed;
+    const double largest = *std::max_element(lengths.begin(), lengths.end());
+    if (largest >= radius)
+        fail(data.place, data.subject(),
+             std::string(deep ? columns.given : columns.observed) + " reaches " +
+                 shortest(largest) + " m, the indenter's radius is " + shortest(radius) +
+                 " m: small deformations are assumed",
+             "check the units of the table and of indenter.radius");
+}
+
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const Document& document) {
     Document rig = document;
@@ -194,6 +208,8 @@ contact::Case rig_of(const Input& input, const Document& document) {
     });
     const std::string& place = input.data_file;
     const bool sheared = input.measurement == Measurement::static_shift;
+    const double radius = quantity_of(document, "indenter.radius");
+    check_lengths(input, radius, *document.find("data"));
     std::vector<Entry> guesses{
         generated("models", case_models(input), document.find("models")->place),
         generated("load.tangential_ratio", 0., place)};
@@ -212,11 +228,9 @@ contact::Case rig_of(const Input& input, const Document& document) {
         guesses.push_back(generated("contact.coupling", false, place));
     }
     if (input.young_is_free)
-        guesses.push_back(generated(
-            "substrate.young",
-            shortest(guessed_young(input, quantity_of(document, "indenter.radius"), normal_force)) +
-                " Pa",
-            place));
+        guesses.push_back(generated("substrate.young",
+                                    shortest(guessed_young(input, radius, normal_force)) + " Pa",
+                                    place));
     if (!document.find("friction.coefficient")) {
         const double largest = *std::max_element(input.given.begin(), input.given.end());
         guesses.push_back(

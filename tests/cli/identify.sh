@@ -54,6 +54,7 @@ sed 's/rig_static_shift.csv/small.csv/; s/"layer"/"half-space"/; s/"half-space",
     shift.toml >small.toml
 "$program" identify small.toml --output out --quiet >text || complain "small forces"
 grep -q "cannot tell mu" text || complain "mu of small forces: $(cat text)"
+grep -q "mu above 0\." text || complain "what small forces tell of mu: $(cat text)"
 [ "$(number "['models']['half-space']['friction_coefficient']['likelihood_interval'][1]")" = None ] ||
     complain "the interval of mu is open"
 
@@ -132,6 +133,7 @@ refused 'unknown column "shift_eror"' '' "tangential_force [N], shift [um], shif
 refused 'unknown column "normal_force"; known are tangential_force, shift, shift_error' '' \
     "normal_force [N], shift [um]\n1, 20\n2, 45\n3, 70\n"
 refused 'the column shift is missing' '' "tangential_force [N]\n1\n2\n3\n"
+refused 'shift reaches 340 m' '' 'tangential_force [N], shift [m]\n1, 20\n5, 120\n11, 340\n'
 refused 'the contact would slide: F_T of the table reaches 11 N, mu F_N is 10.55 N' \
     's/^\[load\]/[friction]\ncoefficient = 0.5\n[load]/'
 refused 'unknown key mesurement; did you mean measurement?' 's/^measurement/mesurement/'
