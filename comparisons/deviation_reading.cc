@@ -117,7 +117,7 @@ std::vector<Verdict> deviation_verdicts(const HalfSpaceDeviation& deviation) {
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
             {Standing::cannot_tell,
-             fmt::format("{} runs failed: their values are missing.", deviation.n_failed_runs)});
+             fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
     return verdicts;
 }
 

@@ -48,14 +48,14 @@ double thinnest_of(const HalfSpaceDeviation& deviation, const DeviationRow& row)
 
 std::string needed_text(const NeededThickness& needed, double thinnest) {
     if (!needed.ratio && !needed.high) return "below " + significant(thinnest, 2);
-    if (!needed.ratio) return "at most " + significant(needed.high, 2);
-    std::string text = significant(needed.ratio, 3);
+    if (!needed.ratio) return "at most " + significant(needed.high, 3);
+    const std::string text = significant(needed.ratio, 3);
+    const std::string low =
+        needed.low ? significant(needed.low, 3) : "below " + significant(thinnest, 2);
+    const std::string high = significant(needed.high, 3);
     const bool exact = !needed.high && !needed.low;
-    if (!exact)
-        text = fmt::format(
-            "{} ({} to {})", significant(needed.ratio, 2),
-            needed.low ? significant(needed.low, 2) : "below " + significant(thinnest, 2),
-            significant(needed.high, 2));
+    if (!exact && (low != text || high != text))
+        return fmt::format("{} ({} to {})", text, low, high);
     return text;
 }
 

@@ -20,7 +20,7 @@ struct DeviationRow {
 /// All quantities that are defined for the case, exact ones first.
 std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation);
 
-/// "37.6", "12 (11 to 14)", "below 0.1": the thinnest layer that was looked at.
+/// "37.6", "12.1 (11.2 to 14.0)", "below 0.1": the thinnest layer that was looked at.
 std::string needed_text(const NeededThickness& needed, double thinnest);
 /// That of a quantity's row.
 double thinnest_of(const HalfSpaceDeviation& deviation, const DeviationRow& row);

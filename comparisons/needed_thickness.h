@@ -9,7 +9,7 @@ namespace tricontact::comparisons {
 /// The thickness over D_c from which on a quantity deviates by less than a tolerance: the last
 /// crossing where there are several.
 struct NeededThickness {
-    std::optional<double> ratio;  ///< empty: the tolerance is never exceeded
+    std::optional<double> ratio = {};  ///< empty: the tolerance is never exceeded
     /// Interval of a computed one. `high` without `ratio`: the error leaves open whether it is
     /// exceeded below; without `low`: whether it is exceeded at all.
     std::optional<double> low = {}, high = {};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "comparisons/deviation_output.h"
+#include "comparisons/deviation_rows.h"
 #include "comparisons/half_space_deviation.h"
 #include "contact/error.h"
 #include "io/case_reader.h"
@@ -212,8 +213,17 @@ TEST(HalfSpaceDeviation, SaysWhatTheLayerMeans) {
     for (const char* part :
          {"0.888 widths of Hertz' contact thick", "the indentation is 36.3 % below",
           "U_max 12.5 % below", "22.2 % too high from U_max", "1.41 in a",
-          "U_stat 10.0 ± 1.0 % lower", "1 runs failed", "contact_radius (a)"})
+          "U_stat 10.0 ± 1.0 % lower", "Failed runs: 1", "contact_radius (a)"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(HalfSpaceDeviation, SaysHowThickWithItsInterval) {
+    EXPECT_EQ(needed_text({.ratio = 37.565}, .1), "37.6");
+    EXPECT_EQ(needed_text({.ratio = 12.14, .low = 11.2, .high = 14}, .25), "12.1 (11.2 to 14.0)");
+    EXPECT_EQ(needed_text({.ratio = 19.71, .low = 19.7, .high = 19.72}, .25), "19.7");
+    EXPECT_EQ(needed_text({.ratio = .5, .high = .7}, .25), "0.500 (below 0.25 to 0.700)");
+    EXPECT_EQ(needed_text({.high = .7}, .25), "at most 0.700");
+    EXPECT_EQ(needed_text({}, .1), "below 0.10");
 }
 
 TEST(HalfSpaceDeviation, WritesTableAndDocument) {
