@@ -84,6 +84,15 @@ struct LimitOptions {
 /// prints a table to standard output. Throws InputError, NotConverged.
 void limit_command(const LimitOptions& options);
 
+struct VerifyOptions {
+    bool brief = false;  ///< on coarse levels, in seconds
+    std::string output;  ///< folder; empty: to standard output only
+    bool quiet = false;
+};
+/// Runs the models on problems whose solution is known and prints the table of their errors
+/// (docs/verification.md). False if a row fails. Throws InputError, NotConverged.
+bool verify_command(const VerifyOptions& options);
+
 struct SweepOptions {
     std::string study_file;
     std::string output;  ///< empty: results/<name of the study>, with the shard if there is one

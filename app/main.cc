@@ -202,6 +202,12 @@ int run_program(int argc, char** argv) {
     tricontact::app::LimitOptions limit_options;
     limit_options.threads = options.threads;
     const auto* limit = add_limit(app, limit_options);
+    tricontact::app::VerifyOptions verify_options;
+    auto* verify = app.add_subcommand("verify", "Hold the models against exact solutions");
+    verify->add_flag("--short", verify_options.brief, "On coarse levels, in seconds");
+    verify->add_option("--output", verify_options.output, "Folder for verification.md and .json")
+        ->type_name("DIR");
+    verify->add_flag("--quiet", verify_options.quiet, "No progress");
     tricontact::app::SweepOptions sweep_options;
     sweep_options.jobs = options.threads;
     const auto* sweep = add_sweep(app, sweep_options);
@@ -241,6 +247,7 @@ int run_program(int argc, char** argv) {
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*influence) tricontact::app::influence_command(influence_options);
     if (*limit) tricontact::app::limit_command(limit_options);
+    if (*verify && !tricontact::app::verify_command(verify_options)) return exit_failed;
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*deviation) tricontact::app::deviation_command(deviation_options);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tricontact::comparisons {
+
+/// One quantity of one model on finer and finer levels beside what it should be.
+struct VerificationRow {
+    std::string problem;         ///< "Hertz"
+    std::string quantity;        ///< with its symbol, plain text
+    std::string model;           ///< as in case files
+    std::string source;          ///< author, year, equation
+    double reference = 0;        ///< exact, or as printed by the source
+    std::vector<double> sizes;   ///< over the contact radius, decreasing
+    std::vector<double> values;  ///< one per size, in the unit of the reference
+    double tolerance = 0;        ///< of the finest level's relative error
+
+    /// |value/reference - 1| of a level.
+    double error(std::size_t level) const;
+    /// Slope of ln error over ln size from the coarsest level to the finest; empty where an error
+    /// is at most 1e-9, that is rounding.
+    std::optional<double> order() const;
+    bool passed() const;
+};
+
+/// What the program was held against.
+struct Verification {
+    std::vector<VerificationRow> rows;
+
+    bool passed() const;
+};
+
+/// The same in docs/verification.md and verification.json: no times, no machine.
+std::string verification_markdown(const Verification& verification);
+nlohmann::ordered_json verification_json(const std::string& version,
+                                         const Verification& verification);
+
+}  // namespace tricontact::comparisons
