@@ -18,29 +18,13 @@ class Bisection {
         bracket_.first_ratcheting = high;
     }
 
-    /// Outwards from the guess until both ends have moved or a neighbour of the guess is met that
-    /// cannot be decided.
-    void begin_at(double guess) {
-        double step = tolerance_ / 2;
-        // Half a step beside: the guess may be the limit itself, where nothing can be decided.
-        for (double below = guess - step; below > bracket_.last_shakedown; below -= step) {
-            if (probe(below) == State::shakedown) break;
-            step *= 2;
-        }
-        step = tolerance_ / 2;
-        for (double above = guess + step; above < bracket_.first_ratcheting; above += step) {
-            if (probe(above) == State::ratcheting) break;
-            step *= 2;
-        }
-    }
-
     LimitBracket bisect() {
         while (const auto middle = next()) probe(*middle);
         return std::move(bracket_);
     }
 
   private:
-    State probe(double value) {
+    void probe(double value) {
         const State state = verdict_(value);
         bracket_.probes.push_back({value, state});
         if (state == State::shakedown)
@@ -53,7 +37,6 @@ class Bisection {
             bracket_.undecided = {std::min(bracket_.undecided->first, value),
                                   std::max(bracket_.undecided->second, value)};
         trim();
-        return state;
     }
 
     /// An undecided value beyond an end that has moved since is none any more.
@@ -92,10 +75,8 @@ class Bisection {
 }  // namespace
 
 LimitBracket find_limit(const std::function<State(double)>& verdict, double low, double high,
-                        double tolerance, std::optional<double> guess) {
-    Bisection bisection(verdict, low, high, tolerance);
-    if (guess && *guess > low && *guess < high) bisection.begin_at(*guess);
-    return bisection.bisect();
+                        double tolerance) {
+    return Bisection(verdict, low, high, tolerance).bisect();
 }
 
 }  // namespace tricontact::comparisons

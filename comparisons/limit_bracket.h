@@ -29,8 +29,7 @@ struct LimitBracket {
 /// Bisects until last shakedown and first ratcheting are at most `tolerance` > 0 apart or, where a
 /// verdict is undecided, each at most that far from the undecided values: these are a band, which
 /// is left as wide as it is. Shakedown at `low` and ratcheting at `high` are taken for granted.
-/// `guess`, if it lies between: the search begins there, with steps of the tolerance that double.
 LimitBracket find_limit(const std::function<contact::State(double)>& verdict, double low,
-                        double high, double tolerance, std::optional<double> guess = {});
+                        double high, double tolerance);
 
 }  // namespace tricontact::comparisons
