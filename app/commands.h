@@ -121,6 +121,19 @@ struct DeviationOptions {
 /// Throws InputError.
 void deviation_command(const DeviationOptions& options);
 
+/// results/<name of the study>: where a sweep writes, and others look, without --output.
+std::string default_sweep_folder(const std::string& study_file);
+
+struct FitOptions {
+    std::string study_file;
+    std::string output;        ///< folder of the sweep; empty: results/<name of the study>
+    double confidence = 0.95;  ///< of the intervals
+    bool quiet = false;
+};
+/// Evaluates a finished sweep: kappa, eta, differences of models; writes fit.json and fits.csv
+/// beside its results. Throws InputError.
+void fit_command(const FitOptions& options);
+
 struct MergeOptions {
     std::string output;
     std::vector<std::string> inputs;  ///< folders of sweeps

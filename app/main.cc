@@ -131,6 +131,19 @@ const CLI::App* add_identify(CLI::App& app, tricontact::app::IdentifyOptions& op
     return identify;
 }
 
+const CLI::App* add_fit(CLI::App& app, tricontact::app::FitOptions& options) {
+    auto* fit = app.add_subcommand("fit", "Fit kappa and eta to a finished sweep; compare models");
+    fit->add_option("study", options.study_file, "Study file (TOML)")
+        ->required()
+        ->type_name("STUDY.toml");
+    fit->add_option("--output", options.output, "Folder of the sweep (results/<study>)")
+        ->type_name("DIR");
+    fit->add_option("--confidence", options.confidence, "Level of the intervals (0.95)")
+        ->check(CLI::Range(0.5, 0.9999));
+    fit->add_flag("--quiet", options.quiet, "No closing line");
+    return fit;
+}
+
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
@@ -217,6 +230,8 @@ int run_program(int argc, char** argv) {
     tricontact::app::DeviationOptions deviation_options;
     deviation_options.jobs = options.threads;
     const auto* deviation = add_deviation(app, deviation_options);
+    tricontact::app::FitOptions fit_options;
+    const auto* fit = add_fit(app, fit_options);
     tricontact::app::MergeOptions merge_options;
     const auto* merge = add_merge(app, merge_options);
     tricontact::app::IdentifyOptions identify_options;
@@ -251,6 +266,7 @@ int run_program(int argc, char** argv) {
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*deviation) tricontact::app::deviation_command(deviation_options);
+    if (*fit) tricontact::app::fit_command(fit_options);
     if (*merge) tricontact::app::merge_command(merge_options);
     if (*rig) tricontact::app::rig_command(rig_options);
     if (*identify) tricontact::app::identify_command(identify_options);

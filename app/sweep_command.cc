@@ -45,7 +45,7 @@ Shard shard_of(const std::string& text) {
 
 std::string folder_of(const SweepOptions& options) {
     if (!options.output.empty()) return options.output;
-    std::string folder = "results/" + std::filesystem::path(options.study_file).stem().string();
+    std::string folder = default_sweep_folder(options.study_file);
     if (!options.shard.empty()) {
         const Shard shard = shard_of(options.shard);
         folder += fmt::format("_shard_{}_of_{}", shard.i, shard.n);
@@ -86,6 +86,10 @@ void check_files(const std::vector<SweepPoint>& points) {
 }
 
 }  // namespace
+
+std::string default_sweep_folder(const std::string& study_file) {
+    return "results/" + std::filesystem::path(study_file).stem().string();
+}
 
 void sweep_command(const SweepOptions& options) {
     const std::string folder = folder_of(options);

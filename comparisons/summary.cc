@@ -27,12 +27,9 @@ json numbers(const Values& values) {
     return result;
 }
 
-/// kappa carries the error of f_T divided by w u; below this product only noise is left of it.
-constexpr double least_product = 1e-5;
-
 std::optional<double> mapping_parameter(const ModelSummary& s) {
     const double w = s.amplitude_ratio, u = s.final_shift_ratio;
-    const bool defined = w * u > least_product && in_unit_range(w) && in_unit_range(u) &&
+    const bool defined = w * u > least_mapping_product && in_unit_range(w) && in_unit_range(u) &&
                          in_unit_range(s.tangential_ratio);
     if (s.state != State::shakedown || !defined) return {};
     return finite(theory::mapping_parameter(w, s.tangential_ratio, u));

@@ -10,6 +10,9 @@
 
 namespace tricontact::comparisons {
 
+/// kappa carries the error of f_T divided by w u; below this product only noise is left of it.
+inline constexpr double least_mapping_product = 1e-5;
+
 /// The numbers of one model's history. SI units; "ratio" of a shift: over the model's own U_max.
 /// Empty where a quantity is undefined.
 struct ModelSummary {

@@ -47,19 +47,6 @@ double amplitude_reference(const Case& c, double model_radius) {
                : hertz_scales(c).contact_radius;
 }
 
-int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
-    switch (rolling.steps) {
-        case Case::Steps::turning_points:
-            return 1;
-        case Case::Steps::per_quarter:
-            return rolling.steps_per_quarter;
-        case Case::Steps::increment:
-            break;
-    }
-    // Equal steps no longer than the increment; 1e-9 forgives the rounding of W / dW.
-    return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
-}
-
 /// With friction, or in time, step by step.
 std::vector<LoadStep> pressing_steps(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
@@ -86,6 +73,19 @@ void check_friction_limit(const Case& c, const LoadStep& step) {
 }
 
 }  // namespace
+
+int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
+    switch (rolling.steps) {
+        case Case::Steps::turning_points:
+            return 1;
+        case Case::Steps::per_quarter:
+            return rolling.steps_per_quarter;
+        case Case::Steps::increment:
+            break;
+    }
+    // Equal steps no longer than the increment; 1e-9 forgives the rounding of W / dW.
+    return std::max(1, static_cast<int>(std::ceil(amplitude / rolling.increment - 1e-9)));
+}
 
 double triangle_wave(double phase) {
     const double p = phase - std::floor(phase);

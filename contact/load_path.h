@@ -58,6 +58,9 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
 /// contact: nothing happens between them that the next one would remember.
 bool turning_points_suffice(const Case& c);
 
+/// Steps in each quarter of a period of this amplitude [m]; 1: turning points only.
+int steps_in_quarter(const Case::Rolling& rolling, double amplitude);
+
 /// Triangular wave of period 1 and amplitude 1: 0, 1, 0, -1, 0 at phases 0, 1/4, 1/2, 3/4, 1.
 double triangle_wave(double phase);
 

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/point_runs.h"
+#include "app/sweep_points.h"
+#include "comparisons/reference.h"
+#include "comparisons/study_fit.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "io/atomic_file.h"
+#include "io/result_store.h"
+#include "io/study_reader.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::RollingRun;
+
+/// What the fits run along.
+constexpr std::array<std::string_view, 4> variables{"rolling.amplitude", "rolling.amplitude_ratio",
+                                                    "load.tangential_force",
+                                                    "load.tangential_ratio"};
+/// How finely the rolling is followed: extrapolated from, not compared.
+constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.steps_per_quarter",
+                                                    "rolling.increment"};
+constexpr const char* angle_key = "rolling.angle";
+
+template <class Keys>
+bool is_one_of(std::string_view path, const Keys& keys) {
+    return std::find(keys.begin(), keys.end(), path) != keys.end();
+}
+
+std::string joined(const std::string& list, const std::string& item) {
+    return list.empty() ? item : list + ", " + item;
+}
+
+void require_constant_rolling(const io::Study& study, const SweepPoint& point) {
+    if (!point.c.rolling)
+        throw contact::InputError(study.name +
+                                  ": a case without [rolling] has neither kappa nor eta; give it "
+                                  "rolling.amplitude_ratio, or vary it");
+    if (!comparisons::constant_loads(point.c))
+        throw contact::InputError(study.name +
+                                  ": kappa and eta belong to rolling under constant loads; leave "
+                                  "out load.normal_amplitude_ratio and "
+                                  "load.tangential_amplitude_ratio");
+}
+
+RollingRun run_of(const io::Study& study, const SweepPoint& point, const std::string& results) {
+    RollingRun run{.model = point.model,
+                   .group = comparisons::direction_name(point.c.rolling->angle),
+                   .point = {},
+                   .angle = point.c.rolling->angle,
+                   .level = point.level,
+                   .results = nlohmann::ordered_json::parse(results)};
+    for (std::size_t i = 0; i < study.axes.size(); ++i) {
+        const io::Key& key = *study.axes[i].key;
+        if (is_one_of(key.path, step_keys)) continue;
+        const std::string item = io::table_heading(key) + " = " + point.values[i];
+        run.point = joined(run.point, item);
+        if (!is_one_of(key.path, variables) && key.path != angle_key)
+            run.group = joined(run.group, item);
+    }
+    const auto amplitude = run.results.find("amplitude_m");
+    if (amplitude != run.results.end() && amplitude->is_number())
+        run.steps_per_quarter =
+            contact::steps_in_quarter(*point.c.rolling, amplitude->get<double>());
+    return run;
+}
+
+std::vector<RollingRun> stored_runs(const io::Study& study, const std::vector<SweepPoint>& points,
+                                    const std::string& folder, const FitOptions& options) {
+    const std::string path = folder + '/' + io::result_store_name;
+    const std::string sweep =
+        fmt::format("tricontact sweep {} --output {}", options.study_file, folder);
+    if (!std::filesystem::exists(path))
+        throw contact::InputError(fmt::format("{}: holds no {}; compute the study first: {}",
+                                              folder, io::result_store_name, sweep));
+    const io::ResultStore store(path, io::ResultStore::Mode::read);
+    std::vector<RollingRun> runs;
+    std::size_t n_missing = 0, n_failed = 0;
+    for (const SweepPoint& point : points) {
+        const auto found = store.find(point.key);
+        n_missing += !found;
+        n_failed += found && !found->results;
+        if (found && found->results) runs.push_back(run_of(study, point, *found->results));
+    }
+    if (n_missing > 0)
+        throw contact::InputError(
+            fmt::format("{}: {} of {} points of {} have not been computed; {}", path, n_missing,
+                        points.size(), study.name, sweep));
+    if (n_failed > 0 && !options.quiet)
+        std::cerr << fmt::format("{} of {} points failed and are left out\n", n_failed,
+                                 points.size());
+    return runs;
+}
+
+std::string command_of(const FitOptions& options) {
+    std::string text = "tricontact fit " + options.study_file;
+    if (!options.output.empty()) text += " --output " + options.output;
+    return text + fmt::format(" --confidence {}", options.confidence);
+}
+
+}  // namespace
+
+void fit_command(const FitOptions& options) {
+    const std::string folder =
+        options.output.empty() ? default_sweep_folder(options.study_file) : options.output;
+    const io::Study study = io::read_study(options.study_file);
+    const std::vector<SweepPoint> points = sweep_points(study);
+    for (const SweepPoint& point : points) require_constant_rolling(study, point);
+
+    comparisons::StudyFit fit;
+    fit.title = study.title.empty() ? study.name : study.title;
+    fit.command = command_of(options);
+    fit.version = TRICONTACT_VERSION;
+    fit.confidence = options.confidence;
+    fit.points = comparisons::rolling_points(stored_runs(study, points, folder, options));
+    comparisons::evaluate(fit);
+
+    io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
+    io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
+    if (!options.quiet)
+        std::cerr << fmt::format("{} points of {} runs: {}/fit.json\n", fit.points.size(),
+                                 points.size(), folder);
+}
+
+}  // namespace tricontact::app

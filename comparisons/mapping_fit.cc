@@ -1,0 +1,120 @@
+#include "comparisons/mapping_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/grouping.h"
+#include "comparisons/reference.h"
+#include "comparisons/summary.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr std::size_t least_points_of_constant = 3;
+constexpr std::size_t least_points_of_plane = 6;
+/// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
+constexpr double rounding_of_kappa = 1e-6;
+
+double static_force(double u) {
+    return std::pow(1 - u, 1.5);
+}
+
+Computed mapping_of(double w, double f, const Computed& u) {
+    const double kappa = theory::mapping_parameter(w, f, u.value);
+    const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
+    return {kappa, std::abs(slope) * u.error};
+}
+
+bool has_mapping(const RollingPoint& p) {
+    return p.settled_shift && in_unit_range(p.settled_shift->value) &&
+           p.amplitude_ratio * p.settled_shift->value > least_mapping_product;
+}
+
+void fit(MappingGroup& group, double confidence) {
+    std::vector<double> f, offset, product, times_w, times_f;
+    for (const MappingPoint& p : group.points) {
+        const double u = p.at.settled_shift->value, w = p.at.amplitude_ratio;
+        f.push_back(p.at.tangential_ratio);
+        offset.push_back(1 - static_force(u));
+        product.push_back(-w * u);
+        times_w.push_back(-w * u * w);
+        times_f.push_back(-w * u * p.limit_ratio);
+    }
+    group.constant = fit_form("f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)", {"kappa"}, {product}, f,
+                              offset, confidence, least_points_of_constant);
+    group.plane = fit_form("f_T = 1 - (k_0 + k_w w + k_f f_T/f_T,lim) w u_sd - (1 - u_sd)^(3/2)",
+                           {"k_0", "k_w", "k_f"}, {product, times_w, times_f}, f, offset,
+                           confidence, least_points_of_plane);
+}
+
+MappingUse use_of(const MappingGroup& group, const std::string& name, double kappa) {
+    MappingUse use{.name = name, .kappa = std::min(kappa, theory::mdr_mapping)};
+    std::vector<double> magnitudes;
+    for (const MappingPoint& p : group.points) {
+        const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
+        const Computed& u = *p.at.settled_shift;
+        const auto predicted = theory::settled_shift_ratio(w, f, use.kappa);
+        if (!predicted) {
+            ++use.n_ratcheting;
+            continue;
+        }
+        const double miss = *predicted / u.value - 1;
+        magnitudes.push_back(std::abs(miss));
+        use.n_beyond_bars += std::abs(*predicted - u.value) > u.error;
+        if (std::abs(miss) >= std::abs(use.worst)) {
+            use.worst = miss;
+            use.worst_amplitude_ratio = w;
+            use.worst_tangential_ratio = f;
+        }
+    }
+    use.n = static_cast<int>(magnitudes.size());
+    use.median = median(magnitudes);
+    return use;
+}
+
+void add_uses(MappingGroup& group) {
+    if (group.constant) {
+        const double kappa = group.constant->fit.parameters.front().value;
+        if (kappa > 0 && kappa <= theory::mdr_mapping + rounding_of_kappa)
+            group.uses.push_back(use_of(group, "fitted", kappa));
+    }
+    if (is_parallel(group.angle))
+        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_parallel));
+    if (is_perpendicular(group.angle))
+        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_perpendicular));
+    group.uses.push_back(use_of(group, "mdr", theory::mdr_mapping));
+}
+
+bool less_kappa(const MappingPoint& a, const MappingPoint& b) {
+    return a.kappa.value < b.kappa.value;
+}
+
+}  // namespace
+
+double MappingGroup::smallest() const {
+    return std::min_element(points.begin(), points.end(), less_kappa)->kappa.value;
+}
+
+double MappingGroup::largest() const {
+    return std::max_element(points.begin(), points.end(), less_kappa)->kappa.value;
+}
+
+std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence) {
+    auto groups = groups_of<MappingGroup>(points);
+    for (MappingGroup& group : groups) {
+        for (const RollingPoint* p : points_of(points, group)) {
+            if (!has_mapping(*p)) continue;
+            group.points.push_back(
+                {.at = *p,
+                 .limit_ratio = p->tangential_ratio / p->limit.value,
+                 .kappa = mapping_of(p->amplitude_ratio, p->tangential_ratio, *p->settled_shift)});
+        }
+        fit(group, confidence);
+        add_uses(group);
+    }
+    return groups;
+}
+
+}  // namespace tricontact::comparisons

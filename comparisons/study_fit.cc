@@ -1,0 +1,195 @@
+#include "comparisons/study_fit.h"
+
+#include <nlohmann/json.hpp>
+
+#include "comparisons/csv.h"
+#include "comparisons/fit_rows.h"
+#include "comparisons/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json computed(const Computed& value) {
+    return {{"value", number(value.value)}, {"numerical_error", number(value.error)}};
+}
+
+json computed(const std::optional<Computed>& value) {
+    return value ? computed(*value) : json();
+}
+
+const char* name_of(Behaviour behaviour) {
+    switch (behaviour) {
+        case Behaviour::settled:
+            return "settled";
+        case Behaviour::ratcheting:
+            return "ratcheting";
+        default:
+            return "undecided";
+    }
+}
+
+json form_json(const std::optional<FittedForm>& form) {
+    if (!form) return nullptr;
+    json parameters = json::object();
+    for (std::size_t k = 0; k < form->parameters.size(); ++k) {
+        const Estimate& e = form->fit.parameters[k];
+        parameters[form->parameters[k]] = {{"value", number(e.value)},
+                                           {"standard_error", number(e.standard_error)},
+                                           {"low", number(e.low)},
+                                           {"high", number(e.high)}};
+    }
+    return {{"form", form->form},
+            {"parameters", parameters},
+            {"explained_sum_of_squares", number(form->of_left_side.explained)},
+            {"residual_sum_of_squares", number(form->of_left_side.residual)},
+            {"r_squared", number(form->of_left_side.r_squared)},
+            {"r_squared_about_zero", number(form->fit.r_squared())},
+            {"observations", form->fit.fitted.size()},
+            {"degrees_of_freedom", form->fit.degrees_of_freedom}};
+}
+
+json points_json(const std::vector<RollingPoint>& points) {
+    json all = json::array();
+    for (const RollingPoint& p : points)
+        all.push_back({{"model", p.model},
+                       {"group", p.group},
+                       {"amplitude_ratio", number(p.amplitude_ratio)},
+                       {"tangential_ratio", number(p.tangential_ratio)},
+                       {"behaviour", name_of(p.behaviour)},
+                       {"static_shift_ratio", computed(p.static_shift)},
+                       {"settled_shift_ratio", computed(p.settled_shift)},
+                       {"shift_increment_ratio", computed(p.increment)},
+                       {"limit_tangential_ratio", computed(p.limit)}});
+    return all;
+}
+
+json uses_json(const std::vector<MappingUse>& uses) {
+    json all = json::array();
+    for (const MappingUse& use : uses)
+        all.push_back({{"name", use.name},
+                       {"kappa", number(use.kappa)},
+                       {"median_error", number(use.median)},
+                       {"worst_error", number(use.worst)},
+                       {"worst_amplitude_ratio", number(use.worst_amplitude_ratio)},
+                       {"worst_tangential_ratio", number(use.worst_tangential_ratio)},
+                       {"points", use.n},
+                       {"points_said_to_ratchet", use.n_ratcheting},
+                       {"points_beyond_numerical_error", use.n_beyond_bars}});
+    return all;
+}
+
+json mapping_json(const std::vector<MappingGroup>& groups) {
+    json all = json::array();
+    for (const MappingGroup& group : groups) {
+        json points = json::array();
+        for (const MappingPoint& p : group.points)
+            points.push_back({{"amplitude_ratio", number(p.at.amplitude_ratio)},
+                              {"tangential_ratio", number(p.at.tangential_ratio)},
+                              {"over_limit", number(p.limit_ratio)},
+                              {"kappa", computed(p.kappa)}});
+        all.push_back({{"model", group.model},
+                       {"group", group.group},
+                       {"points", points},
+                       {"constant", form_json(group.constant)},
+                       {"plane", form_json(group.plane)},
+                       {"settled_shifts_by_one_kappa", uses_json(group.uses)}});
+    }
+    return all;
+}
+
+json ratcheting_json(const std::vector<RatchetingGroup>& groups) {
+    json all = json::array();
+    for (const RatchetingGroup& group : groups) {
+        json points = json::array(), loads = json::array();
+        for (std::size_t i = 0; i < group.points.size(); ++i) {
+            const RatchetingPoint& p = group.points[i];
+            points.push_back({{"amplitude_ratio", number(p.at.amplitude_ratio)},
+                              {"tangential_ratio", number(p.at.tangential_ratio)},
+                              {"limit_amplitude_ratio", computed(p.amplitude_limit)},
+                              {"eta", computed(p.eta)},
+                              {"thesis_increment_over_model", number(group.thesis_ratio[i])}});
+        }
+        for (const RatchetingLoad& load : group.loads)
+            loads.push_back({{"tangential_ratio", number(load.tangential_ratio)},
+                             {"static_shift_ratio", number(load.static_shift_ratio)},
+                             {"limit_amplitude_ratio", computed(load.amplitude_limit)},
+                             {"slope", form_json(load.slope)}});
+        all.push_back({{"model", group.model},
+                       {"group", group.group},
+                       {"limit", form_json(group.limit)},
+                       {"points", points},
+                       {"loads", loads},
+                       {"root", form_json(group.root)},
+                       {"root_of_eta", form_json(group.root_of_eta)},
+                       {"points_by_turning_points_only", group.n_turning_points_only}});
+    }
+    return all;
+}
+
+json differences_json(const std::vector<ModelDifference>& differences) {
+    json all = json::array();
+    for (const ModelDifference& d : differences) {
+        json points = json::array();
+        for (const PointDifference& p : d.points)
+            points.push_back({{"amplitude_ratio", number(p.amplitude_ratio)},
+                              {"tangential_ratio", number(p.tangential_ratio)},
+                              {"first", computed(p.first)},
+                              {"second", computed(p.second)},
+                              {"relative_difference", number(p.relative())},
+                              {"relative_error", number(p.bar())},
+                              {"differs", differs(p.first, p.second)}});
+        all.push_back({{"quantity", d.quantity},
+                       {"first", d.first},
+                       {"second", d.second},
+                       {"group", d.group},
+                       {"median_magnitude", number(d.median())},
+                       {"worst", number(d.worst().relative())},
+                       {"points_that_differ", d.n_different()},
+                       {"points", points}});
+    }
+    return all;
+}
+
+}  // namespace
+
+void evaluate(StudyFit& fit) {
+    fit.mapping = mapping_fits(fit.points, fit.confidence);
+    fit.ratcheting = ratcheting_fits(fit.points, fit.confidence);
+    fit.differences = model_differences(fit.points);
+}
+
+std::string fit_json(const StudyFit& fit) {
+    const json all = {{"tricontact", fit.version},
+                      {"title", fit.title},
+                      {"confidence", fit.confidence},
+                      {"points", points_json(fit.points)},
+                      {"kappa", mapping_json(fit.mapping)},
+                      {"eta", ratcheting_json(fit.ratcheting)},
+                      {"differences", differences_json(fit.differences)}};
+    return all.dump(2) + '\n';
+}
+
+std::string fits_csv(const StudyFit& fit) {
+    std::string text =
+        csv_line({"model", "group", "form", "parameter", "value", "standard_error", "low", "high",
+                  "explained_sum_of_squares", "residual_sum_of_squares", "r_squared",
+                  "r_squared_about_zero", "observations", "degrees_of_freedom"});
+    for (const FitRow& row : fit_rows(fit))
+        for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
+            const Fit& f = row.form->fit;
+            const Estimate& e = f.parameters[k];
+            const Goodness& g = row.form->of_left_side;
+            text += csv_line({csv_field(row.model), csv_field(row.group), csv_field(row.form->form),
+                              csv_field(row.form->parameters[k]), csv_field(e.value),
+                              csv_field(e.standard_error), csv_field(e.low), csv_field(e.high),
+                              csv_field(g.explained), csv_field(g.residual), csv_field(g.r_squared),
+                              csv_field(f.r_squared()), std::to_string(f.fitted.size()),
+                              std::to_string(f.degrees_of_freedom)});
+        }
+    return text;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparisons/mapping_fit.h"
+#include "comparisons/model_differences.h"
+#include "comparisons/ratcheting_fit.h"
+#include "comparisons/rolling_points.h"
+
+namespace tricontact::comparisons {
+
+/// What a sweep over amplitudes and loads says of kappa, eta and the differences of models.
+struct StudyFit {
+    std::string title;
+    std::string command;                                        ///< that makes it again
+    std::string version;                                        ///< of the program
+    std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
+    double confidence = 0.95;
+    std::vector<RollingPoint> points;
+    std::vector<MappingGroup> mapping;
+    std::vector<RatchetingGroup> ratcheting;
+    std::vector<ModelDifference> differences;
+};
+
+/// Adds what follows from points and confidence.
+void evaluate(StudyFit& fit);
+
+/// fit.json: all of it, ratios dimensionless, undefined numbers null.
+std::string fit_json(const StudyFit& fit);
+
+/// fits.csv: a row per parameter of a fit: model, group, form, parameter, value, standard error,
+/// interval, sums of squares and R^2 of the form's left side as in the thesis' table A.1.1, R^2
+/// about zero of what the parameters multiply, number of observations, degrees of freedom.
+std::string fits_csv(const StudyFit& fit);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,192 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "comparisons/study_fit.h"
+#include "comparisons_rolling_study.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+namespace {
+
+constexpr double amplitudes[] = {0.1, 0.24, 0.38, 0.51, 0.62, 0.74};
+constexpr double loads[] = {0.05, 0.09, 0.24, 0.44, 0.56, 0.7, 0.8, 0.9};
+
+/// Settled points of the closed form with this kappa.
+std::vector<RollingPoint> settled_points(double kappa, const char* model = "mdr") {
+    std::vector<RollingRun> runs;
+    for (const double w : amplitudes)
+        for (const double f : loads) {
+            const auto u = theory::settled_shift_ratio(w, f, kappa);
+            // The largest kappa has the lowest limit.
+            if (!u || f > theory::shakedown_limit(w)) continue;
+            runs.push_back(rolling_run(model, w, f, "shakedown"));
+            runs.back().results["final_shift_ratio"] = *u;
+        }
+    return rolling_points(runs);
+}
+
+/// Ratcheting as Du = c u_stat^(1/2) (w - w_lim) beyond the exact limit.
+std::vector<RollingRun> ratcheting_runs(double c) {
+    std::vector<RollingRun> runs;
+    for (const double w : amplitudes)
+        for (const double f : loads) {
+            const double u_stat = theory::static_shift_ratio(f);
+            const double excess = w - theory::amplitude_limit(f);
+            RollingRun run = rolling_run("mdr", w, f, excess > 0 ? "ratcheting" : "shakedown");
+            run.steps_per_quarter = 6;
+            run.results["static_shift_ratio"] = u_stat;
+            if (excess > 0) run.results["shift_increment_ratio"] = c * std::sqrt(u_stat) * excess;
+            runs.push_back(run);
+        }
+    return runs;
+}
+
+TEST(MappingFit, ClosedFormGivesItsKappaBack) {
+    for (const double kappa : {1., 1.1, 1.5}) {
+        const auto groups = mapping_fits(settled_points(kappa), 0.95);
+        ASSERT_EQ(groups.size(), 1u);
+        ASSERT_TRUE(groups[0].constant);
+        EXPECT_NEAR(groups[0].constant->fit.parameters[0].value, kappa, 1e-12);
+        EXPECT_NEAR(groups[0].constant->of_left_side.r_squared, 1, 1e-12);
+        // Two columns of the plane have nothing to explain.
+        ASSERT_TRUE(groups[0].plane);
+        EXPECT_NEAR(groups[0].plane->fit.parameters[0].value, kappa, 1e-10);
+        EXPECT_NEAR(groups[0].plane->fit.parameters[1].value, 0, 1e-10);
+        EXPECT_EQ(groups[0].uses.front().name, "fitted");
+        EXPECT_NEAR(groups[0].uses.front().worst, 0, 1e-7);  // steep near the limit
+    }
+}
+
+TEST(MappingFit, ThesisConstantBelongsToItsDirection) {
+    auto points = settled_points(1.1);
+    for (RollingPoint& p : points) p.angle = 2 * std::atan(1.);
+    const auto uses = mapping_fits(points, 0.95).at(0).uses;
+    ASSERT_EQ(uses.size(), 3u);
+    EXPECT_EQ(uses[1].name, "thesis");
+    EXPECT_NEAR(uses[1].worst, 0, 1e-12);
+    EXPECT_GT(uses[2].worst, 0.1);  // MDR's kappa: larger shifts
+}
+
+TEST(MappingFit, NumericalErrorOfTheShiftBecomesThatOfKappa) {
+    auto points = settled_points(1.);
+    for (RollingPoint& p : points) p.settled_shift->error = 1e-6;
+    for (const MappingPoint& p : mapping_fits(points, 0.95).at(0).points) {
+        const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
+        const double u = p.at.settled_shift->value;
+        const double change =
+            theory::mapping_parameter(w, f, u + 1e-6) - theory::mapping_parameter(w, f, u - 1e-6);
+        // First order: what a central difference leaves is of order (1e-6/u)^2.
+        EXPECT_NEAR(p.kappa.error, std::abs(change) / 2, 1e-8 + 1e-5 * std::abs(change));
+    }
+}
+
+TEST(MappingFit, IntervalsCoverTheTruthAsOftenAsTheyClaim) {
+    const auto points = settled_points(1.2);
+    std::mt19937 generator(5);
+    std::normal_distribution<double> noise(0, 1e-3);
+    int n_covered = 0;
+    const int n = 2000;
+    for (int k = 0; k < n; ++k) {
+        auto noisy = points;
+        // f_T is what the regression takes for observed.
+        for (RollingPoint& p : noisy) p.tangential_ratio += noise(generator);
+        const Estimate e = mapping_fits(noisy, 0.9).at(0).constant->fit.parameters[0];
+        n_covered += e.low <= 1.2 && 1.2 <= e.high;
+    }
+    // Binomial: four standard deviations of 2000 trials at 0.9 are 0.027.
+    EXPECT_NEAR(n_covered / static_cast<double>(n), 0.9, 0.027);
+}
+
+TEST(MappingFit, WithTooFewPointsNothingIsFitted) {
+    auto points = settled_points(1.);
+    points.resize(2);
+    const auto groups = mapping_fits(points, 0.95);
+    EXPECT_FALSE(groups.at(0).constant);
+    EXPECT_FALSE(groups.at(0).plane);
+    EXPECT_EQ(groups.at(0).points.size(), 2u);
+    EXPECT_TRUE(mapping_fits({}, 0.95).empty());
+}
+
+TEST(MappingFit, UndecidedPointsAreLeftOut) {
+    RollingRun moving = rolling_run("mdr", 0.5, 0.25, "undecided");
+    moving.results["shift_increment_ratio"] = 1e-4;
+    EXPECT_TRUE(mapping_fits(rolling_points({moving}), 0.95).at(0).points.empty());
+}
+
+TEST(LimitCurve, InvertsTheExactLimitAndOthersOfItsForm) {
+    for (const double k : {1., 1.2, 1.5}) {
+        std::vector<LimitPoint> limits;
+        for (const double w : amplitudes)
+            limits.push_back({w, {1 - k * w * (1 - w * w) - w * w * w, 0}});
+        for (const double w : {0.05, 0.3, 0.6, 0.95}) {
+            const auto found = amplitude_limit(limits, 1 - k * w * (1 - w * w) - w * w * w);
+            ASSERT_TRUE(found);
+            EXPECT_NEAR(found->value, w, 1e-12);
+            EXPECT_NEAR(found->error, 0, 1e-10);  // nothing is interpolated but a constant
+        }
+        EXPECT_NEAR(fit_limit(limits, 0.95)->fit.parameters[0].value, k, 1e-12);
+    }
+    EXPECT_FALSE(amplitude_limit({}, 0.5));
+    EXPECT_FALSE(amplitude_limit({{0.5, {0.3}}}, 0.5)->has_bar());
+}
+
+TEST(LimitCurve, BarCoversInterpolation) {
+    // A limit of another shape: pressure (1 - r^2)^(3/2) of a thin layer's kind.
+    const auto limit = [](double w) { return std::pow(1 - w, 2) * (1 + 0.2 * w); };
+    std::vector<LimitPoint> limits;
+    for (const double w : amplitudes) limits.push_back({w, {limit(w), 0}});
+    for (const double w : {0.17, 0.3, 0.45, 0.7}) {
+        const auto found = amplitude_limit(limits, limit(w));
+        EXPECT_NEAR(found->value, w, found->error);
+    }
+}
+
+TEST(RatchetingFit, FindsTheCoefficientOfItsForm) {
+    const auto groups = ratcheting_fits(rolling_points(ratcheting_runs(4.77)), 0.95);
+    ASSERT_EQ(groups.size(), 1u);
+    ASSERT_TRUE(groups[0].root);
+    EXPECT_NEAR(groups[0].root->fit.parameters[0].value, 4.77, 1e-9);
+    ASSERT_TRUE(groups[0].root_of_eta);
+    EXPECT_NEAR(groups[0].root_of_eta->fit.parameters[0].value, 4.77, 1e-9);
+    EXPECT_NEAR(groups[0].limit->fit.parameters[0].value, 1.5, 1e-12);
+    for (const RatchetingPoint& p : groups[0].points)
+        EXPECT_NEAR(p.eta.value, 4.77 * std::sqrt(p.at.static_shift.value), 1e-8);
+}
+
+TEST(RatchetingFit, OneAmplitudePerLoadGivesNoSlope) {
+    std::vector<RollingRun> runs;
+    for (const RollingRun& run : ratcheting_runs(2.))
+        if (run.results["amplitude_ratio"] == 0.74) runs.push_back(run);
+    const auto group = ratcheting_fits(rolling_points(runs), 0.95).at(0);
+    EXPECT_FALSE(group.points.empty());
+    for (const RatchetingLoad& load : group.loads) EXPECT_FALSE(load.slope);
+    EXPECT_FALSE(group.root_of_eta);
+    EXPECT_FALSE(group.points.front().eta.has_bar());
+}
+
+TEST(StudyFit, ModelsAndGroupsStayApart) {
+    StudyFit fit;
+    fit.points = settled_points(1.5);
+    for (RollingPoint& p : settled_points(1., "bem")) fit.points.push_back(p);
+    for (RollingPoint& p : settled_points(1.1, "bem")) {
+        p.group = "perpendicular";
+        fit.points.push_back(p);
+    }
+    evaluate(fit);
+    const auto json = nlohmann::json::parse(fit_json(fit));
+    ASSERT_EQ(json["kappa"].size(), 3u);
+    const double expected[] = {1.5, 1, 1.1};
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(json["kappa"][i]["constant"]["parameters"]["kappa"]["value"].get<double>(),
+                    expected[i], 1e-12);
+    // A row of names and one per parameter: kappa, the plane's three, k of the limit.
+    const std::string csv = fits_csv(fit);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 5);
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons
