@@ -108,6 +108,18 @@ std::string command_of(const FitOptions& options) {
     return text + fmt::format(" --confidence {}", options.confidence);
 }
 
+std::vector<std::pair<std::string, std::string>> settings_of(const io::Study& study,
+                                                             std::size_t n_runs,
+                                                             const FitOptions& options) {
+    std::string varied;
+    for (const auto& axis : study.axes) varied = joined(varied, std::string(axis.key->path));
+    return {{"study", study.name},
+            {"varied", varied},
+            {"levels of refinement", std::to_string(study.levels)},
+            {"runs", std::to_string(n_runs)},
+            {"level of confidence", fmt::format("{}", options.confidence)}};
+}
+
 }  // namespace
 
 void fit_command(const FitOptions& options) {
@@ -122,13 +134,16 @@ void fit_command(const FitOptions& options) {
     fit.command = command_of(options);
     fit.version = TRICONTACT_VERSION;
     fit.confidence = options.confidence;
+    fit.settings = settings_of(study, points.size(), options);
     fit.points = comparisons::rolling_points(stored_runs(study, points, folder, options));
     comparisons::evaluate(fit);
 
     io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
     io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
+    io::write_file(folder + "/fit.html",
+                   comparisons::document_html(comparisons::fit_document(fit)));
     if (!options.quiet)
-        std::cerr << fmt::format("{} points of {} runs: {}/fit.json\n", fit.points.size(),
+        std::cerr << fmt::format("{} points of {} runs: open {}/fit.html\n", fit.points.size(),
                                  points.size(), folder);
 }
 

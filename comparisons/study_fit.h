@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparisons/document.h"
 #include "comparisons/mapping_fit.h"
 #include "comparisons/model_differences.h"
 #include "comparisons/ratcheting_fit.h"
@@ -34,5 +35,8 @@ std::string fit_json(const StudyFit& fit);
 /// interval, sums of squares and R^2 of the form's left side as in the thesis' table A.1.1, R^2
 /// about zero of what the parameters multiply, number of observations, degrees of freedom.
 std::string fits_csv(const StudyFit& fit);
+
+/// Verdicts, tables and figures, those of the thesis with its formulas over the models.
+Document fit_document(const StudyFit& fit);
 
 }  // namespace tricontact::comparisons

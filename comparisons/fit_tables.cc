@@ -1,0 +1,145 @@
+#include <algorithm>
+
+#include "comparisons/fit_document.h"
+#include "comparisons/fit_rows.h"
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+DocumentTable form_table(const std::string& id, const std::string& title,
+                         const std::vector<FitRow>& rows) {
+    DocumentTable table{
+        .id = id,
+        .title = title,
+        .note =
+            "SSE (explained), SSR (residual) and R² = SSE/(SSE + SSR) are of the form's left "
+            "side, by equations A.1.8 to A.1.10 of the thesis; the numbers of its table A.1.1 "
+            "under SSE are residual sums. Residuals of a model are no noise: the interval says "
+            "how well the form describes the model.",
+        .columns = {{"model"},
+                    {"group"},
+                    {"form"},
+                    {"parameter"},
+                    {"value", 5},
+                    {"standard error", 2},
+                    {"low", 5},
+                    {"high", 5},
+                    {"SSE", 3},
+                    {"SSR", 3},
+                    {"R²", 6},
+                    {"points"}},
+        .rows = {}};
+    for (const FitRow& row : rows)
+        for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
+            const Estimate& e = row.form->fit.parameters[k];
+            const Goodness& g = row.form->of_left_side;
+            table.rows.push_back({display_name(row.model), row.group, row.form->form,
+                                  row.form->parameters[k], e.value, e.standard_error, e.low, e.high,
+                                  g.explained, g.residual, g.r_squared,
+                                  static_cast<double>(row.form->fit.fitted.size())});
+        }
+    return table;
+}
+
+}  // namespace
+
+DocumentTable mapping_table(const StudyFit& fit) {
+    return form_table("kappa_fits", "Fits of κ", mapping_rows(fit));
+}
+
+DocumentTable ratcheting_table(const StudyFit& fit) {
+    return form_table("ratcheting_fits", "Fits of limits and of the shift per period",
+                      ratcheting_rows(fit));
+}
+
+DocumentTable mapping_use_table(const StudyFit& fit) {
+    DocumentTable table{
+        .id = "one_kappa",
+        .title = "Settled shifts by one κ",
+        .note =
+            "u by κ over u_sd of the model, minus 1. A smaller κ moves the limit up; with a "
+            "larger one some points would not settle.",
+        .columns = {{"model"},
+                    {"group"},
+                    {"κ of"},
+                    {"κ"},
+                    {"median of magnitudes [%]", 3},
+                    {"worst [%]", 3},
+                    {"at w", 3},
+                    {"at f_T", 3},
+                    {"points"},
+                    {"beyond the numerical error"},
+                    {"would ratchet"}},
+        .rows = {}};
+    for (const MappingGroup& group : fit.mapping) {
+        if (group.points.empty()) continue;
+        for (const MappingUse& use : group.uses)
+            table.rows.push_back({display_name(group.model), group.group, use.name, use.kappa,
+                                  100 * use.median, 100 * use.worst, use.worst_amplitude_ratio,
+                                  use.worst_tangential_ratio, static_cast<double>(use.n),
+                                  static_cast<double>(use.n_beyond_bars),
+                                  static_cast<double>(use.n_ratcheting)});
+    }
+    return table;
+}
+
+DocumentTable difference_table(const StudyFit& fit) {
+    DocumentTable table{
+        .id = "differences",
+        .title = "Models side by side",
+        .note =
+            "First over second, minus 1, each in its own units (a, U_max). Worst: of the "
+            "points where the bars exclude each other, else of all.",
+        .columns = {{"quantity"},
+                    {"first"},
+                    {"second"},
+                    {"group"},
+                    {"median of magnitudes [%]", 3},
+                    {"worst [%]", 3},
+                    {"points"},
+                    {"with error bars"},
+                    {"different beyond them"}},
+        .rows = {}};
+    for (const ModelDifference& d : fit.differences)
+        table.rows.push_back(
+            {d.quantity, display_name(d.first), display_name(d.second), d.group, 100 * d.median(),
+             WithError{100 * d.worst().relative(), 100 * d.worst().bar()},
+             static_cast<double>(d.points.size()), static_cast<double>(d.n_with_bars()),
+             static_cast<double>(d.n_different())});
+    return table;
+}
+
+DocumentTable point_difference_table(const StudyFit& fit) {
+    DocumentTable table{.id = "point_differences",
+                        .title = "Settled shifts and shifts per period, point by point",
+                        .columns = {{"quantity"},
+                                    {"first"},
+                                    {"second"},
+                                    {"group"},
+                                    {"w", 3},
+                                    {"f_T", 3},
+                                    {"first's value"},
+                                    {"second's value"},
+                                    {"difference [%]"},
+                                    {"verdict"}},
+                        .rows = {}};
+    for (const ModelDifference& d : fit.differences) {
+        if (d.quantity != "u_sd" && d.quantity != "Du") continue;
+        for (const PointDifference& p : d.points) {
+            const bool known = p.first.has_bar() && p.second.has_bar();
+            table.rows.push_back({d.quantity, display_name(d.first), display_name(d.second),
+                                  d.group, p.amplitude_ratio, p.tangential_ratio,
+                                  WithError{p.first.value, p.first.error},
+                                  WithError{p.second.value, p.second.error},
+                                  WithError{100 * p.relative(), 100 * p.bar()},
+                                  std::string(!known                       ? "cannot tell"
+                                              : differs(p.first, p.second) ? "different"
+                                                                           : "within the error")});
+        }
+    }
+    return table;
+}
+
+}  // namespace tricontact::comparisons

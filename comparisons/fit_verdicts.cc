@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/fit_document.h"
+#include "comparisons/format.h"
+#include "comparisons/grouping.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Standing = Verdict::Standing;
+
+std::string percent_of(double part) {
+    return significant(100 * part, 2) + " %";
+}
+
+template <class Group>
+std::string name_of(const Group& group) {
+    return display_name(group.model) + ", " + group.group;
+}
+
+std::string interval(const Estimate& e) {
+    return with_error(e.value, e.high - e.value);
+}
+
+const MappingUse* use_named(const MappingGroup& group, const std::string& name) {
+    const auto found = std::find_if(group.uses.begin(), group.uses.end(),
+                                    [&](const MappingUse& use) { return use.name == name; });
+    return found == group.uses.end() ? nullptr : &*found;
+}
+
+/// One kappa holds where no shift by it misses the model's by more than this, or by more than the
+/// numerical error.
+constexpr double negligible_miss = 1e-3;
+
+Verdict constant_verdict(const MappingGroup& group) {
+    if (!group.constant)
+        return {Standing::cannot_tell, fmt::format("{}: κ cannot be fitted to {} settled points",
+                                                   name_of(group), group.points.size())};
+    const std::string value = "κ = " + interval(group.constant->fit.parameters.front());
+    const MappingUse* use = use_named(group, "fitted");
+    if (!use)
+        return {Standing::fails, fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)",
+                                             name_of(group), value)};
+    const bool holds = std::abs(use->worst) < negligible_miss || use->n_beyond_bars == 0;
+    return {holds ? Standing::holds : Standing::fails,
+            fmt::format("{}: one {} for all amplitudes and loads {}; that of single points lies "
+                        "between {} and {}, u_sd is missed by {} in the median, {} at worst",
+                        name_of(group), value, holds ? "holds" : "does not hold",
+                        significant(group.smallest(), 3), significant(group.largest(), 3),
+                        percent_of(use->median), percent(1 + use->worst))};
+}
+
+void add_thesis_mapping(std::vector<Verdict>& verdicts, const MappingGroup& group) {
+    const MappingUse* use = use_named(group, "thesis");
+    if (!use || group.points.empty()) return;
+    const bool holds = use->n_beyond_bars == 0 && use->n_ratcheting == 0;
+    verdicts.push_back(
+        {holds ? Standing::holds : Standing::fails,
+         fmt::format("{}: the thesis' κ = {} misses u_sd by {} in the median, {} at worst (w = {}, "
+                     "f_T = {})",
+                     name_of(group), use->kappa, percent_of(use->median), percent(1 + use->worst),
+                     as_given(use->worst_amplitude_ratio), as_given(use->worst_tangential_ratio))});
+}
+
+void add_root(std::vector<Verdict>& verdicts, const RatchetingGroup& group) {
+    if (!group.root) {
+        if (group.n_turning_points_only == 0 && group.points.empty()) return;
+        const std::string why =
+            group.n_turning_points_only > 0
+                ? fmt::format("{} points ratchet in steps from one turning point to the next only",
+                              group.n_turning_points_only)
+                : fmt::format("{} ratcheting points", group.points.size());
+        verdicts.push_back(
+            {Standing::cannot_tell, fmt::format("{}: η, from {}", name_of(group), why)});
+        return;
+    }
+    const Estimate& c = group.root->fit.parameters.front();
+    verdicts.push_back(
+        {Standing::finding,
+         fmt::format("{}: Δu = {} u_stat^(1/2) (w − w_lim), R² = {}; the thesis has 4.77 for MDR, "
+                     "2^(1/2) = 1.41 parallel, 5^(1/2) = 2.24 perpendicular",
+                     name_of(group), interval(c),
+                     significant(group.root->of_left_side.r_squared, 3))});
+    std::vector<double> ratios = group.thesis_ratio;
+    std::erase_if(ratios, [](double value) { return std::isnan(value); });
+    if (ratios.empty() || group.model == "mdr") return;
+    const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+    verdicts.push_back(
+        {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
+         fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
+                     name_of(group), percent_of(median(ratios)), percent_of(*least),
+                     percent_of(*most))});
+}
+
+/// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3: above that of every model.
+void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const RatchetingGroup& group) {
+    if (!is_parallel(group.angle) && !is_perpendicular(group.angle)) return;
+    const double kappa = is_parallel(group.angle) ? theory::thesis_mapping_parallel
+                                                  : theory::thesis_mapping_perpendicular;
+    const RollingPoint* worst = nullptr;
+    const auto excess = [&](const RollingPoint& p) {
+        return theory::shakedown_limit(p.amplitude_ratio, kappa) / p.limit.value - 1;
+    };
+    for (const RollingPoint* p : points_of(fit.points, group))
+        if (!worst || excess(*p) > excess(*worst)) worst = p;
+    if (!worst || worst->amplitude_ratio == 0) return;
+    verdicts.push_back(
+        {std::abs(excess(*worst)) < 0.01 ? Standing::holds : Standing::fails,
+         fmt::format("{}: the thesis' limit f_T,lim = {} lies {} above the model's at w = {} ({} "
+                     "against {})",
+                     name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
+                     percent_of(excess(*worst)), as_given(worst->amplitude_ratio),
+                     significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
+                     significant(worst->limit.value, 3))});
+}
+
+}  // namespace
+
+std::vector<Verdict> fit_verdicts(const StudyFit& fit) {
+    std::vector<Verdict> verdicts;
+    for (const MappingGroup& group : fit.mapping) {
+        verdicts.push_back(constant_verdict(group));
+        add_thesis_mapping(verdicts, group);
+    }
+    for (const RatchetingGroup& group : fit.ratcheting) {
+        add_limit(verdicts, fit, group);
+        add_root(verdicts, group);
+    }
+    for (const ModelDifference& d : fit.differences)
+        if (d.quantity == "u_sd" || d.quantity == "Du")
+            verdicts.push_back({d.n_with_bars() == 0 ? Standing::cannot_tell : Standing::finding,
+                                difference_sentence(d)});
+    return verdicts;
+}
+
+}  // namespace tricontact::comparisons
