@@ -52,6 +52,7 @@ refused "compute the study first: tricontact sweep a.toml --output a" fit a.toml
 awk -F, '$4 == "kappa" { n++; if (($5 - 1.5)^2 > 1e-12) bad = 1 } END { exit bad || n != 2 }' \
     a/fits.csv || complain "kappa: $(cat a/fits.csv)"
 [ -s a/fit.json ] || complain "no fit.json"
+grep -q figure_3_16 a/fit.html || complain "the report lacks a figure"
 
 # 2. A study with more points than have been computed.
 study b.toml "$rig" 'rolling.amplitude_ratio = [0.2, 0.5]' 'load.tangential_ratio = [0.1, 0.2, 0.3]'
