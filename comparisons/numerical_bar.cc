@@ -47,10 +47,11 @@ double still_to_come(double way, double last, int n_periods) {
     if (last == 0) return 0;
     if (way <= n_periods * last) return std::numeric_limits<double>::infinity();
     if (n_periods == 1) return last;  // no second period to see the decay from
-    // way/last = 1 + 1/r + ... + 1/r^(n-1), decreasing in r.
+    // way/last = 1 + 1/r + ... + 1/r^(n-1), decreasing in r; logarithms, as r^-n may overflow.
     const auto excess = [&](double r) {
-        return std::log(std::expm1(-n_periods * std::log(r)) / std::expm1(-std::log(r))) -
-               std::log(way / last);
+        const double log_r = std::log(r);
+        return std::log(std::expm1(n_periods * log_r) / std::expm1(log_r)) -
+               (n_periods - 1) * log_r - std::log(way / last);
     };
     const double least = 1e-9, largest = 1 - 1e-9;
     if (excess(least) < 0) return 0;

@@ -36,12 +36,13 @@ TEST(NumericalBar, StepsOfFirstOrder) {
 
 TEST(NumericalBar, WhatIsStillToComeOfAGeometricDecay) {
     const double r = 0.8, first = 0.05;
-    const int n = 12;
-    const double last = first * std::pow(r, n - 1);
-    // Three digits of the ratio are asked for.
-    EXPECT_NEAR(
-        still_to_come(first * (1 - std::pow(r, n)) / (1 - r), last, n) / (last * r / (1 - r)), 1,
-        0.02);
+    for (const int n : {2, 12, 60}) {
+        const double last = first * std::pow(r, n - 1);
+        // Three digits of the ratio are asked for.
+        EXPECT_NEAR(
+            still_to_come(first * (1 - std::pow(r, n)) / (1 - r), last, n) / (last * r / (1 - r)),
+            1, 0.02);
+    }
     EXPECT_TRUE(std::isinf(still_to_come(0.5, 0.1, 5)));
     EXPECT_EQ(still_to_come(0.5, 0, 5), 0);
 }
