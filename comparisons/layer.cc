@@ -21,10 +21,6 @@ using contact::NormalControl;
 /// Compliance of the indenter over the substrate's up to which it counts as rigid.
 constexpr double negligible_compliance = 1e-3;
 
-double plane_compliance(const contact::Material& body) {
-    return (1 - body.poisson * body.poisson) / body.young;
-}
-
 theory::LayerContact solve(const Case& c) {
     return theory::solve_layer_contact(elastic_layer(c), *c.make_indenter(),
                                        contact::press_step(c).normal);
@@ -97,8 +93,8 @@ std::string why_no_exact_theory(const Case& c) {
         return "the exact theory knows a rigid ground, that of the case is elastic";
     if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
     if (c.bem.influence) return "the influence coefficients of the case come from a file";
-    if (c.indenter.material && plane_compliance(*c.indenter.material) >
-                                   negligible_compliance * plane_compliance(c.substrate))
+    if (c.indenter.material && c.indenter.material->plane_compliance() >
+                                   negligible_compliance * c.substrate.plane_compliance())
         return "the exact theory takes the indenter as rigid, that of the case is not";
     return {};
 }

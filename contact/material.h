@@ -11,6 +11,8 @@ struct Material {
 
     /// Shear modulus G = E / (2 (1 + nu)) [Pa].
     double shear_modulus() const { return young / (2 * (1 + poisson)); }
+    /// (1 - nu^2)/E [1/Pa]: what a half-space adds to 1/E*.
+    double plane_compliance() const { return (1 - poisson * poisson) / young; }
     /// A material of this many times the shear modulus and the same bulk modulus.
     Material with_shear_ratio(double ratio) const;
 };

@@ -18,13 +18,9 @@ bool bulk_stays(const Case& c) {
     return c.relaxation->bulk == Relaxation::Bulk::elastic && c.substrate.poisson < 0.5;
 }
 
-double plane_compliance(const Material& body) {
-    return (1 - body.poisson * body.poisson) / body.young;
-}
-
 bool below_stays(const Case& c) {
     auto matters = [&](const Material& body) {
-        return plane_compliance(body) > largest_elastic_share * plane_compliance(c.substrate);
+        return body.plane_compliance() > largest_elastic_share * c.substrate.plane_compliance();
     };
     const auto& lower = c.layer.lower;
     return (c.layer.ground && matters(*c.layer.ground)) ||

@@ -39,10 +39,6 @@ void check_influence(const Case& c, const Document& document) {
                "case file");
 }
 
-double plane_compliance(const Material& body) {
-    return (1 - body.poisson * body.poisson) / body.young;
-}
-
 // Why the mean displacement under a periodic load, the compliance at k = 0, has to be finite.
 void check_mean(const Case& c, const Document& document) {
     if (computes(c, "bem") || c.layer.base == Base::half_space)
@@ -57,7 +53,7 @@ void check_mean(const Case& c, const Document& document) {
                "compliance at k = 0 is infinite",
                "omit it, or take base = \"bonded\"");
     if (!c.indenter.material) return;
-    const double ratio = plane_compliance(*c.indenter.material) / plane_compliance(c.substrate);
+    const double ratio = c.indenter.material->plane_compliance() / c.substrate.plane_compliance();
     if (ratio > largest_compliance_ratio)
         refuse(document, "bem.period",
                "periodic indenters are taken as rigid, but the compliance (1 - poisson^2)/young of "

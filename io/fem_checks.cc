@@ -22,13 +22,9 @@ constexpr double most_elements = 1e7;              // of the block
 constexpr double most_work = 3e13;                 // unknowns squared times steps: days
 constexpr double thinnest = 0.02;                  // b/a: thin elements in hundreds
 
-double plane_compliance(const Material& body) {
-    return (1 - body.poisson * body.poisson) / body.young;
-}
-
 void check_indenter(const Case& c, const Document& document) {
     if (!c.indenter.material) return;
-    const double ratio = plane_compliance(*c.indenter.material) / plane_compliance(c.substrate);
+    const double ratio = c.indenter.material->plane_compliance() / c.substrate.plane_compliance();
     if (ratio <= largest_compliance_ratio) return;
     refuse(document, "indenter.young",
            "fem takes the indenter as rigid, but its compliance (1 - poisson^2)/young is " +
@@ -148,7 +144,8 @@ RadiusBounds contact_radius_bounds(const Case& c) {
     const double b = *c.layer.thickness;
     double softer = 0;
     for (const auto& below : c.layer.lower)
-        softer = std::max(softer, plane_compliance(below.material) / plane_compliance(c.substrate));
+        softer =
+            std::max(softer, below.material.plane_compliance() / c.substrate.plane_compliance());
     if (c.load.normal_force) {
         // Lubrication theory of a thin incompressible layer: a^6 = 32 R b^3 F/(pi G); with Hertz'
         // a_H^3 = 3 F R/(16 G): a^2 = 1.946^2 b a_H.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The main job: builds the program and computes a sphere on a rubber layer, rolled back and forth, by
-# all models.
+# The main job: builds the program, computes a sphere on a rubber layer, rolled back and forth, by
+# all models, and says which assumption of that rig fails.
 # usage: demo.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -11,6 +11,9 @@ cmake -S "$root" --preset release --log-level=NOTICE
 cmake --build "$root/build/release" --target tricontact
 "$root/build/release/app/tricontact" run "$root/cases/$name.toml" \
     --output "$root/results/$name"
+"$root/build/release/app/tricontact" rig "$root/rigs/sphere_parallel.toml" \
+    --output "$root/results/rig" >/dev/null
 printf '\nThe report:   %s\n' "$root/results/$name/report.html"
+printf 'The rig:      %s\n' "$root/results/rig/report.html"
 printf 'The numbers:  %s\n' "$root/results/$name/summary.json"
 printf 'For ParaView: %s\n' "$root/results/$name/fem/surface.pvd"
