@@ -1,6 +1,5 @@
 // The layer's section of summary.json.
 
-
 #include "comparisons/json_number.h"
 #include "comparisons/layer.h"
 
