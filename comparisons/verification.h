@@ -14,15 +14,17 @@ struct VerificationRow {
     std::string model;           ///< as in case files
     std::string source;          ///< author, year, equation
     double reference = 0;        ///< exact, or as printed by the source
-    std::vector<double> sizes;   ///< over the contact radius, decreasing
+    std::vector<double> sizes;   ///< over the contact radius, decreasing; one: as the source's
     std::vector<double> values;  ///< one per size, in the unit of the reference
     double tolerance = 0;        ///< of the finest level's relative error
+    double least_order = 0;      ///< 0: none is asked for
 
     /// |value/reference - 1| of a level.
     double error(std::size_t level) const;
     /// Slope of ln error over ln size from the coarsest level to the finest; empty where an error
-    /// is at most 1e-9, that is rounding.
+    /// is at most 1e-9, that is rounding, and for one level.
     std::optional<double> order() const;
+    /// The finest level's error is within its tolerance and the order, if it shows, high enough.
     bool passed() const;
 };
 

@@ -25,10 +25,25 @@ TEST(Verification, ErrorOrderAndVerdictOfARow) {
     EXPECT_NEAR(row.error(2), .01, 1e-12);
     EXPECT_NEAR(row.order().value(), 2, 1e-10);
     EXPECT_TRUE(row.passed());
+    row.least_order = 1.9;
+    EXPECT_TRUE(row.passed());
+    row.least_order = 2.1;
+    EXPECT_FALSE(row.passed());
+    row.least_order = 0;
+    row.values.front() = 2.001;  // smaller by chance
+    EXPECT_TRUE(row.passed());
     row.tolerance = .009;
     EXPECT_FALSE(row.passed());
     row.values.back() = 2;  // exact: no order can be seen
     EXPECT_FALSE(row.order());
+}
+
+TEST(Verification, OneLevelHasNoOrder) {
+    VerificationRow row = second_order();
+    row.sizes = {.1};
+    row.values = {2.02};
+    EXPECT_FALSE(row.order());
+    EXPECT_TRUE(row.passed());
 }
 
 TEST(Verification, OneRowThatFailsFailsAll) {

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 #include "bem/model.h"
+#include "comparisons/peer_shifts.h"
 #include "contact/run.h"
 #include "tests/verification/bem_rig.h"
 #include "theory/elastic_layer.h"
@@ -91,48 +94,44 @@ TEST(BemLayer, OrderInTheCellSize) {
     EXPECT_GT(std::log2(coarse / fine) / 2, 1.5);
 }
 
-// layer.md, section 4: two programs agree to 1e-5 mm.
+// Two programs agree to 1e-5 mm.
 TEST(BemLayer, WaysOfPressing) {
     Case c = layer_case(8e-3);
     c.rolling.reset();
     const auto shift = [&](const Case& one) { return 1e3 * run_layer(one).static_shift; };
-    for (const auto& [steps, expected] :
-         {std::pair(1, .15308), {2, .15235}, {5, .15174}, {20, .15155}, {80, .15150}}) {
+    for (const auto& [steps, expected] : comparisons::layer_peer_pressings) {
         c.load.press_steps = steps;
-        EXPECT_NEAR(shift(c), expected, 2e-5) << steps;
+        EXPECT_NEAR(shift(c), 1e3 * expected, 2e-5) << steps;
     }
     c.load.press = Case::Press::frictionless;
-    EXPECT_NEAR(shift(c), .15061, 2e-5);
+    EXPECT_NEAR(shift(c), 1e3 * comparisons::layer_peer_frictionless, 2e-5);
     c.contact.coupling = false;
-    EXPECT_NEAR(shift(c), .15108, 2e-5);
+    EXPECT_NEAR(shift(c), 1e3 * comparisons::layer_peer_uncoupled, 2e-5);
 }
 
-struct Settled {
-    double w, f, angle, shift;
-};
-class BemLayerRolling : public testing::TestWithParam<Settled> {};
+class BemLayerRolling : public testing::TestWithParam<comparisons::LayerPeerShifts> {};
 
-// layer.md, section 4: pressed in one step; W and U over the layer's own a and U_max.
+// W and U over the layer's own a and U_max.
 TEST_P(BemLayerRolling, SettlesWhereOtherProgramsDo) {
-    const auto& [w, f, angle, shift] = GetParam();
+    const auto& [w, f, parallel, perpendicular] = GetParam();
     Case c = layer_case(8e-3);
     c.load.press_steps = 1;
     c.load.tangential_ratio = f;
     c.rolling->amplitude_ratio.reset();
-    c.rolling->amplitude = w * 4.3638e-3;
-    c.rolling->angle = angle * std::numbers::pi / 180;
+    c.rolling->amplitude = w * comparisons::layer_peer_radius;
     c.rolling->steps = Case::Steps::increment;
     c.rolling->increment = 4e-4;
-    const auto history = run_layer(c);
-    EXPECT_EQ(history.state, contact::State::shakedown);
-    // The issue's; the references have four digits and steps of their own.
-    EXPECT_NEAR(history.shift_per_period.back() / .37912e-3 / shift, 1, .003);
+    for (const auto& [angle, shift] :
+         {std::pair(0., parallel), {std::numbers::pi / 2, perpendicular}}) {
+        c.rolling->angle = angle;
+        const auto history = run_layer(c);
+        EXPECT_EQ(history.state, contact::State::shakedown);
+        // The issue's; the references have four digits and steps of their own.
+        EXPECT_NEAR(history.shift_per_period.back() / comparisons::layer_peer_unit_shift / shift, 1,
+                    .003);
+    }
 }
-INSTANTIATE_TEST_SUITE_P(Rig, BemLayerRolling,
-                         testing::Values(Settled{.24, .24, 0, .1990}, Settled{.24, .56, 0, .5648},
-                                         Settled{.51, .24, 0, .3162}, Settled{.24, .24, 90, .2085},
-                                         Settled{.24, .56, 90, .5921},
-                                         Settled{.51, .24, 90, .3507}));
+INSTANTIATE_TEST_SUITE_P(Rig, BemLayerRolling, testing::ValuesIn(comparisons::layer_peer_shifts));
 
 // A hundred contact radii thick it is the half-space, friction and rolling included.
 TEST(BemLayer, ThickLayerIsTheHalfSpace) {

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include "app/verification_problems.h"
+#include "app/verification_rows.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_rolling.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Verification;
+using contact::Case;
+
+/// A paraboloid that rolls until it rests, all scales other than 1, at nu = 0, for which alone
+/// Cattaneo and Mindlin are exact.
+Case rolling_case(double w, double f) {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {5.2e6, 0};
+    c.friction_coefficient = 0.57;
+    c.contact.coupling = false;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = f;
+    c.rolling.emplace();
+    c.rolling->amplitude_ratio = w;
+    c.rolling->steps = Case::Steps::turning_points;
+    c.rolling->periods = 60;
+    return c;
+}
+
+constexpr double amplitude = 0.24, force = 0.56;
+
+struct HalfSpaceTolerances {
+    Allowed radius, depth, pressure, shift, stick, limit;
+};
+
+void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, Verification& all) {
+    const contact::HertzScales hertz = contact::hertz_scales(rolling_case(amplitude, force));
+    const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.22 to 4.24 (Hertz)";
+    Rows rows(levels, all);
+    rows.add("Hertz", "a, mm", johnson, hertz.contact_radius * 1e3, allowed.radius, radius_mm);
+    rows.add("Hertz", "d, mm", johnson, hertz.indentation * 1e3, allowed.depth, indentation_mm);
+    rows.add("Hertz", "p0, MPa", johnson, hertz.peak_pressure * 1e-6, allowed.pressure,
+             peak_pressure_mpa);
+    rows.add("Cattaneo and Mindlin", "u_stat",
+             "Johnson, Contact Mechanics (1985), eq. 7.42b (exact for nu = 0)",
+             theory::static_shift_ratio(force), allowed.shift, static_ratio);
+    rows.add("Cattaneo and Mindlin", "c/a",
+             "Johnson, Contact Mechanics (1985), eq. 7.40; whole cells stick or slip",
+             theory::stick_radius_ratio(force), allowed.stick, stick_ratio);
+    rows.add("Limit of shakedown", "f_T,lim, w = 0.24",
+             "1 - 3/2 w + 1/2 w^3, the least pressures of Hertz' contact integrated "
+             "(docs/limits.md)",
+             theory::shakedown_limit(amplitude), allowed.limit, limit);
+}
+
+void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
+                     Verification& all) {
+    Rows(levels, all)
+        .add("Settled shift of MDR", fmt::format("u_sd, w = {}, f_T = {}", w, f),
+             "Wetter, thesis (TU Berlin 2016), eq. 3.2.16 with kappa = 3/2",
+             theory::settled_shift_ratio(w, f).value(), {tolerance}, settled_ratio);
+}
+
+void verify_mdr(bool brief, const Say& say, Verification& all) {
+    const int springs = brief ? 500 : 2500;
+    const auto run = [&](double w, double f) {
+        return run_levels(
+            "mdr", rolling_case(w, f),
+            [&](Case& c, int factor) { c.mdr.springs = springs * factor; },
+            // Of the bed: the contact and the path on both sides.
+            [](const Case& c) { return 2 * (1 + *c.rolling->amplitude_ratio) / c.mdr.springs; },
+            say);
+    };
+    const Levels levels = run(amplitude, force);
+    const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
+    const Allowed allowed{tolerance};
+    add_closed_forms(levels, {allowed, allowed, allowed, allowed, {brief ? 5e-3 : 1e-3}, allowed},
+                     all);
+    add_settled_mdr(levels, amplitude, force, tolerance, all);
+    if (brief) return;
+    // Kinks of the line load cost the more the less the shift is.
+    for (const auto& [w, f] : {std::pair{.24, .24}, {.51, .09}, {.51, .24}})
+        add_settled_mdr(run(w, f), w, f, 2e-6, all);
+}
+
+}  // namespace
+
+void verify_half_space(bool brief, const Say& say, Verification& all) {
+    verify_mdr(brief, say, all);
+    const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1;
+    // Second order but for edges between cells.
+    const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
+    add_closed_forms(
+        run_levels(
+            "bem", rolling_case(amplitude, force),
+            [&](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; },
+            [](const Case& c) { return 1 / *c.bem.cells_per_radius; }, say),
+        {{5e-4 * coarser, allowed.order}, allowed, allowed, allowed, {.02 * coarser}, allowed},
+        all);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/models.h"
+#include "comparisons/verification.h"
+
+// Problems of `tricontact verify`. `brief`: on coarse levels, in seconds.
+
+namespace tricontact::app {
+
+/// mdr and bem where half-spaces have closed forms.
+void verify_half_space(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr-layer and bem-layer beside exact frictionless contact with the layer.
+void verify_layer(bool brief, const Say& say, comparisons::Verification& all);
+/// Shifts of bem and bem-layer beside those of other programs (comparisons/peer_shifts.h).
+void verify_peer_shifts(const Say& say, comparisons::Verification& all);
+
+}  // namespace tricontact::app
