@@ -120,10 +120,12 @@ function traces_of(figure, theme) {
             ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)), ...curves];
 }
 
-function axis_of(axis, theme) {
+// `automargin`: an axis makes room across itself only. Along it the last number and the legend would
+// ask for room in turns.
+function axis_of(axis, theme, automargin) {
     return {
         title: {text: axis.label, standoff: 8}, type: axis.logarithmic ? "log" : "linear",
-        automargin: true, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
+        automargin, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
         linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,
     };
 }
@@ -131,7 +133,7 @@ function axis_of(axis, theme) {
 function layout_of(figure, theme) {
     const empty = !figure.map && figure.curves.every(curve => !curve.x.length) && !figure.bands.length;
     return {
-        xaxis: axis_of(figure.x, theme), yaxis: axis_of(figure.y, theme),
+        xaxis: axis_of(figure.x, theme, "height"), yaxis: axis_of(figure.y, theme, "width"),
         autosize: true, margin: {l: 60, r: 16, t: 16, b: 48},
         paper_bgcolor: theme.panel, plot_bgcolor: theme.panel,
         font: {family: "system-ui, 'Liberation Sans', Arial, sans-serif", size: 13, color: theme.text},
