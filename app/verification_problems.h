@@ -11,6 +11,10 @@ namespace tricontact::app {
 void verify_half_space(bool brief, const Say& say, comparisons::Verification& all);
 /// mdr-layer and bem-layer beside exact frictionless contact with the layer.
 void verify_layer(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr and bem on a relaxing half-space under a constant force.
+void verify_creep(bool brief, const Say& say, comparisons::Verification& all);
+/// bem pressed with friction, the pressure dragging the surface sideways.
+void verify_friction_pressing(const Say& say, comparisons::Verification& all);
 /// Shifts of bem and bem-layer beside those of other programs (comparisons/peer_shifts.h).
 void verify_peer_shifts(const Say& say, comparisons::Verification& all);
 

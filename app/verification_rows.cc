@@ -21,16 +21,28 @@ void add_level(Levels& levels, const Case& c, double size, const Say& say) {
     levels.histories.push_back(contact::run(c, *make_model(levels.model, c, 1, say)));
 }
 
+/// The step that applies F_T.
+auto loaded(const History& h) {
+    auto step = h.steps.begin();
+    while (std::next(step) != h.steps.end() && std::next(step)->phase == 0) ++step;
+    return step;
+}
+
 }  // namespace
+
+std::vector<Case> finer_cases(const Case& base, const SetLevel& set_level) {
+    std::vector<Case> cases;
+    for (int factor = 1; factor <= 4; factor *= 2) {
+        cases.push_back(base);
+        set_level(cases.back(), factor);
+    }
+    return cases;
+}
 
 Levels run_levels(const std::string& model, const Case& base, const SetLevel& set_level,
                   const Size& size, const Say& say) {
     Levels levels{model, {}, {}};
-    for (int factor = 1; factor <= 4; factor *= 2) {
-        Case c = base;
-        set_level(c, factor);
-        add_level(levels, c, size(c), say);
-    }
+    for (const Case& c : finer_cases(base, set_level)) add_level(levels, c, size(c), say);
     return levels;
 }
 
@@ -65,9 +77,14 @@ double settled_ratio(const History& h) {
     return h.shift_per_period.back() / h.scales.unit_shift;
 }
 double stick_ratio(const History& h) {
-    auto loaded = h.steps.begin();
-    while (std::next(loaded) != h.steps.end() && std::next(loaded)->phase == 0) ++loaded;
-    return std::sqrt(loaded->stick_area / std::numbers::pi) / h.scales.contact_radius;
+    return std::sqrt(loaded(h)->stick_area / std::numbers::pi) / h.scales.contact_radius;
+}
+double pressed_energy_mj(const History& h) {
+    return h.steps.front().stored_energy * 1e3;
+}
+double loading_energy_mj(const History& h) {
+    const auto end = loaded(h);
+    return (end->stored_energy - h.steps.front().stored_energy + end->dissipation) * 1e3;
 }
 
 }  // namespace tricontact::app

@@ -22,7 +22,9 @@ struct Levels {
 using SetLevel = std::function<void(contact::Case&, int)>;
 using Size = std::function<double(const contact::Case&)>;
 
-/// On three levels, each twice as fine as the one before.
+/// Three cases, each twice as fine as the one before.
+std::vector<contact::Case> finer_cases(const contact::Case& base, const SetLevel& set_level);
+/// Those run.
 Levels run_levels(const std::string& model, const contact::Case& base, const SetLevel& set_level,
                   const Size& size, const Say& say);
 /// As the case is: beside numbers that hold for its resolution.
@@ -69,6 +71,10 @@ double peak_pressure_mpa(const contact::History& history);
 double unit_shift_mm(const contact::History& history);
 double limit(const contact::History& history);
 double static_shift_mm(const contact::History& history);
+/// Elastic energy after pressing [mJ].
+double pressed_energy_mj(const contact::History& history);
+/// What F_T has stored and dissipated before rolling [mJ].
+double loading_energy_mj(const contact::History& history);
 double static_ratio(const contact::History& history);
 double settled_ratio(const contact::History& history);
 /// Radius of a disc of the stick zone's area over the contact radius, before rolling.

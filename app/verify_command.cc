@@ -18,7 +18,10 @@ Verification verify(bool brief, const Say& say) {
     Verification all;
     verify_half_space(brief, say, all);
     verify_layer(brief, say, all);
-    if (!brief) verify_peer_shifts(say, all);
+    verify_creep(brief, say, all);
+    if (brief) return all;
+    verify_friction_pressing(say, all);
+    verify_peer_shifts(say, all);
     return all;
 }
 

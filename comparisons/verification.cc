@@ -62,14 +62,14 @@ std::string verification_markdown(const Verification& verification) {
         "# Verification\n\n"
         "Written by `tricontact verify`: each quantity on three levels of resolution, the size of "
         "a\n"
-        "cell or the distance of springs halved twice, beside what it should be. Error: of the "
-        "finest\n"
-        "level, relative. Order: slope of the errors from the coarsest level to the finest, where "
-        "one\n"
-        "is asked for with the least that passes; the edge of the contact between two cells makes "
-        "it\n"
-        "scatter. Beside other programs there is one level, theirs. Sources stand below.\n\n"
-        "| Problem | Quantity | Model | h/a | Reference | Error | Tolerance | Order | |\n"
+        "cell or the distance of springs halved twice (of creep the step in time, too), beside "
+        "what\n"
+        "it should be. Error: of the finest level, relative. Order: slope of the errors from the\n"
+        "coarsest level to the finest, where one is asked for with the least that passes; the "
+        "edge\n"
+        "of the contact between two cells makes it scatter. Beside other programs there is one\n"
+        "level, with the cells of theirs. Sources stand below.\n\n"
+        "| Problem | Quantity | Model | h/a, dt/tau | Reference | Error | Tolerance | Order | |\n"
         "|---|---|---|---|---|---|---|---|---|\n";
     std::vector<std::string> sources;
     for (const VerificationRow& row : verification.rows) {

@@ -9,15 +9,15 @@ namespace tricontact::comparisons {
 
 /// One quantity of one model on finer and finer levels beside what it should be.
 struct VerificationRow {
-    std::string problem;         ///< "Hertz"
-    std::string quantity;        ///< with its symbol, plain text
-    std::string model;           ///< as in case files
-    std::string source;          ///< author, year, equation
-    double reference = 0;        ///< exact, or as printed by the source
-    std::vector<double> sizes;   ///< over the contact radius, decreasing; one: as the source's
-    std::vector<double> values;  ///< one per size, in the unit of the reference
-    double tolerance = 0;        ///< of the finest level's relative error
-    double least_order = 0;      ///< 0: none is asked for
+    std::string problem;           ///< "Hertz"
+    std::string quantity;          ///< with its symbol, plain text
+    std::string model{};           ///< as in case files
+    std::string source;            ///< author, year, equation
+    double reference = 0;          ///< exact, or as printed by the source
+    std::vector<double> sizes{};   ///< h/a (of creep dt/tau), decreasing; one: the source's
+    std::vector<double> values{};  ///< one per size, in the unit of the reference
+    double tolerance = 0;          ///< of the finest level's relative error
+    double least_order = 0;        ///< 0: none is asked for
 
     /// |value/reference - 1| of a level.
     double error(std::size_t level) const;

@@ -8,6 +8,7 @@
 
 #include "bem/model.h"
 #include "contact/load_path.h"
+#include "theory/friction_pressing.h"
 
 namespace tricontact {
 namespace {
@@ -44,23 +45,10 @@ Pressed press(double nu, double friction, int n_steps, double cells_per_radius) 
             stiffness / (4 * c.substrate.shear_modulus() * a)};
 }
 
-// Spence (1968), Johnson (1985) section 5.4, for bodies whose friction hardly changes the pressure:
-// beta a/(2 c) ln[(a + c)/(a - c)] = mu K(sqrt(1 - c^2/a^2)).
-double spence_stick_ratio(double beta_over_mu) {
-    double low = 1e-6, high = 1 - 1e-12;
-    for (int i = 0; i < 60; ++i) {
-        const double c = (low + high) / 2;
-        const double excess = beta_over_mu / (2 * c) * std::log((1 + c) / (1 - c)) -
-                              std::comp_ellint_1(std::sqrt(1 - c * c));
-        (excess > 0 ? high : low) = c;
-    }
-    return low;
-}
-
 TEST(BemSpence, StickRadiusOfWeaklyCoupledBodies) {
     const double nu = .45, beta = (1 - 2 * nu) / (2 * (1 - nu));  // .091: 1 % by its square
     for (const double beta_over_mu : {1.05, 1.4286}) {
-        const double expected = spence_stick_ratio(beta_over_mu);
+        const double expected = theory::spence_stick_ratio(beta_over_mu);
         const double coarse = press(nu, beta / beta_over_mu, 10, 24).stick_over_contact_radius,
                      fine = press(nu, beta / beta_over_mu, 20, 24).stick_over_contact_radius;
         // First order in the step: a ring that has just come into contact starts undragged.
@@ -73,14 +61,12 @@ TEST(BemSpence, StickRadiusOfWeaklyCoupledBodies) {
 TEST(BemSpence, OneStepIsAnotherProblem) {
     const double beta = .1 / 1.1, friction = .7 * beta;
     EXPECT_LT(press(.45, friction, 1, 24).stick_over_contact_radius,
-              spence_stick_ratio(1 / .7) - .02);
+              theory::spence_stick_ratio(1 / .7) - .02);
 }
 
-// Without slip every increment is that of a flat punch that sticks: Mossakovskii (1954), Spence
-// (1968): dF/dd = 4 G a ln(3 - 4 nu)/(1 - 2 nu), against 4 G a/(1 - nu) without friction.
 TEST(BemSpence, StiffnessWithoutSlip) {
     for (const double nu : {0., .3}) {
-        const double exact = std::log(3 - 4 * nu) / (1 - 2 * nu);
+        const double exact = theory::stuck_normal_stiffness_ratio(nu);
         // The area counts whole cells: 24 in a, 0.5 % of it; the effect is 10 and 3 %.
         EXPECT_NEAR(press(nu, 5, 16, 24).stiffness_over_4_g_a / exact, 1, .008) << nu;
     }
