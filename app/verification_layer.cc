@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/verification_problems.h"
 #include "app/verification_rows.h"
 #include "comparisons/layer.h"
+#include "comparisons/peer_shifts.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 #include "theory/layer_shakedown.h"
@@ -32,13 +35,12 @@ Case layer_case() {
 }
 
 struct LayerTolerances {
-    Allowed radius, others, limit;
+    Allowed radius, pressure, others, limit;
 };
 
-void add_layer(const Levels& levels, const LayerTolerances& allowed, Verification& all) {
+void add_pressed(const Levels& levels, const LayerTolerances& allowed, Verification& all) {
     const Case c = layer_case();
     const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
-    const double amplitude = *c.rolling->amplitude_ratio * contact::hertz_scales(c).contact_radius;
     const char* const fredholm =
         "Lebedev and Ufliand (1958), Fredholm equation of the bonded layer";
     Rows rows(levels, all);
@@ -46,12 +48,20 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
              radius_mm);
     rows.add("Layer b = 1.8 a", "d, mm", fredholm, exact.indentation * 1e3, allowed.others,
              indentation_mm);
-    rows.add("Layer b = 1.8 a", "p0, MPa", fredholm, exact.centre_pressure * 1e-6, allowed.others,
+    rows.add("Layer b = 1.8 a", "p0, MPa", fredholm, exact.centre_pressure * 1e-6, allowed.pressure,
              peak_pressure_mpa);
     rows.add(
         "Layer b = 1.8 a", "U_max, mm", "displacement under the pressure of that equation along x",
         c.friction_coefficient * exact.unit_shift.value() * 1e3, allowed.others, unit_shift_mm);
-    rows.add("Layer b = 1.8 a, limit of shakedown", "f_T,lim", "line load of that equation",
+}
+
+void add_layer(const Levels& levels, const LayerTolerances& allowed, Verification& all) {
+    add_pressed(levels, allowed, all);
+    const Case c = layer_case();
+    const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
+    const double amplitude = *c.rolling->amplitude_ratio * contact::hertz_scales(c).contact_radius;
+    Rows(levels, all)
+        .add("Layer b = 1.8 a, limit of shakedown", "f_T,lim", "line load of that equation",
              theory::shakedown_limit(exact, amplitude / exact.contact_radius), allowed.limit,
              limit);
 }
@@ -66,10 +76,32 @@ void verify_mdr_layer(const Say& say, Verification& all) {
     }
     // The overlap of pressures ends between elements.
     const Allowed allowed{1e-4, 1.6};
-    add_layer(levels, {allowed, allowed, {1e-4}}, all);
+    add_layer(levels, {allowed, allowed, allowed, {1e-4}}, all);
+}
+
+/// Pressed by the force, then F_T.
+void verify_fem_layer(const Say& say, Verification& all) {
+    Case base = layer_case();
+    base.rolling.reset();
+    base.fem.cache = "none";
+    const double hertz_radius = contact::hertz_scales(base).contact_radius;
+    const Levels levels = run_levels(
+        "fem", base, [](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
+        [&](const Case& c) { return *c.fem.size / hertz_radius; }, say);
+    // Pressures of nodes come from row sums.
+    add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
+    Rows(levels, all)
+        .add("Layer b = 1.8 a, f_T = 0.56", "U_stat, mm, uncoupled", peer_programs,
+             comparisons::layer_peer_uncoupled * 1e3, {1.5e-3}, static_shift_mm);
 }
 
 }  // namespace
+
+void verify_fem(const Say& say, Verification& all) {
+    const auto& models = known_models();
+    if (std::any_of(models.begin(), models.end(), [](const auto& m) { return m.name == "fem"; }))
+        verify_fem_layer(say, all);
+}
 
 void verify_layer(bool brief, const Say& say, Verification& all) {
     verify_mdr_layer(say, all);
@@ -81,7 +113,7 @@ void verify_layer(bool brief, const Say& say, Verification& all) {
     const auto size = [&](const Case& c) { return *c.bem.spacing / hertz_radius; };
     const Allowed allowed{2e-4 * coarser, order};
     add_layer(run_levels("bem-layer", layer_case(), set_spacing, size, say),
-              {{5e-4 * coarser, order}, allowed, allowed}, all);
+              {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);
 }
 
 }  // namespace tricontact::app

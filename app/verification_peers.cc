@@ -14,9 +14,6 @@ using comparisons::Verification;
 using contact::Case;
 
 constexpr double across = std::numbers::pi / 2;
-const char* const peers =
-    "two boundary element programs of different origin, nu = 1/2, the same cells "
-    "(comparisons/peer_shifts.h)";
 
 /// The rig on the cells of those programs.
 Case rig_case(double f) {
@@ -48,7 +45,7 @@ void verify_half_space_shifts(const Say& say, Verification& all) {
             // Those programs place their grids differently under the contact.
             Rows(level, all)
                 .add(angle == 0 ? "Settled shift, along F_T" : "Settled shift, across F_T",
-                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peers,
+                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peer_programs,
                      angle == 0 ? row.parallel : row.perpendicular, {2e-3}, settled_ratio);
         }
 }
@@ -63,7 +60,7 @@ void verify_layer_static(const Say& say, Verification& all) {
     const auto add_row = [&](const Levels& level, const std::string& quantity, double shift,
                              double tolerance) {
         Rows(level, all)
-            .add("Layer b = 1.8 a, f_T = 0.56", quantity, peers, shift * 1e3, {tolerance},
+            .add("Layer b = 1.8 a, f_T = 0.56", quantity, peer_programs, shift * 1e3, {tolerance},
                  static_shift_mm);
     };
     const auto add = [&](const std::string& quantity, double shift, const Case& c) {
@@ -101,7 +98,7 @@ void verify_layer_shifts(const Say& say, Verification& all) {
             Rows(level, all)
                 .add(angle == 0 ? "Layer b = 1.8 a, settled shift, along F_T"
                                 : "Layer b = 1.8 a, settled shift, across F_T",
-                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peers,
+                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peer_programs,
                      angle == 0 ? row.parallel : row.perpendicular, {3e-3},
                      [](const contact::History& h) {
                          return h.shift_per_period.back() / comparisons::layer_peer_unit_shift;

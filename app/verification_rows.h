@@ -64,6 +64,11 @@ class Rows {
     comparisons::Verification& verification_;
 };
 
+/// Source of comparisons/peer_shifts.h.
+inline constexpr const char* peer_programs =
+    "two boundary element programs of different origin, nu = 1/2, 0.2 mm cells "
+    "(comparisons/peer_shifts.h)";
+
 // What rows are about.
 double radius_mm(const contact::History& history);
 double indentation_mm(const contact::History& history);

@@ -22,6 +22,7 @@ Verification verify(bool brief, const Say& say) {
     if (brief) return all;
     verify_friction_pressing(say, all);
     verify_peer_shifts(say, all);
+    verify_fem(say, all);
     return all;
 }
 

@@ -67,8 +67,12 @@ std::string verification_markdown(const Verification& verification) {
         "it should be. Error: of the finest level, relative. Order: slope of the errors from the\n"
         "coarsest level to the finest, where one is asked for with the least that passes; the "
         "edge\n"
-        "of the contact between two cells makes it scatter. Beside other programs there is one\n"
-        "level, with the cells of theirs. Sources stand below.\n\n"
+        "of the contact between two cells makes it scatter. Beside other programs, boundary "
+        "elements\n"
+        "have one level, with the cells of theirs. A program without finite elements has no rows "
+        "of\n"
+        "`fem`. Sources stand below.\n"
+        "\n"
         "| Problem | Quantity | Model | h/a, dt/tau | Reference | Error | Tolerance | Order | |\n"
         "|---|---|---|---|---|---|---|---|---|\n";
     std::vector<std::string> sources;

@@ -17,6 +17,11 @@ complain() {
 
 "$program" verify --quiet >long || complain "a row fails: $(grep FAIL long)"
 without_errors() { awk -F'|' -v OFS='|' '/^\|/ { $7 = $9 = "" } { print }' "$1"; }
+# A program without finite elements has no rows of theirs.
+"$program" list | grep -q '^  fem ' || {
+    sed '/^|.*| `fem` |/d' "$document" >known
+    document=known
+}
 diff <(without_errors long) <(without_errors "$document") ||
     complain "docs/verification.md is not the output of tricontact verify"
 
