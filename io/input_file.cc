@@ -30,6 +30,11 @@ class Descriptor {
     int fd_;
 };
 
+std::string with_article(const std::string& kind) {
+    constexpr std::string_view vowels = "aeiou";
+    return (vowels.find(kind.front()) == vowels.npos ? "a " : "an ") + kind;
+}
+
 [[noreturn]] void refuse(const std::string& path, int error, const std::string& kind) {
     const std::string remedy = error == ENOENT && kind == "case file"
                                    ? "check the path; `tricontact list` names the cases"
@@ -43,12 +48,14 @@ class Descriptor {
 [[noreturn]] void refuse_size(const std::string& path, const std::string& kind,
                               std::size_t most_mb) {
     fail(path, "", "is larger than " + std::to_string(most_mb) + " MB: no " + kind,
-         "name a " + kind);
+         "name " + with_article(kind));
 }
 
 void check_kind(const std::string& path, const struct stat& status, const std::string& kind) {
-    if (S_ISDIR(status.st_mode)) fail(path, "", "is a directory", "name a " + kind + " inside it");
-    if (!S_ISREG(status.st_mode)) fail(path, "", "is not a regular file", "name a " + kind);
+    if (S_ISDIR(status.st_mode))
+        fail(path, "", "is a directory", "name " + with_article(kind) + " inside it");
+    if (!S_ISREG(status.st_mode))
+        fail(path, "", "is not a regular file", "name " + with_article(kind));
 }
 
 }  // namespace

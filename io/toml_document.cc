@@ -134,12 +134,14 @@ bool escapes_disguise(std::string_view text) {
            text.find("\\U000f") != std::string_view::npos;
 }
 
+constexpr const char* examples =
+    "begin with an example: cases/, studies/, rigs/, measurements/ and experiments/ hold some";
+
 void check_text(std::string_view text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        fail(name + ":1:1", "", "the file is empty", "copy a case from the folder cases/");
+        fail(name + ":1:1", "", "the file is empty", examples);
     if (looks_binary(text))
-        fail(name + ":1:1", "", "the file is binary, not a TOML text",
-             "name a case file such as those in the folder cases/");
+        fail(name + ":1:1", "", "the file is binary, not a TOML text", examples);
     const std::size_t bad = first_non_utf8(text);
     if (bad != std::string_view::npos)
         fail(name + ':' + line_and_column(text, bad), "", "not valid UTF-8",
@@ -160,7 +162,7 @@ toml::table parse_toml(std::string_view text, const std::string& name, Disguise&
              twice ? "keep one of the two"
                    : "correct the line (texts and quantities stand in double quotes)");
     } catch (const std::length_error& error) {
-        fail(name + ":1:1", "", error.what(), "name a case file");
+        fail(name + ":1:1", "", error.what(), examples);
     }
 }
 

@@ -154,14 +154,16 @@ class BadContents : public testing::Test {
 
 TEST_F(BadContents, Empty) {
     const std::string path = write("");
-    EXPECT_EQ(message_of(path),
-              path + ":1:1: the file is empty; copy a case from the folder cases/");
+    EXPECT_EQ(message_of(path), path +
+                                    ":1:1: the file is empty; begin with an example: cases/, "
+                                    "studies/, rigs/, measurements/ and experiments/ hold some");
 }
 
 TEST_F(BadContents, Blank) {
     const std::string path = write(" \n\n\t\n");
-    EXPECT_EQ(message_of(path),
-              path + ":1:1: the file is empty; copy a case from the folder cases/");
+    EXPECT_EQ(message_of(path), path +
+                                    ":1:1: the file is empty; begin with an example: cases/, "
+                                    "studies/, rigs/, measurements/ and experiments/ hold some");
 }
 
 TEST_F(BadContents, Huge) {
