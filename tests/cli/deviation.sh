@@ -2,19 +2,8 @@
 # tricontact deviation: exact part and its numbers in the documents, runs, taking over what is
 # there; what is refused leaves nothing behind.
 # usage: deviation.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 rig=$source_dir/cases/rig_layer_parallel.toml
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # 1. Exact theory alone: the rig's layer, and the thicknesses of docs/half-space-deviation.md.
 "$program" deviation "$rig" --no-runs --quiet >out 2>err || complain "exact part: $(cat err)"
@@ -75,5 +64,4 @@ refused "substrate.relaxation: deviations are those of an elastic layer" \
 refused "w = W/a is at least 1" "$rig" --set rolling.amplitude_ratio=1.5
 refused "the file cannot be read" missing.toml
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -2,21 +2,10 @@
 # Exit codes and what stands on standard output and standard error: 0 done, 1 did not converge,
 # 2 bad input (in full: bad_input.sh).
 # usage: exit_codes.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 case_file=$source_dir/cases/rig_sphere_parallel.toml
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
 coarse=(--set rolling.periods=1 --set rolling.steps=turning-points --set "bem.spacing=0.5 mm"
     --no-report)
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # expect CODE ARGUMENTS...: output goes to the files out and err.
 expect() {
@@ -63,5 +52,4 @@ grep -q "substrate.poisson = 0.6" err || complain "message: $(cat err)"
 expect 2 run
 expect 2
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,18 +1,7 @@
 #!/usr/bin/env bash
 # tricontact experiment: the example, its numbers and files, and what is wrong with records.
 # usage: experiment.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # expect CODE ARGUMENTS...: output goes to the files out and err.
 expect() {
@@ -147,5 +136,4 @@ says '"last_shakedown_m": 0.00109' limit/experiment.json
 write 'kind = "shakedown"' 'runs = ["run.csv"]'
 refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

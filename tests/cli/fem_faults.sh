@@ -2,22 +2,12 @@
 # The finite element layer when things go wrong: killed while condensing and while stepping, a
 # cache that is damaged, foreign, full or read-only, too little memory, bad meshes.
 # usage: fem_faults.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 child=
 trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
 export OPENBLAS_NUM_THREADS=1
 
 "$program" list | grep -q '^  fem ' || { printf 'built without fem\n'; exit 0; }
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # A coarse layer: a second to condense, a tenth to step.
 layer_command=("$program" run "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report
@@ -146,5 +136,4 @@ refused 'missing.msh' own "$work/missing.msh"
 head -c 20000 meshed/mesh.msh >short.msh
 refused 'short.msh' own "$work/short.msh"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

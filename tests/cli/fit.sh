@@ -2,18 +2,7 @@
 # tricontact fit: MDR's kappa from a sweep, files and groups; a sweep that is missing or not finished,
 # and cases without kappa, are refused and nothing is written.
 # usage: fit.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # study FILE CASE LINES...: lines standing behind [vary].
 study() {
@@ -64,5 +53,4 @@ sed -i 's/rolling.steps = "turning-points"/load.normal_amplitude_ratio = 0.1/' c
 refused "under constant loads" fit c.toml --output a
 refused "confidence" fit a.toml --output a --confidence 2
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -2,18 +2,7 @@
 # scripts/frequency_sweep.sh: a row per speed, what a run says of it; finished points are kept, those
 # of another case are not; bad input is refused before anything is written.
 # usage: frequency_sweep.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 case_file=$source_dir/cases/rig_sphere_layer_relaxing.toml
 sweep() {
@@ -87,5 +76,4 @@ refused "cannot be read" missing.toml 0.1 10 3
 refused "rolling.speed" "$source_dir/cases/rig_sphere_parallel.toml" 0.1 10 3
 refused "is no program" "$case_file" 0.1 10 3 --program missing
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -2,17 +2,8 @@
 # Influence coefficients written and read again give the same bytes; files that do not fit are
 # refused before anything is written.
 # usage: influence.sh PROGRAM SOURCE_DIR
-set -euo pipefail
-program=$(realpath "$1")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+set -e
 
 cat >case.toml <<'TOML'
 models = ["bem", "bem-layer"]
@@ -107,5 +98,4 @@ sed '/^base/d; /^\[ground\]/,+2d; /^young = "206/d; /^poisson = 0.3/d' case.toml
 refused "has no influence coefficients of single cells" influence rigid.toml --model bem-layer \
     --output out --set "bem.period=40 mm"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

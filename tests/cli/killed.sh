@@ -2,19 +2,9 @@
 # A run that is killed leaves whole files only: what has a final name is complete, and a model that
 # had finished has all its results.
 # usage: killed.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 child=
 trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 ends_with() {
     tail -c 40 "$1" | tr -d '\n\0' | grep -aq "$2\$" || complain "truncated: $1"
@@ -81,5 +71,4 @@ head -c -20 killed/mdr/surface_000000.vtp >broken.vtp
 (ends_with broken.vtp '</VTKFile>' >/dev/null; exit "$failures")
 [ $? -gt "$failures" ] || complain "a truncated file goes unnoticed"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,19 +1,8 @@
 #!/usr/bin/env bash
 # tricontact limit: brackets around the closed form in load and amplitude, files, bad input.
 # usage: limit.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 case_file=$source_dir/cases/rig_sphere_parallel.toml
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # expect CODE ARGUMENTS...: output goes to the files out and err.
 expect() {
@@ -72,5 +61,4 @@ says "the loads oscillate" err
 expect 2 "$case_file" --models spring --output none
 [ -e none ] && complain "bad input left a folder behind"
 
-[ "$failures" -eq 0 ] && echo "limit: passed"
-exit $((failures > 0))
+finish

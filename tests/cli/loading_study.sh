@@ -2,18 +2,8 @@
 # What a run says that another kinematics, coupling or way of pressing would change is what a run
 # with that key finds, after loading and after rolling.
 # usage: loading_study.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 export OPENBLAS_NUM_THREADS=1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 models=bem-layer
 "$program" list | grep -q '^  fem ' && models="bem-layer fem"
@@ -117,5 +107,4 @@ for key in static_shift_m final_shift_m state; do
     same ratcheting coupling contact.coupling $key
 done
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -1,23 +1,13 @@
 #!/usr/bin/env bash
 # tricontact refine: table and files, what is taken over after a kill or a second call, bad input.
 # usage: refine.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 case_file=$source_dir/cases/rig_layer_parallel.toml
-work=$(mktemp -d)
 child=
 trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
-cd "$work" || exit 1
 export OPENBLAS_NUM_THREADS=1
-failures=0
 coarse=(--set rolling.periods=1 --set rolling.steps=turning-points --set "fem.size=2 mm"
     --set load.press_steps=3 --set "fem.cache=$work/cache")
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # expect CODE ARGUMENTS...: output goes to the files out and err.
 expect() {
@@ -129,5 +119,4 @@ expect 0 "$case_file" "${coarse[@]}" --set load.tangential_ratio=0.3 --output ag
 grep -q "taken from" err && complain "levels of another case: $(cat err)"
 cmp -s whole/refinement.csv again/refinement.csv && complain "the same numbers for another load"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

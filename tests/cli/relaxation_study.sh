@@ -2,18 +2,7 @@
 # What a run says about its relaxing substrate is what other runs find: the elastic twin, the drive
 # speed from which on relaxation matters, its scaling, the fit to a DMA table.
 # usage: relaxation_study.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # run NAME CASE ARGUMENTS...: few springs, for speed.
 run() {
@@ -88,5 +77,4 @@ run again dma/case.toml
 [ "$(value again dma_fit)" = null ] || complain "a fit without a table"
 [ "$(value again final_shift_m)" = "$(value dma final_shift_m)" ] || complain "another run"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

@@ -2,18 +2,8 @@
 # tricontact rig: the rigs of the thesis' chapter 5, what they flag, their files; what is refused
 # leaves nothing behind.
 # usage: rig.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 # tells FILE PATTERN: a line of it matches.
 tells() {
     grep -qE -- "$2" "$1" || complain "$1: no line matches $2"
@@ -70,5 +60,4 @@ refused 'bad.toml:13:13: substrate.thickness = "8 N": "N" is a unit of force' ..
 sed 's/"8 mm"/"0.02 mm"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
 refused "layer" ../bad.toml
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

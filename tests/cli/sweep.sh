@@ -3,18 +3,7 @@
 # changed study shares with the old one, shards, samples, levels, failures; what is refused leaves
 # nothing behind.
 # usage: sweep.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # study FILE LINES...: a small one, lines standing behind [vary].
 study() {
@@ -172,5 +161,4 @@ refused "is no file of results" sweep ../a.toml --output ../results
 "$program" sweep "$source_dir/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||
     complain "the example"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

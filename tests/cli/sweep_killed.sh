@@ -2,19 +2,9 @@
 # A sweep that is killed over and over and goes on each time ends with the same table as one that is
 # not: nothing is lost, nothing doubled, no process outlives its sweep. So does one on a full disk.
 # usage: sweep_killed.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-work=$(mktemp -d)
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 child=
 trap 'kill -9 $child 2>/dev/null; chmod -R u+w "$work"; rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
 
 # Every fifth point fails: it would slide, which the model finds out when it knows F_N.
 cat >study.toml <<EOF
@@ -186,5 +176,4 @@ kill -CONT "$child"
 wait "$child"
 same_table twice "while a second sweep wanted to run"
 
-printf '%d failures\n' "$failures"
-[ "$failures" -eq 0 ]
+finish

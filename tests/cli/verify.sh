@@ -1,17 +1,7 @@
 #!/usr/bin/env bash
 # tricontact verify --short: every row passes.
 # usage: verify.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 "$program" verify --short --output short >out 2>err || complain "a row fails: $(grep FAIL out)"
 [ "$(grep -c '| pass |$' out)" -eq 31 ] || complain "not 31 rows pass: $(cat out)"
@@ -25,5 +15,4 @@ grep -q '^bem, level 3$' err || complain "no progress: $(cat err)"
 "$program" verify --briefly >out 2>err
 [ $? -eq 2 ] || complain "an unknown option is taken"
 
-[ "$failures" -eq 0 ] && echo "verify: passed"
-exit $((failures > 0))
+finish

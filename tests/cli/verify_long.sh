@@ -2,18 +2,8 @@
 # tricontact verify: every row passes, and the table in docs is the command's, the digits of errors
 # and orders aside, which differ with the processor.
 # usage: verify_long.sh PROGRAM SOURCE_DIR
-set -uo pipefail
-program=$(realpath "$1")
-document=$(realpath "$2")/docs/verification.md
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 1
-failures=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+document=$source_dir/docs/verification.md
 
 "$program" verify --quiet >long || complain "a row fails: $(grep FAIL long)"
 without_errors() { awk -F'|' -v OFS='|' '/^\|/ { $7 = $9 = "" } { print }' "$1"; }
@@ -25,5 +15,4 @@ without_errors() { awk -F'|' -v OFS='|' '/^\|/ { $7 = $9 = "" } { print }' "$1";
 diff <(without_errors long) <(without_errors "$document") ||
     complain "docs/verification.md is not the output of tricontact verify"
 
-[ "$failures" -eq 0 ] && echo "verify_long: passed"
-exit $((failures > 0))
+finish
