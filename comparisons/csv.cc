@@ -17,6 +17,10 @@ std::string csv_field(double value) {
     return std::isfinite(value) ? fmt::format("{}", value) : "";
 }
 
+std::string csv_field(const std::optional<double>& value) {
+    return value ? csv_field(*value) : "";
+}
+
 std::string csv_line(const std::vector<std::string>& fields) {
     std::string line;
     for (std::size_t i = 0; i < fields.size(); ++i) line.append(i > 0 ? "," : "").append(fields[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ std::string csv_field(const std::string& text);
 
 /// The shortest number that reads back the same; nothing where undefined or infinite.
 std::string csv_field(double value);
+std::string csv_field(const std::optional<double>& value);
 
 /// Fields with commas between them and a line end.
 std::string csv_line(const std::vector<std::string>& fields);

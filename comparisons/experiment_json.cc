@@ -9,12 +9,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json numbers(const std::vector<double>& values) {
-    json list = json::array();
-    for (const double value : values) list.push_back(number(value));
-    return list;
-}
-
 json estimate(const Estimate& e) {
     return {{"value", number(e.value)},
             {"standard_error", number(e.standard_error)},

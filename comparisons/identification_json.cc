@@ -9,12 +9,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-json numbers(const std::vector<double>& values) {
-    json list = json::array();
-    for (const double value : values) list.push_back(number(value));
-    return list;
-}
-
 // An open end of an interval is null.
 json interval_json(const Interval& interval) {
     return json::array({number(interval.low), number(interval.high)});

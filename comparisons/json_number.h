@@ -12,4 +12,12 @@ inline nlohmann::ordered_json number(std::optional<double> value) {
     return *value;
 }
 
+/// A list of such numbers, of doubles or optional ones.
+template <class Values>
+nlohmann::ordered_json numbers(const Values& values) {
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& value : values) list.push_back(number(value));
+    return list;
+}
+
 }  // namespace tricontact::comparisons

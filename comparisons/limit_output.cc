@@ -43,10 +43,6 @@ json to_json(const ModelLimit& m) {
             {"runs", runs}};
 }
 
-std::string csv_optional(std::optional<double> value) {
-    return value ? csv_field(*value) : "";
-}
-
 }  // namespace
 
 json limit_json(const std::string& version, const LimitStudy& study) {
@@ -70,7 +66,7 @@ std::string limit_csv(const LimitStudy& study) {
         text += csv_line({m.model, name_of(study.variable), csv_field(m.limit().value),
                           csv_field(m.bracket.last_shakedown),
                           csv_field(m.bracket.first_ratcheting), csv_field(m.by_pressures),
-                          csv_optional(m.exact), shift ? csv_field(shift->value) : "",
+                          csv_field(m.exact), shift ? csv_field(shift->value) : "",
                           shift ? csv_field(shift->low) : "", shift ? csv_field(shift->high) : ""});
     }
     return text;

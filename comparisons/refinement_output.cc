@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "comparisons/csv.h"
 #include "comparisons/format.h"
 #include "comparisons/json_number.h"
 #include "comparisons/refinement.h"
@@ -26,10 +27,6 @@ json to_json(const RefinedQuantity& q) {
             {"exact", number(q.exact)},
             {"wide_block", number(q.wide)},
             {"wide_block_change", number(q.wide_change())}};
-}
-
-std::string csv_number(std::optional<double> value) {
-    return value && std::isfinite(*value) ? fmt::format("{}", *value) : "";
 }
 
 /// `text` in a field of `width` characters (not bytes), to the right.
@@ -93,9 +90,8 @@ std::string refinement_csv(const Refinement& r) {
     for (const RefinedQuantity& q : r.quantities) fmt::format_to(out, ",{}", q.name);
     fmt::format_to(out, "\n");
     const auto row = [&](const std::string& name, std::optional<double> size, const auto& get) {
-        fmt::format_to(out, "{},{}", name, csv_number(size));
-        for (const RefinedQuantity& q : r.quantities)
-            fmt::format_to(out, ",{}", csv_number(get(q)));
+        fmt::format_to(out, "{},{}", name, csv_field(size));
+        for (const RefinedQuantity& q : r.quantities) fmt::format_to(out, ",{}", csv_field(get(q)));
         fmt::format_to(out, "\n");
     };
     using Q = const RefinedQuantity&;

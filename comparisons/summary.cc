@@ -20,13 +20,6 @@ std::optional<double> finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-template <class Values>
-json numbers(const Values& values) {
-    json result = json::array();
-    for (const auto& value : values) result.push_back(number(value));
-    return result;
-}
-
 std::optional<double> mapping_parameter(const ModelSummary& s) {
     const double w = s.amplitude_ratio, u = s.final_shift_ratio;
     const bool defined = w * u > least_mapping_product && in_unit_range(w) && in_unit_range(u) &&
