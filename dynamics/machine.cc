@@ -1,0 +1,35 @@
+#include "dynamics/machine.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace tricontact::dynamics {
+
+std::vector<Spot> spots_of(const Machine& machine) {
+    if (machine.model == Machine::Model::spots) return machine.spots;
+    return {{.position = -1}, {.position = 1}};
+}
+
+double static_displacement(const Machine& machine) {
+    const auto& [kappa1, kappa2, kappa3, kappa4, kappa5, kappa6, kappa7, kappa8] = machine.kappas;
+    if (machine.model == Machine::Model::prism)  // four contacts: f_N = 2 sqrt(1/2) kappa2 u_n
+        return kappa4 / (2 * kappa2);
+    // The lowest tips carry first: add one after another until the next stays clear of the ground.
+    std::vector<Spot> spots = spots_of(machine);
+    std::sort(spots.begin(), spots.end(),
+              [](const Spot& a, const Spot& b) { return a.height < b.height; });
+    double stiffness = 0, moment = 0, z = 0;
+    for (const Spot& spot : spots) {
+        if (stiffness > 0 && z <= spot.height) break;
+        stiffness += kappa2 * spot.stiffness;
+        moment += kappa2 * spot.stiffness * spot.height;
+        z = (kappa4 + moment) / stiffness;
+    }
+    return z;
+}
+
+double normal_load_factor(const Machine& machine) {
+    return machine.model == Machine::Model::prism ? std::numbers::sqrt2 : 1;
+}
+
+}  // namespace tricontact::dynamics

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "dynamics/kappas.h"
+
+namespace tricontact::dynamics {
+
+/// An elastic contact spot at the base of the body. Lengths in units of b.
+struct Spot {
+    double position = 0;   ///< along the base, from its middle; negative is left, behind
+    double height = 0;     ///< of its tip above the base plane
+    double stiffness = 1;  ///< normal in units of k_z, tangential of k_x
+
+    bool operator==(const Spot&) const = default;
+};
+
+/// What the motion may make use of; taking one away tells how much it matters.
+struct Mechanisms {
+    bool vertical = true;  ///< else z stays at rest
+    bool rotation = true;  ///< else phi stays 0
+    bool coupling = true;  ///< else friction is bounded by mu times the spots' static normal forces
+
+    bool operator==(const Mechanisms&) const = default;
+};
+
+/// Harmonic load on the body from outside, sin(omega t).
+struct Excitation {
+    double moment = 0;     ///< amplitude, counter-clockwise, in units of k_x b^2
+    double force = 0;      ///< amplitude, downwards, in units of k_x b
+    double frequency = 0;  ///< omega, in units of sqrt(k_x/m)
+
+    bool operator==(const Excitation&) const = default;
+};
+
+/// A micro-walking machine, dimensionless.
+struct Machine {
+    enum class Model {
+        two_spot,  ///< at both ends of the base: Wetter (2016), section 4.1.3
+        prism,     ///< the same in a prism of 45 degrees, two contacts a side: section 5.2.3, B.4
+        spots      ///< any number, anywhere along the base
+    };
+
+    Kappas kappas;
+    Model model = Model::two_spot;
+    std::vector<Spot> spots = {};  ///< of Model::spots only
+    Mechanisms mechanisms = {};
+    Excitation excitation = {};
+
+    bool operator==(const Machine&) const = default;
+};
+
+/// The spots that carry the machine: its own, or those of its model, left one first.
+std::vector<Spot> spots_of(const Machine& machine);
+
+/// Vertical displacement at rest with phi = 0, in units of b; kappa4/(2 kappa2) for two spots at
+/// the base plane: Wetter (2016), eq. 4.1.22. Prism: tangential springs of its flanks at rest.
+double static_displacement(const Machine& machine);
+
+/// Factor of the friction force in <f_s> = factor mu kappa4 for steady sliding: 1, or sqrt(2) in
+/// the prism: Wetter (2016), eqs. 4.1.24 and 5.2.26.
+double normal_load_factor(const Machine& machine);
+
+}  // namespace tricontact::dynamics

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "dynamics/dimensional_machine.h"
+#include "dynamics/machine.h"
+#include "dynamics/motion.h"
+
+namespace tricontact::dynamics {
+
+/// Where a run begins. Displacements in units of the static displacement, velocities in units of
+/// that of the base (kappa6); the springs of the spots have no tangential deflection.
+struct Start {
+    double x = 0, z = 1, phi = 0, base = 0;
+    double x_velocity = 0, z_velocity = 0, phi_velocity = 0;
+
+    bool operator==(const Start&) const = default;
+};
+
+/// What a case of the micro-walking machine says. Times in units of sqrt(m/k_x).
+struct WalkCase {
+    struct Time {
+        double step = 1e-3;
+        double end = 20000;
+
+        bool operator==(const Time&) const = default;
+    };
+
+    std::string title;
+    Machine machine;
+    std::optional<DimensionalMachine> dimensional;  ///< what the kappas follow from, if given
+    Start start;
+    Time time;
+};
+
+/// Motion at the start; by default at rest on the ground: Wetter (2016), eq. 4.1.21.
+Motion motion_at_start(const Machine& machine, const Start& start = {});
+
+}  // namespace tricontact::dynamics

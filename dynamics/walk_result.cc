@@ -1,0 +1,19 @@
+#include "dynamics/walk_result.h"
+
+namespace tricontact::dynamics {
+
+std::string_view word_of(Regime regime) {
+    switch (regime) {
+        case Regime::steady:
+            return "steady";
+        case Regime::limit_cycle:
+            return "limit-cycle";
+        case Regime::chaotic:
+            return "chaotic";
+        case Regime::tilting:
+            break;
+    }
+    return "tilting";
+}
+
+}  // namespace tricontact::dynamics

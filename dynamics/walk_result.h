@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace tricontact::dynamics {
+
+/// What a run came to.
+enum class Regime {
+    steady,       ///< slides without vibration in the vertical direction
+    limit_cycle,  ///< repeats itself
+    chaotic,      ///< does not, within the time observed
+    tilting       ///< falls over: small rotations no longer
+};
+
+std::string_view word_of(Regime regime);  ///< "steady", "limit-cycle", "chaotic", "tilting"
+
+/// Statistics of a run after its transient: over whole periods of a limit cycle, else over what is
+/// left of the run. NaN where undefined.
+struct WalkResult {
+    struct Spot {
+        double stick_time = 0;   ///< share of time: Wetter (2016), eq. 4.2.14
+        double correlation = 0;  ///< of velocity and normal deflection: Wetter (2016), A.1.4
+    };
+
+    Regime regime = Regime::steady;
+    double mu_e = 0;        ///< <f_s>/(mu kappa4), in the prism over sqrt(2): eqs. 4.1.24, 5.2.26
+    double mu_e_error = 0;  ///< half width of its 95 % interval
+    std::optional<double> period = {};        ///< of the limit cycle, in units of sqrt(m/k_x)
+    int section_points = 0;                   ///< of the Poincare section in a period
+    double z_min_ratio = 0, z_max_ratio = 0;  ///< extremes over the static displacement
+    double phi_min = 0, phi_max = 0;
+    double kinetic_energy = 0;  ///< mean over kappa4 z_stat: Wetter (2016), eq. 4.2.20
+    std::vector<Spot> spots = {};
+    double transient = 0;         ///< time until the statistics begin
+    bool transient_over = false;  ///< false: the run is too short to tell, and says so
+    double observed = 0;          ///< time over which they were taken
+};
+
+}  // namespace tricontact::dynamics
