@@ -33,9 +33,10 @@ struct WalkResult {
     double phi_min = 0, phi_max = 0;
     double kinetic_energy = 0;  ///< mean over kappa4 z_stat: Wetter (2016), eq. 4.2.20
     std::vector<Spot> spots = {};
-    double transient = 0;         ///< time until the statistics begin
-    bool transient_over = false;  ///< false: the run is too short to tell, and says so
-    double observed = 0;          ///< time over which they were taken
+    double transient = 0;                     ///< time until the statistics begin
+    bool transient_over = false;              ///< false: the run is too short to tell, and says so
+    double observed = 0;                      ///< time over which they were taken
+    std::optional<double> tilting_time = {};  ///< when it tilted, if it did
 };
 
 }  // namespace tricontact::dynamics
