@@ -30,6 +30,7 @@ may_include fem contact meshes
 may_include fem/distributed contact meshes fem
 may_include io contact dynamics
 may_include comparisons contact theory
+may_include comparisons/walking contact theory dynamics comparisons
 may_include rig contact theory
 may_include app contact theory meshes dynamics mdr bem fem io comparisons rig
 
