@@ -9,8 +9,4 @@ double critical_friction(const Kappas& kappas) {
     return lever > 0 ? 1 / lever : std::numeric_limits<double>::infinity();
 }
 
-double tilting_limit(const Kappas& kappas) {
-    return 0.1 * kappas.kappa3;  // phi = (a/b) Phi
-}
-
 }  // namespace tricontact::dynamics

@@ -23,9 +23,4 @@ struct Kappas {
 /// pulls at or below the base. Wetter (2016), eq. 4.2.13.
 double critical_friction(const Kappas& kappas);
 
-/// |phi| above which a machine tilts: 0.1 rad, where the sine of the small rotation that the model
-/// assumes is off by 0.2 % and its cosine by 0.5 %. A machine that vibrates stays far below, one
-/// that tilts goes through it: neither class depends much on the number.
-double tilting_limit(const Kappas& kappas);
-
 }  // namespace tricontact::dynamics

@@ -32,4 +32,8 @@ double normal_load_factor(const Machine& machine) {
     return machine.model == Machine::Model::prism ? std::numbers::sqrt2 : 1;
 }
 
+double tilting_limit(const Machine& machine) {
+    return machine.tilting_angle * machine.kappas.kappa3;  // phi = (a/b) Phi
+}
+
 }  // namespace tricontact::dynamics
