@@ -25,7 +25,7 @@ using contact::Experiment;
 constexpr int enough_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
 
 // The number of the case that a key stands for; null where the case states another one instead.
-double* number_of(const io::Key& key, Case& c) {
+double* number_of(const io::CaseKey& key, Case& c) {
     const io::Field field = key.field(c);
     if (auto* const* value = std::get_if<double*>(&field)) return *value;
     if (auto* const* value = std::get_if<std::optional<double>*>(&field))
@@ -36,7 +36,7 @@ double* number_of(const io::Key& key, Case& c) {
 std::vector<CaseQuantity> quantities_of(const io::ExperimentInput& input, Case& c) {
     std::vector<CaseQuantity> quantities;
     for (const auto& error : input.errors) {
-        const io::Key& key = *error.key;
+        const io::CaseKey& key = *error.key;
         if (!number_of(key, c))
             throw contact::InputError(fmt::format(
                 "{}: errors.{}: the case does not state this number; name the key that it has",

@@ -112,7 +112,7 @@ class ShiftTable {
     LazyTable table_;
 };
 
-Case with_change(Case c, const io::Key& key, double change) {
+Case with_change(Case c, const io::CaseKey& key, double change) {
     const io::Field field = key.field(c);
     if (auto* const* value = std::get_if<double*>(&field)) **value += change;
     if (auto* const* value = std::get_if<std::optional<double>*>(&field))

@@ -11,177 +11,160 @@ namespace {
 using contact::Case;
 using Kind = Key::Kind;
 
-void add_top(std::vector<Key>& keys) {
-    keys.push_back({.path = "title",
-                    .kind = Kind::text,
-                    .default_value = "\"\"",
-                    .example = R"("Sphere on rubber")",
-                    .text = "what the case is",
-                    .field = [](Case& c) -> Field { return &c.title; }});
-    keys.push_back({.path = "models",
-                    .kind = Kind::choice_list,
-                    .choices = {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}},
-                    .required = true,
-                    .example = R"(["mdr", "bem"])",
-                    .text = "models that compute the case",
-                    .field = [](Case& c) -> Field { return &c.models; }});
+void add_top(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "title",
+                     .kind = Kind::text,
+                     .default_value = "\"\"",
+                     .example = R"("Sphere on rubber")",
+                     .text = "what the case is"},
+                    [](Case& c) -> Field { return &c.title; }});
+    keys.push_back({{.path = "models",
+                     .kind = Kind::choice_list,
+                     .choices = {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}},
+                     .required = true,
+                     .example = R"(["mdr", "bem"])",
+                     .text = "models that compute the case"},
+                    [](Case& c) -> Field { return &c.models; }});
 }
 
-void add_indenter(std::vector<Key>& keys) {
-    keys.push_back({.path = "indenter.shape",
-                    .kind = Kind::choice,
-                    .choices = {choice("paraboloid", Case::Shape::paraboloid),
-                                choice("sphere", Case::Shape::sphere)},
-                    .default_value = R"("paraboloid")",
-                    .example = R"("paraboloid")",
-                    .text = "paraboloid r^2/(2R), or the exact sphere",
-                    .field = [](Case& c) -> Field { return &c.indenter.shape; }});
-    keys.push_back({.path = "indenter.radius",
-                    .kind = Kind::quantity,
-                    .dimension = Dimension::length,
-                    .range = above_zero(1e6),
-                    .required = true,
-                    .example = R"("40 mm")",
-                    .text = "radius R of curvature",
-                    .field = [](Case& c) -> Field { return &c.indenter.radius; }});
-    keys.push_back(
-        {.path = "indenter.young",
-         .kind = Kind::quantity,
-         .dimension = Dimension::pressure,
-         .range = above_zero(1e15),
-         .needs = "indenter.poisson",
-         .example = R"("206 GPa")",
-         .text = "Young's modulus; without it the indenter is rigid",
-         .field = [](Case& c) { return in(c.indenter.material, &contact::Material::young); }});
-    keys.push_back(
-        {.path = "indenter.poisson",
-         .kind = Kind::number,
-         .range = {-1, 0.5, false, true},
-         .needs = "indenter.young",
-         .example = "0.3",
-         .text = "Poisson's ratio; 0.5 is incompressible",
-         .field = [](Case& c) { return in(c.indenter.material, &contact::Material::poisson); }});
+void add_indenter(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "indenter.shape",
+                     .kind = Kind::choice,
+                     .choices = {choice("paraboloid", Case::Shape::paraboloid),
+                                 choice("sphere", Case::Shape::sphere)},
+                     .default_value = R"("paraboloid")",
+                     .example = R"("paraboloid")",
+                     .text = "paraboloid r^2/(2R), or the exact sphere"},
+                    [](Case& c) -> Field { return &c.indenter.shape; }});
+    keys.push_back({{.path = "indenter.radius",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .required = true,
+                     .example = R"("40 mm")",
+                     .text = "radius R of curvature"},
+                    [](Case& c) -> Field { return &c.indenter.radius; }});
+    keys.push_back({{.path = "indenter.young",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::pressure,
+                     .range = above_zero(1e15),
+                     .needs = "indenter.poisson",
+                     .example = R"("206 GPa")",
+                     .text = "Young's modulus; without it the indenter is rigid"},
+                    [](Case& c) { return in(c.indenter.material, &contact::Material::young); }});
+    keys.push_back({{.path = "indenter.poisson",
+                     .kind = Kind::number,
+                     .range = {-1, 0.5, false, true},
+                     .needs = "indenter.young",
+                     .example = "0.3",
+                     .text = "Poisson's ratio; 0.5 is incompressible"},
+                    [](Case& c) { return in(c.indenter.material, &contact::Material::poisson); }});
 }
 
-void add_substrate(std::vector<Key>& keys) {
-    keys.push_back({.path = "substrate.young",
-                    .kind = Kind::quantity,
-                    .dimension = Dimension::pressure,
-                    .range = above_zero(1e15),
-                    .required = true,
-                    .example = R"("5.2 MPa")",
-                    .text = "Young's modulus",
-                    .field = [](Case& c) -> Field { return &c.substrate.young; }});
-    keys.push_back({.path = "substrate.poisson",
-                    .kind = Kind::number,
-                    .range = {-1, 0.5, false, true},
-                    .required = true,
-                    .example = "0.5",
-                    .text = "Poisson's ratio; 0.5 is incompressible",
-                    .field = [](Case& c) -> Field { return &c.substrate.poisson; }});
+void add_substrate(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "substrate.young",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::pressure,
+                     .range = above_zero(1e15),
+                     .required = true,
+                     .example = R"("5.2 MPa")",
+                     .text = "Young's modulus"},
+                    [](Case& c) -> Field { return &c.substrate.young; }});
+    keys.push_back({{.path = "substrate.poisson",
+                     .kind = Kind::number,
+                     .range = {-1, 0.5, false, true},
+                     .required = true,
+                     .example = "0.5",
+                     .text = "Poisson's ratio; 0.5 is incompressible"},
+                    [](Case& c) -> Field { return &c.substrate.poisson; }});
 }
 
-void add_friction(std::vector<Key>& keys) {
-    keys.push_back({.path = "friction.coefficient",
-                    .kind = Kind::number,
-                    .range = above_zero(100),
-                    .required = true,
-                    .example = "0.57",
-                    .text = "Coulomb's coefficient of friction",
-                    .field = [](Case& c) -> Field { return &c.friction_coefficient; }});
+void add_friction(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "friction.coefficient",
+                     .kind = Kind::number,
+                     .range = above_zero(100),
+                     .required = true,
+                     .example = "0.57",
+                     .text = "Coulomb's coefficient of friction"},
+                    [](Case& c) -> Field { return &c.friction_coefficient; }});
 }
 
-void add_bem(std::vector<Key>& keys) {
-    keys.push_back({.path = "bem.cells_per_radius",
-                    .kind = Kind::number,
-                    .range = {2, 4096},
-                    .default_value = "22.5",
-                    .alternative = cell_size,
-                    .example = "22.5",
-                    .text = "cells in Hertz' contact radius",
-                    .field = [](Case& c) -> Field { return &c.bem.cells_per_radius; }});
-    keys.push_back({.path = "bem.spacing",
-                    .kind = Kind::quantity,
-                    .dimension = Dimension::length,
-                    .range = above_zero(1e6),
-                    .alternative = cell_size,
-                    .example = R"("0.2 mm")",
-                    .text = "edge length of a cell",
-                    .field = [](Case& c) -> Field { return &c.bem.spacing; }});
-    keys.push_back({.path = "bem.tolerance",
-                    .kind = Kind::number,
-                    .range = {1e-14, 1e-2, false, true},
-                    .default_value = "1e-07",
-                    .example = "1e-7",
-                    .text = "relative tolerance of the solvers",
-                    .field = [](Case& c) -> Field { return &c.bem.tolerance; }});
-    keys.push_back({.path = "bem.influence",
-                    .kind = Kind::text,
-                    .example = R"("influence.txt")",
-                    .text = "file of influence coefficients to be used instead of those of the "
-                            "program's own bodies",
-                    .field = [](Case& c) -> Field { return &c.bem.influence; }});
-    keys.push_back({.path = "bem.period",
-                    .kind = Kind::quantity,
-                    .dimension = Dimension::length,
-                    .range = above_zero(1e6),
-                    .needs = "substrate.thickness",
-                    .example = R"("80 mm")",
-                    .text = "period of indenters and tractions in x and y, for bem-layer; without "
-                            "it there is one indenter",
-                    .field = [](Case& c) -> Field { return &c.bem.period; }});
+void add_bem(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "bem.cells_per_radius",
+                     .kind = Kind::number,
+                     .range = {2, 4096},
+                     .default_value = "22.5",
+                     .alternative = cell_size,
+                     .example = "22.5",
+                     .text = "cells in Hertz' contact radius"},
+                    [](Case& c) -> Field { return &c.bem.cells_per_radius; }});
+    keys.push_back({{.path = "bem.spacing",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .alternative = cell_size,
+                     .example = R"("0.2 mm")",
+                     .text = "edge length of a cell"},
+                    [](Case& c) -> Field { return &c.bem.spacing; }});
+    keys.push_back({{.path = "bem.tolerance",
+                     .kind = Kind::number,
+                     .range = {1e-14, 1e-2, false, true},
+                     .default_value = "1e-07",
+                     .example = "1e-7",
+                     .text = "relative tolerance of the solvers"},
+                    [](Case& c) -> Field { return &c.bem.tolerance; }});
+    keys.push_back({{.path = "bem.influence",
+                     .kind = Kind::text,
+                     .example = R"("influence.txt")",
+                     .text = "file of influence coefficients to be used instead of those of the "
+                             "program's own bodies"},
+                    [](Case& c) -> Field { return &c.bem.influence; }});
+    keys.push_back({{.path = "bem.period",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .needs = "substrate.thickness",
+                     .example = R"("80 mm")",
+                     .text = "period of indenters and tractions in x and y, for bem-layer; without "
+                             "it there is one indenter"},
+                    [](Case& c) -> Field { return &c.bem.period; }});
 }
 
-void add_mdr(std::vector<Key>& keys) {
-    keys.push_back({.path = "mdr.springs",
-                    .kind = Kind::integer,
-                    .range = {10, 1e7},
-                    .default_value = "10000",
-                    .example = "10000",
-                    .text = "springs of the whole bed, contact and rolling path",
-                    .field = [](Case& c) -> Field { return &c.mdr.springs; }});
+void add_mdr(std::vector<CaseKey>& keys) {
+    keys.push_back({{.path = "mdr.springs",
+                     .kind = Kind::integer,
+                     .range = {10, 1e7},
+                     .default_value = "10000",
+                     .example = "10000",
+                     .text = "springs of the whole bed, contact and rolling path"},
+                    [](Case& c) -> Field { return &c.mdr.springs; }});
 }
 
-void add_output(std::vector<Key>& keys) {
+void add_output(std::vector<CaseKey>& keys) {
     using Vtk = Case::VtkOutput;
     using Volume = Case::VolumeOutput;
-    keys.push_back({.path = "output.vtk",
-                    .kind = Kind::choice,
-                    .choices = {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
-                                choice("all", Vtk::all)},
-                    .default_value = R"("quarters")",
-                    .example = R"("quarters")",
-                    .text = "surfaces written for ParaView: none, each quarter period, all steps",
-                    .field = [](Case& c) -> Field { return &c.output.vtk; }});
-    keys.push_back({.path = "output.volume",
-                    .kind = Kind::choice,
-                    .choices = {choice("none", Volume::none), choice("last", Volume::last),
-                                choice("quarters", Volume::quarters)},
-                    .default_value = R"("none")",
-                    .example = R"("last")",
-                    .text = "interior written for ParaView where a model knows it: none, the last "
-                            "state, each quarter period",
-                    .field = [](Case& c) -> Field { return &c.output.volume; }});
+    keys.push_back({{.path = "output.vtk",
+                     .kind = Kind::choice,
+                     .choices = {choice("none", Vtk::none), choice("quarters", Vtk::quarters),
+                                 choice("all", Vtk::all)},
+                     .default_value = R"("quarters")",
+                     .example = R"("quarters")",
+                     .text = "surfaces written for ParaView: none, each quarter period, all steps"},
+                    [](Case& c) -> Field { return &c.output.vtk; }});
+    keys.push_back({{.path = "output.volume",
+                     .kind = Kind::choice,
+                     .choices = {choice("none", Volume::none), choice("last", Volume::last),
+                                 choice("quarters", Volume::quarters)},
+                     .default_value = R"("none")",
+                     .example = R"("last")",
+                     .text = "interior written for ParaView where a model knows it: none, the last "
+                             "state, each quarter period"},
+                    [](Case& c) -> Field { return &c.output.volume; }});
 }
 
-}  // namespace
-
-bool Range::contains(double value) const {
-    return (low_included ? value >= low : value > low) &&
-           (high_included ? value <= high : value < high);
-}
-
-std::string_view Key::section() const {
-    return section_of(path);
-}
-
-std::string_view Key::name() const {
-    return name_of_key(path);
-}
-
-std::span<const Key> case_keys() {
-    static const std::vector<Key> keys = [] {
-        std::vector<Key> all;
+const std::vector<CaseKey>& declared_keys() {
+    static const std::vector<CaseKey> keys = [] {
+        std::vector<CaseKey> all;
         add_top(all);
         add_indenter(all);
         add_substrate(all);
@@ -199,27 +182,23 @@ std::span<const Key> case_keys() {
     return keys;
 }
 
-const Key* find_key(std::string_view path) {
-    const auto keys = case_keys();
-    const auto it =
-        std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == path; });
-    return it == keys.end() ? nullptr : &*it;
+}  // namespace
+
+std::span<const CaseKey> case_keys() {
+    return declared_keys();
+}
+
+const KeyList& case_key_list() {
+    static const KeyList list(declared_keys(), "docs/case-file.md");
+    return list;
+}
+
+const CaseKey* find_key(std::string_view path) {
+    return static_cast<const CaseKey*>(case_key_list().find(path));
 }
 
 bool is_section(std::string_view name) {
-    const auto keys = case_keys();
-    return !name.empty() && std::any_of(keys.begin(), keys.end(),
-                                        [&](const Key& key) { return key.section() == name; });
-}
-
-std::string_view section_of(std::string_view path) {
-    const auto dot = path.substr(0, path.find('"')).rfind('.');
-    return dot == std::string_view::npos ? std::string_view() : path.substr(0, dot);
-}
-
-std::string_view name_of_key(std::string_view path) {
-    const std::string_view section = section_of(path);
-    return section.empty() ? path : path.substr(section.size() + 1);
+    return case_key_list().has_section(name);
 }
 
 }  // namespace tricontact::io

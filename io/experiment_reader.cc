@@ -179,7 +179,7 @@ std::vector<ExperimentInput::CaseError> read_errors(const Document& document) {
     for (const Entry& entry : document.entries) {
         if (!is_nested_section(entry.path)) continue;
         const std::string path = entry.path.substr(std::string_view("errors.").size());
-        const Key* key = find_key(path);
+        const CaseKey* key = find_key(path);
         if (!key || (key->kind != Kind::quantity && key->kind != Kind::number)) {
             std::vector<std::string_view> paths;
             for (const Key& k : case_keys()) paths.push_back(k.path);

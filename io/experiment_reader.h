@@ -14,7 +14,7 @@ namespace tricontact::io {
 struct ExperimentInput {
     /// Standard error of a number of the case, in the key's SI unit.
     struct CaseError {
-        const Key* key = nullptr;
+        const CaseKey* key = nullptr;
         double standard_error = 0;
         std::string place;  ///< file:line:column
     };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/case_keys.h"
+#include "io/key.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {

@@ -244,7 +244,7 @@ std::vector<Input::RigError> read_rig_errors(const Document& document) {
     for (const Entry& entry : document.entries) {
         if (!is_error(entry)) continue;
         const std::string path = entry.path.substr(errors_section.size() + 1);
-        const Key* key = find_key(path);
+        const CaseKey* key = find_key(path);
         if (!key || !describes_rig(*key) || key->section() == "bem" || key->section() == "fem" ||
             (key->kind != Kind::quantity && key->kind != Kind::number))
             fail(entry.key_place, entry.path, "is no number that describes the rig",

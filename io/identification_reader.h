@@ -15,7 +15,7 @@ struct IdentificationInput {
 
     /// A known input whose standard error shall be carried into the result.
     struct RigError {
-        const Key* key = nullptr;
+        const CaseKey* key = nullptr;
         double standard_error = 0;  ///< [SI]
     };
 

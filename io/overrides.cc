@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/case_keys.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -36,22 +35,21 @@ void erase_from_file(Document& document, std::string_view path) {
                   [&](const Entry& entry) { return entry.path == path && !entry.overridden; });
 }
 
-void erase_alternatives(Document& document, const Key& key) {
-    for (const Key& other : case_keys()) {
-        if (key.alternative == 0 || other.alternative != key.alternative || other.path == key.path)
-            continue;
-        erase_from_file(document, other.path);
-        for (const Key& hanging : case_keys())
-            if (hanging.needs == other.path) erase_from_file(document, hanging.path);
+void erase_alternatives(Document& document, const Key& key, const KeyList& keys) {
+    for (const Key* other : keys.alternatives(key)) {
+        if (other == &key) continue;
+        erase_from_file(document, other->path);
+        for (const Key* hanging : keys.keys())
+            if (hanging->needs == other->path) erase_from_file(document, hanging->path);
     }
 }
 
-void put(Document& document, Entry entry) {
+void put(Document& document, Entry entry, const KeyList& keys) {
     const Entry* old = document.find(entry.path);
     if (old && old->overridden)
         fail(entry.place, entry.subject(), "is set twice", "keep one of the two --set");
     erase_from_file(document, entry.path);
-    if (const Key* key = find_key(entry.path)) erase_alternatives(document, *key);
+    if (const Key* key = keys.find(entry.path)) erase_alternatives(document, *key, keys);
     const std::string section(section_of(entry.path));
     if (!section.empty() && !document.find_section(section))
         document.sections.push_back({section, entry.place});
@@ -60,14 +58,15 @@ void put(Document& document, Entry entry) {
 
 }  // namespace
 
-void apply_overrides(Document& document, const std::vector<std::string>& overrides) {
-    for (const std::string& text : overrides) put(document, entry_of(text));
+void apply_overrides(Document& document, const std::vector<std::string>& overrides,
+                     const KeyList& keys) {
+    for (const std::string& text : overrides) put(document, entry_of(text), keys);
 }
 
-void apply_overrides(Document& document, const std::vector<Entry>& overrides) {
+void apply_overrides(Document& document, const std::vector<Entry>& overrides, const KeyList& keys) {
     for (Entry entry : overrides) {
         entry.overridden = true;
-        put(document, std::move(entry));
+        put(document, std::move(entry), keys);
     }
 }
 

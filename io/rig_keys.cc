@@ -1,6 +1,6 @@
 #include "io/rig_keys.h"
 
-#include "io/key_declarations.h"
+#include "io/key.h"
 
 namespace tricontact::io {
 

@@ -6,7 +6,7 @@
 
 #include "contact/rolling_rig.h"
 #include "contact/walking_rig.h"
-#include "io/case_keys.h"
+#include "io/key.h"
 
 namespace tricontact::io {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "io/case_keys.h"
 #include "io/field_reader.h"
 #include "io/input_file.h"
 #include "io/measured_quantity.h"

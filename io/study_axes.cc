@@ -15,12 +15,11 @@ namespace {
 
 using Kind = Key::Kind;
 
-[[noreturn]] void refuse_unknown(const Entry& entry, const std::string& path) {
-    std::vector<std::string_view> paths;
-    for (const Key& key : case_keys()) paths.push_back(key.path);
-    const std::string near(nearest(path, paths));
+[[noreturn]] void refuse_unknown(const Entry& entry, const std::string& path, const KeyList& keys) {
+    const std::string near(nearest(path, keys.paths()));
     fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
-         near.empty() ? "docs/case-file.md lists the keys" : "did you mean " + near + "?");
+         near.empty() ? std::string(keys.reference()) + " lists the keys"
+                      : "did you mean " + near + "?");
 }
 
 // What says how results are kept, not what they are.
@@ -28,9 +27,9 @@ bool changes_no_number(const Key& key) {
     return key.path == "title" || key.path == "fem.cache" || key.section() == "output";
 }
 
-const Key& checked_key(const Entry& entry, const std::string& path) {
-    const Key* key = find_key(path);
-    if (!key) refuse_unknown(entry, path);
+const Key& checked_key(const Entry& entry, const std::string& path, const KeyList& keys) {
+    const Key* key = keys.find(path);
+    if (!key) refuse_unknown(entry, path, keys);
     if (path == "models")
         fail(entry.key_place, entry.path, "is no key to be set or varied",
              "write models = [...] at the top of the study");
@@ -42,11 +41,11 @@ struct Name {
     std::string path, part;
 };
 
-Name name_of(const Entry& entry) {
+Name name_of(const Entry& entry, const KeyList& keys) {
     std::string path = entry.path.substr(std::string_view("vary.").size());
-    if (find_key(path)) return {path, ""};
+    if (keys.find(path)) return {path, ""};
     const std::string above(section_of(path));
-    if (find_key(above)) return {above, std::string(name_of_key(path))};
+    if (keys.find(above)) return {above, std::string(name_of_key(path))};
     return {path, ""};
 }
 
@@ -212,12 +211,12 @@ void check_not_empty(const Document& document) {
 
 }  // namespace
 
-std::vector<Entry> read_settings(const Document& document) {
+std::vector<Entry> read_settings(const Document& document, const KeyList& keys) {
     std::vector<Entry> settings;
     for (const Entry& entry : document.entries) {
         if (!entry.path.starts_with("set.")) continue;
         const std::string path = entry.path.substr(std::string_view("set.").size());
-        const Key& key = checked_key(entry, path);
+        const Key& key = checked_key(entry, path, keys);
         if (document.find("vary." + path) || document.find_section("vary." + path))
             fail(entry.place, entry.subject(), "is varied too", "keep it in [set] or in [vary]");
         settings.push_back(entry_of(key, entry.value, entry.place));
@@ -226,13 +225,13 @@ std::vector<Entry> read_settings(const Document& document) {
     return settings;
 }
 
-std::vector<Study::Axis> read_axes(const Document& document) {
+std::vector<Study::Axis> read_axes(const Document& document, const KeyList& keys) {
     check_not_empty(document);
     std::vector<Study::Axis> axes;
     for (const Entry& entry : document.entries) {
         if (!entry.path.starts_with("vary.")) continue;
-        const Name name = name_of(entry);
-        const Key& key = checked_key(entry, name.path);
+        const Name name = name_of(entry, keys);
+        const Key& key = checked_key(entry, name.path, keys);
         if (changes_no_number(key))
             fail(entry.key_place, entry.path, "changes no number", "omit it");
         if (name.part.empty())

@@ -2,15 +2,17 @@
 
 #include <vector>
 
+#include "io/key_list.h"
 #include "io/study_reader.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {
 
-/// The keys below [set] of a study, as entries of a case. Throws contact::InputError.
-std::vector<Entry> read_settings(const Document& document);
+/// The keys below [set] of a study, as entries of a case that has these keys. Throws
+/// contact::InputError.
+std::vector<Entry> read_settings(const Document& document, const KeyList& keys);
 
 /// The keys below [vary], each with its list or range. Throws contact::InputError.
-std::vector<Study::Axis> read_axes(const Document& document);
+std::vector<Study::Axis> read_axes(const Document& document, const KeyList& keys);
 
 }  // namespace tricontact::io

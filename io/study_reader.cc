@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "io/case_keys.h"
 #include "io/field_reader.h"
 #include "io/input_file.h"
 #include "io/messages.h"
@@ -149,8 +150,8 @@ Study parse_study(std::string_view text, const std::string& name) {
     if (const Entry* entry = document.find("title"))
         read_field(*find_key("title"), *entry, Field(&study.title));
     study.levels = integer_at(levels_key(), document, 1);
-    study.settings = read_settings(document);
-    study.axes = read_axes(document);
+    study.settings = read_settings(document, case_key_list());
+    study.axes = read_axes(document, case_key_list());
     study.sampling = read_sampling(document, study.axes);
     study.base = read_base(document);
     study.models = read_models(document, study.base);

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/case_keys.h"
+#include "io/key.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {
