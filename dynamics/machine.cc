@@ -6,8 +6,15 @@
 namespace tricontact::dynamics {
 
 std::vector<Spot> spots_of(const Machine& machine) {
-    if (machine.model == Machine::Model::spots) return machine.spots;
-    return {{.position = -1}, {.position = 1}};
+    std::vector<Spot> spots = machine.spots;
+    if (machine.model != Machine::Model::spots) spots = {{.position = -1}, {.position = 1}};
+    if (!machine.bed) return spots;
+    const double share = machine.kappas.kappa4 / static_cast<double>(spots.size());
+    std::vector<Spot> springs;
+    for (const Spot& spot : spots)
+        for (const Spot& spring : springs_of(*machine.bed, spot, share / machine.kappas.kappa2))
+            springs.push_back(spring);
+    return springs;
 }
 
 double static_displacement(const Machine& machine) {

@@ -1,19 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "dynamics/bed.h"
 #include "dynamics/kappas.h"
+#include "dynamics/spot.h"
 
 namespace tricontact::dynamics {
-
-/// An elastic contact spot at the base of the body. Lengths in units of b.
-struct Spot {
-    double position = 0;   ///< along the base, from its middle; negative is left, behind
-    double height = 0;     ///< of its tip above the base plane
-    double stiffness = 1;  ///< normal in units of k_z, tangential of k_x
-
-    bool operator==(const Spot&) const = default;
-};
 
 /// What the motion may make use of; taking one away tells how much it matters.
 struct Mechanisms {
@@ -44,6 +38,7 @@ struct Machine {
     Kappas kappas;
     Model model = Model::two_spot;
     std::vector<Spot> spots = {};  ///< of Model::spots only
+    std::optional<Bed> bed = {};   ///< of every spot; not in the prism
     Mechanisms mechanisms = {};
     Excitation excitation = {};
     double tilting_angle = 0.1;  ///< |Phi| [rad] above which it counts as tilting
@@ -51,7 +46,8 @@ struct Machine {
     bool operator==(const Machine&) const = default;
 };
 
-/// The spots that carry the machine: its own, or those of its model, left one first.
+/// The spots that carry the machine: its own, or those of its model, left one first. Of a bed,
+/// each spring is a spot: those of the first spot in their order, then those of the next.
 std::vector<Spot> spots_of(const Machine& machine);
 
 /// Vertical displacement at rest with phi = 0, in units of b; kappa4/(2 kappa2) for two spots at

@@ -23,19 +23,19 @@ VelocityVerlet::VelocityVerlet(Machine machine, Motion start, double step)
 void VelocityVerlet::advance_spots(double dx, double dz, double dphi) {
     const auto& [kappa1, kappa2, kappa3, kappa4, kappa5, kappa6, kappa7, kappa8] = machine_.kappas;
     constexpr double slope = 1 / std::numbers::sqrt2;  // of a flank at 45 degrees
+    const double rotation = motion_.phi / kappa3;
     for (std::size_t i = 0; i < spots_.size(); ++i) {
         const Spot& spot = spots_[i];
         SpotDeflection& deflection = motion_.spots[i];
-        const double lever = spot.position / kappa3;
-        double approach = motion_.z - lever * motion_.phi - spot.height;
-        double loaded = machine_.mechanisms.coupling ? approach : rest_ - spot.height;
+        const double near = approach(spot, motion_.z, rotation);
+        const double loaded = machine_.mechanisms.coupling ? near : rest_ - spot.height;
         if (machine_.model == Machine::Model::prism) {
             const double bound = kappa5 * kappa2 * std::max(0., slope * loaded);
-            spot_steps_[i] = advance_on_flank(deflection, slope * approach, bound, dx + dphi,
-                                              slope * (dz - lever * dphi));
+            spot_steps_[i] = advance_on_flank(deflection, slope * near, bound, dx + dphi,
+                                              slope * (dz - spot.position / kappa3 * dphi));
         } else {
             const double bound = kappa5 * kappa2 * std::max(0., loaded);
-            spot_steps_[i] = advance_flat(deflection, approach, bound, dx + dphi);
+            spot_steps_[i] = advance_flat(deflection, near, bound, dx + dphi);
         }
     }
 }

@@ -16,9 +16,8 @@ Motion motion_at_start(const Machine& machine, const Start& start) {
                   .phi_velocity = start.phi_velocity * speed};
     const double slope = machine.model == Machine::Model::prism ? 1 / std::numbers::sqrt2 : 1;
     for (const Spot& spot : spots_of(machine)) {
-        const double lever = spot.position / machine.kappas.kappa3;
-        const double approach = motion.z - lever * motion.phi - spot.height;
-        motion.spots.push_back({.normal = std::max(0., slope * approach)});
+        const double near = approach(spot, motion.z, motion.phi / machine.kappas.kappa3);
+        motion.spots.push_back({.normal = std::max(0., slope * near)});
     }
     return motion;
 }
