@@ -24,10 +24,11 @@ struct WalkWindow {
     StretchSums sums;
 };
 
-/// A point of the Poincare section, where the body turns upwards (z' falls through zero), and what
-/// happens from there until the next one.
+/// A return to the Poincare section, and what happens from there until the next one. The section is
+/// where the body gets as fast as the spring's base: x' rises through kappa6. It is met once a
+/// swing of the spring, whether the body jumps, slides or cannot move vertically.
 struct SectionReturn {
-    Motion motion;     ///< interpolated between two steps
+    Motion motion;  ///< interpolated between two steps: an error of the order of the step squared
     StretchSums sums;  ///< up to the next return
 };
 

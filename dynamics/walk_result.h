@@ -28,6 +28,7 @@ struct WalkResult {
     double mu_e = 0;        ///< <f_s>/(mu kappa4), in the prism over sqrt(2): eqs. 4.1.24, 5.2.26
     double mu_e_error = 0;  ///< half width of its 95 % interval
     std::optional<double> period = {};        ///< of the limit cycle, in units of sqrt(m/k_x)
+    double period_error = 0;                  ///< half width of its 95 % interval
     int section_points = 0;                   ///< of the Poincare section in a period
     double z_min_ratio = 0, z_max_ratio = 0;  ///< extremes over the static displacement
     double phi_min = 0, phi_max = 0;

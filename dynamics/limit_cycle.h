@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "dynamics/machine.h"
+#include "dynamics/walk_record.h"
+
+namespace tricontact::dynamics {
+
+/// A motion that repeats itself, over whole periods.
+struct LimitCycle {
+    int section_points = 0;           ///< returns to the Poincare section in a period
+    int n_periods = 0;                ///< observed
+    double period = 0;                ///< their mean, in units of sqrt(m/k_x)
+    double spring_force = 0;          ///< mean f_s
+    double period_scatter = 0;        ///< greatest deviation of one period from the mean
+    double spring_force_scatter = 0;  ///< and of its mean f_s from theirs
+    StretchSums sums;                 ///< over all periods
+    double begin = 0;                 ///< time of the first one
+};
+
+/// Distance of two returns in the energy of their difference: square root of the kinetic energy of
+/// the difference of the velocities and the elastic energy of that of the displacements, on springs
+/// of stiffness k_x. In units of sqrt(k_x b^2/2).
+double distance(const Machine& machine, const Motion& a, const Motion& b);
+
+/// The limit cycle on which a run ends, if there is one: every return of its end is as near to the
+/// one a period earlier as the integration of this step can tell. `returns` are consecutive.
+std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
+                                           std::span<const SectionReturn> returns, double step);
+
+}  // namespace tricontact::dynamics

@@ -1,0 +1,210 @@
+#include "dynamics/walk_judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "dynamics/block_bootstrap.h"
+#include "dynamics/limit_cycle.h"
+
+namespace tricontact::dynamics {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+// Half the vertical vibration over the static displacement below which a machine slides as if it
+// were one block: its normal forces, and with them friction, differ by no more.
+constexpr double still = 0.01;
+
+// A chaotic run has to outlive this before chaos counts as what it ends in. Chaos of set B lives
+// 1450 on average and then walks; a transient of that life would be missed once in a thousand runs.
+constexpr double sustained = 10000;
+
+double vibration(const WalkWindow& window) {
+    return (window.sums.z_max - window.sums.z_min) / 2;
+}
+
+double mean_force(const WalkWindow& window) {
+    return window.sums.spring_force / static_cast<double>(window.sums.steps);
+}
+
+/// f_s at mu_e = 1.
+double sliding_force(const Machine& machine) {
+    return normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+}
+
+StretchSums total(std::span<const WalkWindow> windows) {
+    StretchSums sums;
+    for (const WalkWindow& window : windows) sums.add(window.sums);
+    return sums;
+}
+
+/// First of the windows from which on all fulfil a condition; their number if the last does not.
+template <class Condition>
+std::size_t first_of_end(std::span<const WalkWindow> windows, Condition holds) {
+    std::size_t first = windows.size();
+    while (first > 0 && holds(windows[first - 1])) --first;
+    return first;
+}
+
+double greatest_vibration(std::span<const WalkWindow> windows) {
+    double greatest = 0;
+    for (const WalkWindow& window : windows) greatest = std::max(greatest, vibration(window));
+    return greatest;
+}
+
+/// Whatever is but a mean or an extreme over the steps.
+void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result) {
+    const double n = static_cast<double>(sums.steps), rest = static_displacement(machine);
+    result.mu_e = sums.spring_force / n / sliding_force(machine);
+    result.z_min_ratio = sums.z_min / rest;
+    result.z_max_ratio = sums.z_max / rest;
+    result.phi_min = sums.phi_min;
+    result.phi_max = sums.phi_max;
+    result.kinetic_energy = sums.kinetic_energy / n / (machine.kappas.kappa4 * rest);
+    for (const SpotSums& spot : sums.spots)
+        result.spots.push_back(
+            {static_cast<double>(spot.sticking) / n, correlation(spot, sums.steps)});
+}
+
+WalkResult judge_windows(const Machine& machine, std::span<const WalkWindow> windows, Regime regime,
+                         std::size_t first) {
+    const auto judged = windows.subspan(first);
+    WalkResult result{.regime = regime};
+    take_statistics(machine, total(judged), result);
+    result.transient = judged.front().begin;
+    result.observed = judged.back().end - judged.front().begin;
+    return result;
+}
+
+/// Sliding is linearly neutral: what the transient leaves behind swings on undamped, its integral
+/// stays bounded, and the error of a mean falls as one over the time, not over its square root.
+WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> windows,
+                        std::size_t first) {
+    WalkResult result = judge_windows(machine, windows, Regime::steady, first);
+    const auto judged = windows.subspan(first);
+    const double mean = result.mu_e * sliding_force(machine);
+    double greatest = 0;
+    for (const WalkWindow& window : judged)
+        greatest =
+            std::max(greatest, std::abs(mean_force(window) - mean) * (window.end - window.begin));
+    result.mu_e_error =
+        judged.size() > 1 ? greatest / result.observed / sliding_force(machine) : nothing;
+    // Flutter begins small: a vibration that still grows is not what the run ends in.
+    const std::size_t half = judged.size() / 2;
+    const double before = greatest_vibration(judged.first(half)),
+                 after = greatest_vibration(judged.subspan(half));
+    constexpr double rounding = 1e-9;
+    result.transient_over =
+        half > 0 && after <= std::max(1.1 * before, rounding * static_displacement(machine));
+    return result;
+}
+
+/// Time from which on every window shows the extremes of the cycle, to a hundredth of its
+/// amplitudes.
+double time_of_arrival(std::span<const WalkWindow> windows, const StretchSums& cycle) {
+    constexpr double near = 0.01;
+    const double z = near * (cycle.z_max - cycle.z_min),
+                 phi = near * (cycle.phi_max - cycle.phi_min);
+    const std::size_t first = first_of_end(windows, [&](const WalkWindow& window) {
+        const StretchSums& sums = window.sums;
+        return std::abs(sums.z_min - cycle.z_min) <= z && std::abs(sums.z_max - cycle.z_max) <= z &&
+               std::abs(sums.phi_min - cycle.phi_min) <= phi &&
+               std::abs(sums.phi_max - cycle.phi_max) <= phi;
+    });
+    return first < windows.size() ? windows[first].begin : std::numeric_limits<double>::infinity();
+}
+
+WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windows,
+                       const LimitCycle& cycle) {
+    WalkResult result{.regime = Regime::limit_cycle};
+    take_statistics(machine, cycle.sums, result);
+    // Deviations of single periods come from where in a step they begin: they do not add up.
+    const double n = cycle.n_periods;
+    result.mu_e = cycle.spring_force / sliding_force(machine);
+    result.mu_e_error = cycle.spring_force_scatter / n / sliding_force(machine);
+    result.period = cycle.period;
+    result.period_error = cycle.period_scatter / n;
+    result.section_points = cycle.section_points;
+    result.transient = std::min(time_of_arrival(windows, cycle.sums), cycle.begin);
+    result.transient_over = true;
+    result.observed = n * cycle.period;
+    return result;
+}
+
+/// How many values to leave out at the beginning so that the mean of the rest has the least error:
+/// MSER, White (1997), Simulation 69. At most half of them.
+std::size_t marginal_standard_error_rule(std::span<const double> values) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity(), sum = 0, squares = 0;
+    for (std::size_t left = values.size(); left-- > 0;) {
+        sum += values[left];
+        squares += values[left] * values[left];
+        const double n = static_cast<double>(values.size() - left);
+        const double error = (squares - sum * sum / n) / (n * n);
+        if (2 * left > values.size() || error > least) continue;
+        least = error;
+        best = left;
+    }
+    return best;
+}
+
+WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windows) {
+    std::vector<double> forces;
+    for (const WalkWindow& window : windows) forces.push_back(mean_force(window));
+    const std::size_t first = marginal_standard_error_rule(forces);
+    WalkResult result = judge_windows(machine, windows, Regime::chaotic, first);
+    const auto rest = std::span(forces).subspan(first);
+    const bool settled = 2 * first < forces.size() && result.observed >= sustained;
+    result.transient_over = settled;
+    if (settled) {
+        result.mu_e_error = block_bootstrap_mean(rest).error / sliding_force(machine);
+        return result;
+    }
+    // What it ends in may be like any stretch of it.
+    double greatest = 0;
+    for (const double force : forces)
+        greatest = std::max(greatest, std::abs(force / sliding_force(machine) - result.mu_e));
+    result.mu_e_error = forces.size() > 1 ? greatest : nothing;
+    return result;
+}
+
+WalkResult judge_tilting(const Machine& machine, const WalkEvidence& evidence) {
+    WalkResult result{.regime = Regime::tilting};
+    if (!evidence.windows.empty()) take_statistics(machine, total(evidence.windows), result);
+    // Means of a fall depend on when it is stopped.
+    result.mu_e = result.mu_e_error = result.kinetic_energy = nothing;
+    for (WalkResult::Spot& spot : result.spots) spot = {nothing, nothing};
+    result.transient = *evidence.tilting_time;
+    result.tilting_time = evidence.tilting_time;
+    return result;
+}
+
+}  // namespace
+
+double judged_time() {
+    return 200;
+}
+
+std::int64_t window_steps(std::int64_t n_steps, double step) {
+    constexpr std::int64_t n_windows = 200;
+    constexpr double shortest = 20;
+    return std::max(
+        {n_steps / n_windows, static_cast<std::int64_t>(shortest / step), std::int64_t{1}});
+}
+
+WalkResult judge(const Machine& machine, const WalkEvidence& evidence) {
+    if (evidence.tilting_time) return judge_tilting(machine, evidence);
+    const auto windows = evidence.windows;
+    const double bound = still * std::abs(static_displacement(machine));
+    const std::size_t first = first_of_end(
+        windows, [bound](const WalkWindow& window) { return vibration(window) <= bound; });
+    if (first < windows.size() - windows.size() / 4)  // for a quarter of the run, at least a window
+        return judge_steady(machine, windows, first);
+    if (const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step))
+        return judge_cycle(machine, windows, *cycle);
+    return judge_chaos(machine, windows);
+}
+
+}  // namespace tricontact::dynamics

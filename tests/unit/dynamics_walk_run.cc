@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dynamics/walk_run.h"
+#include "dynamics_sets.h"
+
+namespace tricontact::dynamics {
+namespace {
+
+WalkCase case_of(const Kappas& kappas, double end) {
+    return {.title = {},
+            .machine = {.kappas = kappas},
+            .dimensional = {},
+            .start = {},
+            .time = {.step = 1e-3, .end = end}};
+}
+
+// Wetter (2016), figure 4.5: slides, z constant. f_s swings on undamped; the mean's error says so.
+TEST(WalkRun, SetASlidesSteadily) {
+    const WalkResult result = walk(case_of(set_a(), 4000)).result;
+    EXPECT_EQ(result.regime, Regime::steady);
+    EXPECT_TRUE(result.transient_over);
+    EXPECT_NEAR(result.mu_e, 1, 1e-3);
+    EXPECT_NEAR(result.mu_e, 1, 2 * result.mu_e_error);
+    EXPECT_LT(result.mu_e_error, 1e-3);
+    EXPECT_NEAR(result.z_min_ratio, 1, 0.01);
+    EXPECT_NEAR(result.z_max_ratio, 1, 0.01);
+    EXPECT_FALSE(result.period.has_value());
+}
+
+// An independent program's statistics of the cycle of set B, to the digits printed. Chaos of mean
+// life 1450 comes before it, different with any other rounding: one in thirty is not over by then.
+TEST(WalkRun, SetBWalksOnItsLimitCycle) {
+    const WalkResult result = walk(case_of(set_b(), 5000)).result;
+    ASSERT_EQ(result.regime, Regime::limit_cycle);
+    EXPECT_TRUE(result.transient_over);
+    EXPECT_EQ(result.section_points, 1);
+    EXPECT_NEAR(result.period.value(), 4.2930, 5e-5);
+    EXPECT_NEAR(result.mu_e, 0.0440, 5e-5);
+    EXPECT_LT(result.mu_e_error, 5e-5);
+    EXPECT_NEAR(result.z_min_ratio, -0.4289, 5e-5);
+    EXPECT_NEAR(result.z_max_ratio, 2.3545, 1e-4);  // 2.35454
+    EXPECT_NEAR(result.phi_min, -3.32e-5, 5e-8);
+    EXPECT_NEAR(result.phi_max, 3.12e-5, 5e-8);
+    EXPECT_NEAR(result.kinetic_energy, 3.225, 5e-4);
+    ASSERT_EQ(result.spots.size(), 2u);
+    EXPECT_NEAR(result.spots[0].stick_time, 0.4265, 1e-4);  // a step is 2e-4 of the period
+    EXPECT_NEAR(result.spots[1].stick_time, 0.4931, 1e-4);
+    EXPECT_NEAR(result.spots[0].correlation, -0.759, 5e-4);
+    EXPECT_NEAR(result.spots[1].correlation, -0.727, 5e-4);
+}
+
+TEST(WalkRun, TooShortSaysSo) {
+    const WalkResult result = walk(case_of(set_b(), 300)).result;
+    EXPECT_FALSE(result.transient_over);
+    EXPECT_NEAR(result.mu_e, 0.0440, 2 * result.mu_e_error);  // where it ends in the end
+}
+
+// Its spring force, constant while it slides, would pull it over its leading spot from the start.
+TEST(WalkRun, TiltsAboveTheCriticalFriction) {
+    Kappas kappas = set_b();
+    kappas.kappa5 = 1.2 * critical_friction(kappas);
+    const Walk run = walk(case_of(kappas, 4000));
+    EXPECT_EQ(run.result.regime, Regime::tilting);
+    ASSERT_TRUE(run.result.tilting_time.has_value());
+    EXPECT_LT(*run.result.tilting_time, 4000);
+    EXPECT_LT(static_cast<double>(run.lane_steps), 4000 / 1e-3);
+    EXPECT_NEAR(run.result.phi_min, -0.1 * kappas.kappa3, 1e-4);
+    EXPECT_TRUE(std::isnan(run.result.mu_e));
+}
+
+// Stretches add up to the run, whatever they are cut by.
+TEST(WalkRun, WindowsCoverTheRun) {
+    const Walk run = walk(case_of(set_b(), 100));
+    std::int64_t steps = 0;
+    double time = 0;
+    for (const WalkWindow& window : run.windows) {
+        EXPECT_EQ(window.begin, time);
+        time = window.end;
+        steps += window.sums.steps;
+        EXPECT_NEAR(window.end - window.begin, 1e-3 * static_cast<double>(window.sums.steps), 1e-9);
+    }
+    EXPECT_EQ(steps, run.lane_steps);
+    EXPECT_NEAR(time, 100, 1e-9);
+    EXPECT_EQ(run.windows.size(), 5u);
+}
+
+TEST(WalkRun, RecordsWhatIsAskedFor) {
+    const Walk run = walk(case_of(set_b(), 30), {.start = 2, .tail = 10, .interval = 0.02});
+    EXPECT_EQ(run.start.size(), 101u);
+    EXPECT_EQ(run.start.front().motion.time, 0);
+    EXPECT_EQ(run.tail.size(), 501u);
+    EXPECT_NEAR(run.tail.back().motion.time, 30, 1e-9);
+    for (const Snapshot& snapshot : run.tail)
+        for (std::size_t i = 0; i < 2; ++i)
+            EXPECT_EQ(snapshot.spots[i] == SpotState::released,
+                      snapshot.motion.spots[i].normal == 0);
+}
+
+TEST(WalkRun, NeedsAStep) {
+    EXPECT_THROW(walk(case_of(set_b(), 1e-4)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tricontact::dynamics
