@@ -1,7 +1,6 @@
 #include "app/sweep_points.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 #include <cstdlib>
 
 #include "app/models.h"
-#include "comparisons/latin_hypercube.h"
+#include "app/study_combinations.h"
 #include "contact/error.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
@@ -20,75 +19,6 @@ namespace {
 
 using contact::Case;
 using io::Study;
-using Entries = std::vector<io::Entry>;
-
-/// Axes that vary together, row by row: a list or range alone, or the axes of the sample.
-struct Block {
-    std::vector<std::size_t> axes;
-    std::vector<Entries> rows;  ///< one entry per axis
-};
-
-bool is_sampled(const Study::Axis& axis) {
-    const auto* range = std::get_if<Study::Range>(&axis.values);
-    return range && !range->points;
-}
-
-Entries values_of(const Study::Axis& axis) {
-    if (const auto* list = std::get_if<Entries>(&axis.values)) return *list;
-    const int n = *std::get<Study::Range>(axis.values).points;
-    std::vector<double> fractions;
-    for (int i = 0; i < n; ++i) fractions.push_back(static_cast<double>(i) / (n - 1));
-    return io::entries_at(axis, fractions);
-}
-
-Block sampled_block(const Study& study) {
-    Block block;
-    for (std::size_t i = 0; i < study.axes.size(); ++i)
-        if (is_sampled(study.axes[i])) block.axes.push_back(i);
-    if (block.axes.empty()) return block;
-    const auto sample = comparisons::latin_hypercube(
-        study.sampling->points, static_cast<int>(block.axes.size()), study.sampling->seed);
-    block.rows.resize(static_cast<std::size_t>(study.sampling->points));
-    for (std::size_t j = 0; j < block.axes.size(); ++j) {
-        const Entries values = io::entries_at(study.axes[block.axes[j]], sample[j]);
-        for (std::size_t row = 0; row < values.size(); ++row)
-            block.rows[row].push_back(values[row]);
-    }
-    return block;
-}
-
-/// The sample stands where its first axis stands.
-std::vector<Block> blocks_of(const Study& study) {
-    std::vector<Block> blocks;
-    const Block sampled = sampled_block(study);
-    for (std::size_t i = 0; i < study.axes.size(); ++i) {
-        if (!is_sampled(study.axes[i])) {
-            Block& block = blocks.emplace_back();
-            block.axes = {i};
-            for (io::Entry& entry : values_of(study.axes[i])) block.rows.push_back({entry});
-        } else if (i == sampled.axes.front()) {
-            blocks.push_back(sampled);
-        }
-    }
-    return blocks;
-}
-
-void check_number(const Study& study, const std::vector<Block>& blocks) {
-    double n = static_cast<double>(study.models.size()) * study.levels;
-    for (const Block& block : blocks) n *= static_cast<double>(block.rows.size());
-    if (n > static_cast<double>(most_points))
-        throw contact::InputError(fmt::format(
-            "{}: the study has {:.6g} points, more than {}, which are checked ahead and kept in "
-            "memory; split it, or sample it by [latin_hypercube]",
-            study.name, n, most_points));
-}
-
-std::string text_of(const Study& study, const std::vector<std::string>& values) {
-    std::vector<std::string> parts;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        parts.push_back(fmt::format("{} = {}", io::table_heading(*study.axes[i].key), values[i]));
-    return fmt::format("{}", fmt::join(parts, ", "));
-}
 
 std::string metres(double value) {
     return fmt::format("\"{} m\"", value);
@@ -128,76 +58,44 @@ io::Entry models_entry(const std::string& model) {
             .key_place = "models"};
 }
 
-class Points {
-  public:
-    explicit Points(const Study& study) : study_(study), blocks_(blocks_of(study)) {
-        check_models(study);
-        check_number(study, blocks_);
-    }
-    std::vector<SweepPoint> all() {
-        entries_ = study_.settings;
-        values_.resize(study_.axes.size());
-        descend(0);
-        return std::move(points_);
-    }
+void check_models(const Study& study) {
+    for (const std::string& name : study.models)
+        if (std::none_of(known_models().begin(), known_models().end(),
+                         [&](const auto& known) { return known.name == name; }))
+            throw contact::InputError(
+                fmt::format("{}: models: this program was built without the model {}; name others",
+                            study.name, name));
+}
 
-  private:
-    static void check_models(const Study& study) {
-        for (const std::string& name : study.models)
-            if (std::none_of(known_models().begin(), known_models().end(),
-                             [&](const auto& known) { return known.name == name; }))
-                throw contact::InputError(fmt::format(
-                    "{}: models: this program was built without the model {}; name others",
-                    study.name, name));
-    }
-
-    void descend(std::size_t depth) {
-        if (depth == blocks_.size()) {
-            for (const std::string& model : study_.models)
-                for (int level = 0; level < study_.levels; ++level) add(model, level);
-            return;
-        }
-        const Block& block = blocks_[depth];
-        const std::size_t n_before = entries_.size();
-        for (const Entries& row : block.rows) {
-            for (std::size_t j = 0; j < row.size(); ++j) {
-                values_[block.axes[j]] = io::table_value(*study_.axes[block.axes[j]].key, row[j]);
-                entries_.push_back(row[j]);
-            }
-            descend(depth + 1);
-            entries_.resize(n_before);
-        }
-    }
-
-    void add(const std::string& model, int level) {
-        try {
-            points_.push_back(make_point(combination(model), model, level, study_.base.name));
-            points_.back().values = values_;
-        } catch (const contact::InputError& error) {
-            const std::string values = text_of(study_, values_);
-            throw contact::InputError(fmt::format("{}: point {}{}{}, level {}: {}", study_.name,
-                                                  values, values.empty() ? "" : ", ", model, level,
-                                                  error.what()));
-        }
-    }
-
-    Case combination(const std::string& model) const {
-        Entries entries = entries_;
+SweepPoint point_of(const Study& study, const Combination& combination, const std::string& model,
+                    int level) {
+    try {
+        std::vector<io::Entry> entries = combination.entries;
         entries.push_back(models_entry(model));
-        return io::resolve_case(study_.base, entries);
+        SweepPoint point =
+            make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
+        point.values = combination.values;
+        return point;
+    } catch (const contact::InputError& error) {
+        const std::string values = text_of(study, combination);
+        throw contact::InputError(fmt::format("{}: point {}{}{}, level {}: {}", study.name, values,
+                                              values.empty() ? "" : ", ", model, level,
+                                              error.what()));
     }
-
-    const Study& study_;
-    std::vector<Block> blocks_;
-    Entries entries_;                  // of the combination at hand
-    std::vector<std::string> values_;  // of its axes
-    std::vector<SweepPoint> points_;
-};
+}
 
 }  // namespace
 
 std::vector<SweepPoint> sweep_points(const Study& study) {
-    return Points(study).all();
+    check_models(study);
+    const std::size_t n_each = study.models.size() * static_cast<std::size_t>(study.levels);
+    std::vector<SweepPoint> points;
+    for_each_combination(study, n_each, [&](const Combination& combination) {
+        for (const std::string& model : study.models)
+            for (int level = 0; level < study.levels; ++level)
+                points.push_back(point_of(study, combination, model, level));
+    });
+    return points;
 }
 
 SweepPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {

@@ -19,10 +19,6 @@ struct SweepPoint {
     std::string key = {};  ///< digest of program version and case: what the results depend on
 };
 
-/// Most points of a study, models and levels included: each one's case is checked ahead and kept,
-/// a few kB.
-inline constexpr std::size_t most_points = 100'000;
-
 /// All combinations of the study's lists, ranges and sample, the last axis fastest, each with all
 /// models and levels. On level k the model's own resolution is finer by 2^(k/2). All cases pass the
 /// checks of case files: the first that does not is named with its values. Throws
