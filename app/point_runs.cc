@@ -64,9 +64,9 @@ void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& sto
     if (!open.empty()) bar.finish();
 }
 
-std::size_t n_without_result(const std::vector<SweepPoint>& points, const io::ResultStore& store) {
-    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const auto& p) {
-        const auto found = store.find(p.key);
+std::size_t n_without_result(const std::vector<std::string>& keys, const io::ResultStore& store) {
+    return static_cast<std::size_t>(std::count_if(keys.begin(), keys.end(), [&](const auto& key) {
+        const auto found = store.find(key);
         return !found || found->error;
     }));
 }

@@ -25,7 +25,7 @@ struct PointRuns {
 void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
                      const PointRuns& runs);
 
-/// How many of the points have failed, or have not been computed.
-std::size_t n_without_result(const std::vector<SweepPoint>& points, const io::ResultStore& store);
+/// How many of the points with these keys have failed, or have not been computed.
+std::size_t n_without_result(const std::vector<std::string>& keys, const io::ResultStore& store);
 
 }  // namespace tricontact::app

@@ -7,11 +7,8 @@
 
 #include "app/commands.h"
 #include "app/point_runs.h"
-#include "app/sweep_points.h"
-#include "app/sweep_report.h"
-#include "app/sweep_table.h"
+#include "app/study_run.h"
 #include "comparisons/document.h"
-#include "comparisons/sweep_document.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"
 #include "io/result_store.h"
@@ -24,13 +21,10 @@ namespace {
 constexpr const char* table_name = "results.csv";
 constexpr const char* report_name = "report.html";
 
-struct Shard {
-    int i = 1, n = 1;
-};
-
 Shard shard_of(const std::string& text) {
     constexpr int most = 100'000;
     Shard shard;
+    if (text.empty()) return shard;
     const char* const end = text.data() + text.size();
     const auto i = std::from_chars(text.data(), end, shard.i);
     const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
@@ -53,20 +47,9 @@ std::string folder_of(const SweepOptions& options) {
     return folder;
 }
 
-std::vector<SweepPoint> points_of(const io::Study& study, const SweepOptions& options) {
-    std::vector<SweepPoint> points = sweep_points(study);
-    if (options.shard.empty()) return points;
-    const Shard shard = shard_of(options.shard);
-    std::erase_if(points,
-                  [&](const SweepPoint& point) { return !in_shard(point, shard.i, shard.n); });
-    return points;
-}
-
-std::string report_of(const io::Study& study, const std::vector<SweepPoint>& points,
-                      const io::ResultStore& store, const std::string& folder,
-                      const std::string& shard) {
-    comparisons::Document document =
-        comparisons::sweep_document(sweep_of(study, points, store, folder));
+std::string report_of(const StudyRun& run, const io::Study& study, const io::ResultStore& store,
+                      const std::string& folder, const std::string& shard) {
+    comparisons::Document document = run.report(store, folder);
     if (!shard.empty()) document.settings.emplace_back("shard", shard);
     document.files = {{"table of all points", table_name},
                       {"everything that is stored, for SQLite", io::result_store_name}};
@@ -74,15 +57,6 @@ std::string report_of(const io::Study& study, const std::vector<SweepPoint>& poi
     if (!shard.empty()) document.command += " --shard " + shard;
     document.version = TRICONTACT_VERSION;
     return comparisons::document_html(document);
-}
-
-void check_files(const std::vector<SweepPoint>& points) {
-    for (const SweepPoint& point : points)
-        if (point.output.vtk == contact::Case::VtkOutput::none)
-            throw contact::InputError(
-                "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
-                "\"quarters\" "
-                "in the case or in [set], or omit --vtk");
 }
 
 }  // namespace
@@ -94,8 +68,8 @@ std::string default_sweep_folder(const std::string& study_file) {
 void sweep_command(const SweepOptions& options) {
     const std::string folder = folder_of(options);
     const io::Study study = io::read_study(options.study_file);
-    const std::vector<SweepPoint> points = points_of(study, options);
-    if (options.vtk) check_files(points);
+    const auto run = contact_study(study, shard_of(options.shard), options);
+    const std::vector<std::string> keys = run->keys();
 
     io::make_output_folder(folder);
     io::ResultStore store(folder + '/' + io::result_store_name);
@@ -103,23 +77,18 @@ void sweep_command(const SweepOptions& options) {
     std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
     for (const std::string& old : {table, report})  // of an unfinished sweep they must not seem
         std::filesystem::remove(old, ignored);
-    compute_missing(points, store,
-                    {.name = "sweep",
-                     .jobs = options.jobs,
-                     .retry_failed = options.retry_failed,
-                     .quiet = options.quiet,
-                     .folder = options.vtk ? folder : ""});
-    io::write_file(table, sweep_table(study, points, store));
+    run->compute(store, folder);
+    io::write_file(table, run->table(store));
     if (options.report)
-        io::write_file(report, report_of(study, points, store, folder, options.shard));
+        io::write_file(report, report_of(*run, study, store, folder, options.shard));
     if (!options.quiet)
-        std::cerr << fmt::format("{} points in {}{}\n", points.size(), table,
+        std::cerr << fmt::format("{} points in {}{}\n", keys.size(), table,
                                  options.report ? " (open report.html)" : "");
-    if (const std::size_t n = n_without_result(points, store))
+    if (const std::size_t n = n_without_result(keys, store))
         throw std::runtime_error(
             fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "
                         "them again",
-                        n, points.size(), table));
+                        n, keys.size(), table));
 }
 
 void merge_command(const MergeOptions& options) {

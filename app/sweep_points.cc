@@ -1,13 +1,12 @@
 #include "app/sweep_points.h"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "app/models.h"
+#include "app/point_key.h"
 #include "app/study_combinations.h"
 #include "contact/error.h"
 #include "io/case_reader.h"
@@ -46,9 +45,7 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
 std::string key_of(const Case& c) {
     Case content = c;
     content.fem.cache.clear();  // where things are kept changes no number
-    const std::string text = std::string(TRICONTACT_VERSION) + '\n' + io::write_case(content);
-    const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+    return point_key(io::write_case(content));
 }
 
 io::Entry models_entry(const std::string& model) {
@@ -108,11 +105,6 @@ SweepPoint make_point(const Case& c, const std::string& model, int level, const 
     point.resolved = io::write_case(point.c);
     point.key = key_of(point.c);
     return point;
-}
-
-bool in_shard(const SweepPoint& point, int i, int n) {
-    const std::uint64_t front = std::strtoull(point.key.substr(0, 16).c_str(), nullptr, 16);
-    return front % static_cast<std::uint64_t>(n) == static_cast<std::uint64_t>(i - 1);
 }
 
 }  // namespace tricontact::app

@@ -30,7 +30,4 @@ std::vector<SweepPoint> sweep_points(const io::Study& study);
 SweepPoint make_point(const contact::Case& c, const std::string& model, int level,
                       const std::string& name);
 
-/// Shard i of n, from 1: by the point's key, so that a study that is extended keeps its shards.
-bool in_shard(const SweepPoint& point, int i, int n);
-
 }  // namespace tricontact::app

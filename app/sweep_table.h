@@ -3,15 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "app/sweep_points.h"
 #include "io/result_store.h"
-#include "io/study_reader.h"
 
 namespace tricontact::app {
 
-/// The results as CSV: a row per point in the order of the study, the varied keys in SI units,
-/// model, level, results and error. The same points give the same bytes, however they came about.
-std::string sweep_table(const io::Study& study, const std::vector<SweepPoint>& points,
-                        const io::ResultStore& store);
+/// A point of a study in the table.
+struct TableRow {
+    std::vector<std::string> fields;  ///< what the study says of it
+    std::string key;                  ///< of its results in the store
+};
+
+/// The results as CSV: a row per point, its fields under their headings, then results by name, and
+/// error. The same points give the same bytes, however they came about.
+std::string sweep_table(const std::vector<std::string>& headings,
+                        const std::vector<std::string>& result_names,
+                        const std::vector<TableRow>& rows, const io::ResultStore& store);
 
 }  // namespace tricontact::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/point_key.h"
+#include "comparisons/document.h"
+#include "io/result_store.h"
+#include "io/study_reader.h"
+
+namespace tricontact::app {
+
+/// What becomes of a study's points. One per kind of case; the command knows no kind.
+class StudyRun {
+  public:
+    virtual ~StudyRun() = default;
+
+    /// Of all points, in the order of the study.
+    virtual std::vector<std::string> keys() const = 0;
+    /// Computes what the store has not; `folder` is that of the sweep. Throws contact::InputError
+    /// if the store cannot be written.
+    virtual void compute(io::ResultStore& store, const std::string& folder) = 0;
+    virtual std::string table(const io::ResultStore& store) const = 0;
+    /// Without files, command and version, which are the command's.
+    virtual comparisons::Document report(const io::ResultStore& store,
+                                         const std::string& folder) const = 0;
+};
+
+/// A study of contact cases: every point by every model. Checks all points' cases; throws
+/// contact::InputError.
+std::unique_ptr<StudyRun> contact_study(io::Study study, const Shard& shard,
+                                        const SweepOptions& options);
+
+}  // namespace tricontact::app
