@@ -17,15 +17,6 @@ using json = nlohmann::ordered_json;
 
 constexpr std::size_t n_colours = 5;  // of plot_style.h, before they repeat
 
-/// Typeset for plotly.js, which knows tags, but of the escaped characters not the quotes.
-std::string label(const std::string& text) {
-    std::string html = typeset(text);
-    for (const auto& [escaped, plain] : {std::pair{"&apos;", "'"}, {"&quot;", "\""}})
-        for (std::size_t at = html.find(escaped); at != std::string::npos; at = html.find(escaped))
-            html.replace(at, std::string_view(escaped).size(), plain);
-    return html;
-}
-
 /// Gives curves their style, figure by figure.
 class Styles {
   public:
@@ -57,12 +48,12 @@ class Styles {
 };
 
 json axis(const FigureAxis& content) {
-    return {{"label", label(content.label)}, {"logarithmic", content.logarithmic}};
+    return {{"label", chart_label(content.label)}, {"logarithmic", content.logarithmic}};
 }
 
 json curve(const Curve& content, Styles& styles) {
     constexpr const char* kinds[] = {"line", "points", "line_and_points"};
-    return {{"name", label(content.name)},
+    return {{"name", chart_label(content.name)},
             {"x", content.x},
             {"y", content.y},
             {"x_error", content.x_error},
@@ -73,7 +64,7 @@ json curve(const Curve& content, Styles& styles) {
 }
 
 json band(const Band& content, const Styles& styles) {
-    return {{"name", label(content.name)},
+    return {{"name", chart_label(content.name)},
             {"x", content.x},
             {"low", content.low},
             {"high", content.high},
@@ -86,7 +77,7 @@ json map(const ContourMap& content) {
         const auto begin = content.values.begin() + row * content.x.size();
         rows.push_back(std::vector<double>(begin, begin + content.x.size()));
     }
-    return {{"label", label(content.label)},
+    return {{"label", chart_label(content.label)},
             {"x", content.x},
             {"y", content.y},
             {"rows", rows},
@@ -95,7 +86,7 @@ json map(const ContourMap& content) {
 
 json figure(const Figure& content) {
     json result{{"id", content.id},
-                {"title", label(content.title)},
+                {"title", chart_label(content.title)},
                 {"x", axis(content.x)},
                 {"y", axis(content.y)},
                 {"curves", json::array()},
@@ -108,6 +99,14 @@ json figure(const Figure& content) {
 }
 
 }  // namespace
+
+std::string chart_label(const std::string& text) {
+    std::string html = typeset(text);
+    for (const auto& [escaped, plain] : {std::pair{"&apos;", "'"}, {"&quot;", "\""}})
+        for (std::size_t at = html.find(escaped); at != std::string::npos; at = html.find(escaped))
+            html.replace(at, std::string_view(escaped).size(), plain);
+    return html;
+}
 
 json chart_json(const std::vector<Figure>& figures) {
     json result{{"colours", json::array()}, {"figures", json::array()}};

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "comparisons/document.h"
 
 namespace tricontact::comparisons {
+
+/// Typeset for plotly.js, which knows tags, but of the escaped characters not the quotes.
+std::string chart_label(const std::string& text);
 
 /// What document.js draws: {"colours": [...], "figures": [...]} with the figures' own data, NaN as
 /// null. Curves carry the number of their style (colour and marker), null for the grey of theory:

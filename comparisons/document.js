@@ -1,4 +1,3 @@
-"use strict";
 // Draws the figures of the page with plotly.js and makes its tables sortable. Without this script
 // the page still has its texts, tables and data.
 
@@ -8,21 +7,10 @@ const content = JSON.parse(document.getElementById("figures").textContent);
 const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
                  "circle-open", "square-open", "diamond-open"];
 const dashes = ["solid", "dot", "dashdot", "longdashdot"];
-// Viridis (Smith, van der Walt) without its dark end, so that black lines and numbers stand out.
-const ground = ["#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"]
-    .map((colour, i, all) => [i / (all.length - 1), colour]);
 const most_grounds = 30;
 const on_paper = {width: 640, height: 340};  // three to a page in portrait
 const on_screen = {width: undefined, height: 400};
 const drawing = {width: 720, height: 450};
-
-const paper = {text: "#000000", soft: "#333333", line: "#d0d0d0", panel: "#ffffff"};
-function screen() {
-    const style = getComputedStyle(document.documentElement);
-    const colour = name => style.getPropertyValue("--" + name).trim();
-    return {text: colour("text"), soft: colour("soft"), line: colour("line"),
-            panel: colour("panel")};
-}
 
 function colour_of(style, theme) {
     return style === null ? theme.soft : content.colours[style % content.colours.length];
@@ -87,7 +75,7 @@ function map_traces(map, theme) {
     const line = {color: "#1a1a1a", width: 1};
     const label = {size: 11, color: "#000000"};
     const traces = [{
-        ...grid, colorscale: ground, zmin: low, zmax: high, line: {width: 0},
+        ...grid, colorscale: charts.ground, zmin: low, zmax: high, line: {width: 0},
         contours: {coloring: "fill", size: step, end: high,
                    start: Math.ceil(low / step) * step},
         colorbar: {title: {text: map.label, side: "right"}, thickness: 14, outlinewidth: 0,
@@ -120,29 +108,17 @@ function traces_of(figure, theme) {
             ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)), ...curves];
 }
 
-// `automargin`: an axis makes room across itself only. Along it the last number and the legend would
-// ask for room in turns.
-function axis_of(axis, theme, automargin) {
-    return {
-        title: {text: axis.label, standoff: 8}, type: axis.logarithmic ? "log" : "linear",
-        automargin, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
-        linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,
-    };
-}
-
 function layout_of(figure, theme) {
     const empty = !figure.map && figure.curves.every(curve => !curve.x.length) && !figure.bands.length;
     return {
-        xaxis: axis_of(figure.x, theme, "height"), yaxis: axis_of(figure.y, theme, "width"),
-        autosize: true, margin: {l: 60, r: 16, t: 16, b: 48},
-        paper_bgcolor: theme.panel, plot_bgcolor: theme.panel,
-        font: {family: "system-ui, 'Liberation Sans', Arial, sans-serif", size: 13, color: theme.text},
+        ...charts.layout(theme),
+        xaxis: charts.axis(figure.x, theme, "height"), yaxis: charts.axis(figure.y, theme, "width"),
+        margin: {l: 60, r: 16, t: 16, b: 48},
         showlegend: true, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
         hovermode: "closest",
         // A finger scrolls the page, a mouse zooms.
         dragmode: matchMedia("(pointer: coarse)").matches ? false : "zoom",
-        annotations: empty ? [{text: "no data", showarrow: false, xref: "paper", yref: "paper",
-                               x: 0.5, y: 0.5}] : [],
+        annotations: empty ? [charts.note("no data")] : [],
     };
 }
 
@@ -152,15 +128,10 @@ function draw(theme, size) {
                      {...layout_of(figure, theme), ...size}, {displayModeBar: false, responsive: true});
 }
 
-async function save_drawing(figure) {
-    const layout = {...layout_of(figure, paper), ...drawing, title: {text: figure.title},
+function save_drawing(figure) {
+    const layout = {...layout_of(figure, charts.paper), title: {text: figure.title},
                     margin: {l: 60, r: 16, t: 90, b: 48}};
-    const uri = await Plotly.toImage({data: traces_of(figure, paper), layout},
-                                     {format: "svg", ...drawing});
-    const link = document.createElement("a");
-    link.href = uri;
-    link.download = figure.id + ".svg";
-    link.click();
+    return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id);
 }
 
 // Undefined values come last in either order.
@@ -194,10 +165,11 @@ function make_sortable(heading) {
 
 document.querySelectorAll(".data thead th").forEach(make_sortable);
 if (content.figures.length) {
-    draw(screen(), on_screen);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => draw(screen(), on_screen));
-    addEventListener("beforeprint", () => draw(paper, on_paper));
-    addEventListener("afterprint", () => draw(screen(), on_screen));
+    draw(charts.screen(), on_screen);
+    matchMedia("(prefers-color-scheme: dark)")
+        .addEventListener("change", () => draw(charts.screen(), on_screen));
+    addEventListener("beforeprint", () => draw(charts.paper, on_paper));
+    addEventListener("afterprint", () => draw(charts.screen(), on_screen));
     for (const figure of content.figures) {
         const button = document.querySelector("#figure_" + figure.id + " button");
         button.hidden = false;

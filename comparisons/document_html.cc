@@ -11,6 +11,7 @@
 #include "comparisons/document_csv.h"
 #include "comparisons/format.h"
 #include "comparisons/page_templates.h"
+#include "comparisons/script_json.h"
 
 namespace tricontact::comparisons {
 
@@ -156,16 +157,10 @@ void set_scripts(const Document& document, data& page) {
     std::vector<Figure> figures;
     for (const DocumentSection& each : document.sections)
         figures.insert(figures.end(), each.figures.begin(), each.figures.end());
-    using Json = nlohmann::ordered_json;
-    const std::string plain =
-        chart_json(figures).dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string json;
-    // An angle bracket could end the script.
-    for (const char c : plain) json += c == '<' ? "\\u003c" : std::string(1, c);
     page.set("has_figures", !figures.empty());
-    page.set("figures", json);
+    page.set("figures", script_json(chart_json(figures)));
     page.set("library", std::string(figures.empty() ? "" : chart_library()));
-    page.set("script", std::string(document_script));
+    page.set("script", std::string(charts_script) + document_script);
 }
 
 void set_origin(const Document& document, data& page) {

@@ -7,6 +7,9 @@ namespace tricontact::comparisons {
 /// What every page shares: colours by day, night and on paper, letters, tables, figures.
 extern const char* const page_style;
 
+/// What the scripts that draw share; stands before them.
+extern const char* const charts_script;
+
 extern const char* const report_template;
 extern const char* const report_table_template;
 extern const char* const report_style;

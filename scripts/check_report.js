@@ -2,6 +2,69 @@
 // Looks at a report from inside, as a reader would: sent to the page around it as a list of
 // complaints, "[...]". See check_report.sh.
 
+// A page on which a marker moves over a map: each way of moving it leads to another motion beside
+// the map and to other readings, and back again.
+async function check_marker(expect, settle) {
+    const part = id => document.getElementById(id);
+    const marker = part("marker");
+    if (!marker) return;
+    const seen = () => ({
+        motion: [...part("chart_motion").querySelectorAll("path.js-line")]
+            .map(path => path.getAttribute("d")).join(),
+        words: marker.getAttribute("aria-valuetext"),
+        readings: part("readings").textContent,
+    });
+    const [x, y] = [part("slider_x"), part("slider_y")];
+    const machine = () => [x.value, y.value].join();
+    async function to(column, row) {
+        for (const [slider, value] of [[x, column], [y, row]]) {
+            slider.value = value;
+            slider.dispatchEvent(new Event("input"));
+        }
+        await settle();
+    }
+    const box = part("pointer").getBoundingClientRect();
+    function point(type, across, up) {
+        part("pointer").dispatchEvent(new PointerEvent(type, {
+            bubbles: true, cancelable: true, pointerId: 7, pointerType: "mouse",
+            clientX: box.left + across * box.width, clientY: box.bottom - up * box.height}));
+    }
+    const key = name => marker.dispatchEvent(new KeyboardEvent("keydown", {key: name, bubbles: true}));
+    // At little friction no machine falls over: each has a motion.
+    const ways = {
+        "dragging from the lower left to the upper right": [0, 0, `${x.max},${y.max}`, () => {
+            point("pointerdown", 0.001, 0.001);
+            point("pointermove", 0.5, 0.5);
+            point("pointermove", 1.2, 1.2);  // beyond the map
+            point("pointerup", 1.2, 1.2);
+        }],
+        "the key →": [0, 0, "1,0", () => key("ArrowRight")],
+        "the key ←": [1, 0, "0,0", () => key("ArrowLeft")],
+        "the key ↑": [0, 0, "0,1", () => key("ArrowUp")],
+        "the key ↓": [0, 1, "0,0", () => key("ArrowDown")],
+    };
+    for (const [way, [column, row, there, move]] of Object.entries(ways)) {
+        await to(column, row);
+        const before = seen();
+        move();
+        await settle();
+        expect(machine() === there, `${way} leads to ${machine()}, not ${there}`);
+        const after = seen();
+        for (const what in before)
+            expect(after[what] !== before[what], `${way} leaves the ${what} as they were`);
+        await to(column, row);
+        expect(seen().motion === before.motion, `back before ${way}, the motion is another`);
+    }
+    point("pointermove", 0.5, 0.5);
+    expect(machine() === "0,1", "the marker follows a free pointer");
+    for (const option of part("quantity").options) {
+        part("quantity").value = option.value;
+        part("quantity").dispatchEvent(new Event("change"));
+        await settle();
+        expect(part("chart_map").querySelector(".heatmaplayer image"), `no map of ${option.textContent}`);
+    }
+}
+
 addEventListener("load", async () => {
     const complaints = [];
     const expect = (right, complaint) => right || complaints.push(complaint);
@@ -65,6 +128,8 @@ addEventListener("load", async () => {
         }
         expect(table.tBodies[0].rows.length === n_rows, "sorting loses rows");
     }
+
+    await check_marker(expect, settle);
 
     const drawings = [];
     HTMLAnchorElement.prototype.click = function() { drawings.push(this); };

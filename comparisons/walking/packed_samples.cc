@@ -22,8 +22,8 @@ PackedSamples packed(std::span<const float> samples) {
     for (const double sample : samples) {
         const double whole =
             result.scale > 0 ? std::round((sample - result.offset) / result.scale) : 0;
-        const auto bits = static_cast<std::uint16_t>(
-            static_cast<std::int16_t>(std::clamp(whole, -most, most)));
+        const auto bits =
+            static_cast<std::uint16_t>(static_cast<std::int16_t>(std::clamp(whole, -most, most)));
         bytes += static_cast<char>(bits & 0xff);
         bytes += static_cast<char>(bits >> 8);
     }

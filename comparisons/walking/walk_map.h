@@ -31,8 +31,8 @@ struct WalkMap {
     std::string title;
     dynamics::Kappas kappas;  ///< of all; kappa5 and kappa8 are those of the cells instead
     dynamics::Machine::Model model = dynamics::Machine::Model::two_spot;
-    std::vector<double> kappa8, friction;  ///< increasing
-    std::vector<WalkMapCell> cells;        ///< kappa8 fastest
+    std::vector<double> kappa8, friction;                            ///< increasing
+    std::vector<WalkMapCell> cells;                                  ///< kappa8 fastest
     std::vector<std::pair<std::string, std::string>> settings = {};  ///< name, value with unit
     std::vector<std::pair<std::string, std::string>> files = {};     ///< text, path from the page
     std::string command = {};                                        ///< that makes it again

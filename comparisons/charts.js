@@ -1,0 +1,50 @@
+"use strict";
+// What the scripts of pages share: colours by day, by night and on paper, axes, saved drawings.
+
+const charts = (() => {
+// Viridis (Smith, van der Walt) without its dark end, so that black lines and numbers stand out.
+const ground = ["#2a788e", "#21918c", "#22a884", "#44bf70", "#7ad151", "#bddf26", "#fde725"]
+    .map((colour, i, all) => [i / (all.length - 1), colour]);
+
+const paper = {text: "#000000", soft: "#333333", line: "#d0d0d0", panel: "#ffffff"};
+function screen() {
+    const style = getComputedStyle(document.documentElement);
+    const colour = name => style.getPropertyValue("--" + name).trim();
+    return {text: colour("text"), soft: colour("soft"), line: colour("line"),
+            panel: colour("panel")};
+}
+
+// `automargin`: an axis makes room across itself only. Along it the last number and the legend would
+// ask for room in turns.
+function axis(content, theme, automargin) {
+    return {
+        title: {text: content.label, standoff: 8}, type: content.logarithmic ? "log" : "linear",
+        automargin, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
+        linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,
+    };
+}
+
+function layout(theme) {
+    return {
+        autosize: true, paper_bgcolor: theme.panel, plot_bgcolor: theme.panel,
+        font: {family: "system-ui, 'Liberation Sans', Arial, sans-serif", size: 13, color: theme.text},
+    };
+}
+
+// Words instead of a drawing.
+function note(text) {
+    return {text, showarrow: false, xref: "paper", yref: "paper", x: 0.5, y: 0.5};
+}
+
+// `size`: {width, height} in px.
+async function save(traces, layout_there, size, name) {
+    const uri = await Plotly.toImage({data: traces, layout: {...layout_there, ...size}},
+                                     {format: "svg", ...size});
+    const link = document.createElement("a");
+    link.href = uri;
+    link.download = name + ".svg";
+    link.click();
+}
+
+return {ground, paper, screen, axis, layout, note, save};
+})();
