@@ -74,7 +74,11 @@ Mean block_bootstrap_mean(std::span<const double> values) {
         means.push_back(sum / static_cast<double>(n_blocks * length));
     }
     std::sort(means.begin(), means.end());
-    return {mean_of(values), (means[974] - means[24]) / 2};
+    // Blocks are as many independent values; so few need Bessel's factor and Student's quantile,
+    // Abramowitz and Stegun (1964), eq. 26.7.5, to first order.
+    const double freedom = std::max(1., static_cast<double>(n) / static_cast<double>(length) - 1);
+    const double few = std::sqrt(1 + 1 / freedom) * (1 + (1.96 * 1.96 + 1) / (4 * freedom));
+    return {mean_of(values), few * (means[974] - means[24]) / 2};
 }
 
 }  // namespace tricontact::dynamics

@@ -29,37 +29,20 @@ double repetition(const Machine& machine, std::span<const SectionReturn> returns
     return greatest;
 }
 
-/// Mean f_s between two returns, `sums` over the steps between them. These miss or exceed the time
-/// between by parts of a step, in which f_s is that of the section.
-double mean_spring_force(const Machine& machine, const Motion& begin, const Motion& end,
-                         const StretchSums& sums, double step) {
-    const double steps = (end.time - begin.time) / step;
+/// Mean f_s from the first return to the last one. The steps between them miss or exceed the time
+/// by parts of a step, in which f_s is that of the section.
+double mean_spring_force(const Machine& machine, std::span<const SectionReturn> returns,
+                         double step) {
+    const Motion& begin = returns.front().motion;
+    const double steps = (returns.back().motion.time - begin.time) / step;
+    const StretchSums sums = total(returns.first(returns.size() - 1));
     const double missed = steps - static_cast<double>(sums.steps);
     return (sums.spring_force + missed * spring_force(machine, begin)) / steps;
 }
 
-LimitCycle cycle_of(const Machine& machine, std::span<const SectionReturn> returns,
-                    std::size_t points, double step) {
-    const std::size_t n = (returns.size() - 1) / points;
-    const auto whole = returns.last(n * points + 1);
-    const auto begin = [&](std::size_t period) -> const Motion& {
-        return whole[period * points].motion;
-    };
-    LimitCycle cycle{.section_points = static_cast<int>(points),
-                     .n_periods = static_cast<int>(n),
-                     .period = (begin(n).time - begin(0).time) / static_cast<double>(n),
-                     .sums = total(whole.first(n * points)),
-                     .begin = begin(0).time};
-    cycle.spring_force = mean_spring_force(machine, begin(0), begin(n), cycle.sums, step);
-    for (std::size_t i = 0; i < n; ++i) {
-        const StretchSums sums = total(whole.subspan(i * points, points));
-        const double period = begin(i + 1).time - begin(i).time;
-        const double force = mean_spring_force(machine, begin(i), begin(i + 1), sums, step);
-        cycle.period_scatter = std::max(cycle.period_scatter, std::abs(period - cycle.period));
-        cycle.spring_force_scatter =
-            std::max(cycle.spring_force_scatter, std::abs(force - cycle.spring_force));
-    }
-    return cycle;
+double mean_period(std::span<const SectionReturn> returns, std::size_t points) {
+    return (returns.back().motion.time - returns.front().motion.time) /
+           static_cast<double>((returns.size() - 1) / points);
 }
 
 }  // namespace
@@ -78,6 +61,22 @@ double distance(const Machine& machine, const Motion& a, const Motion& b) {
     return std::sqrt(sum);
 }
 
+LimitCycle mean_cycle(const Machine& machine, std::span<const SectionReturn> returns, int points,
+                      double step) {
+    const std::size_t k = static_cast<std::size_t>(points), n = (returns.size() - 1) / k;
+    const auto whole = returns.last(n * k + 1);
+    const auto before = whole.first(n / 2 * k + 1), after = whole.subspan(n / 2 * k);
+    return {.section_points = points,
+            .n_periods = static_cast<int>(n),
+            .begin = whole.front().motion.time,
+            .period = mean_period(whole, k),
+            .spring_force = mean_spring_force(machine, whole, step),
+            .period_drift = std::abs(mean_period(after, k) - mean_period(before, k)),
+            .spring_force_drift = std::abs(mean_spring_force(machine, after, step) -
+                                           mean_spring_force(machine, before, step)),
+            .sums = total(whole.first(n * k))};
+}
+
 std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
                                            std::span<const SectionReturn> returns, double step) {
     const auto end = returns.last(std::min(returns.size(), judged));
@@ -89,7 +88,7 @@ std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
     const double tolerance = std::max(100 * step * step, 1e-9) * size;
     for (std::size_t points = 1; points <= std::min(longest, end.size() / 3); ++points)
         if (repetition(machine, end, points) <= tolerance)
-            return cycle_of(machine, end, points, step);
+            return mean_cycle(machine, end, static_cast<int>(points), step);
     return std::nullopt;
 }
 

@@ -39,6 +39,10 @@ double normal_load_factor(const Machine& machine) {
     return machine.model == Machine::Model::prism ? std::numbers::sqrt2 : 1;
 }
 
+double sliding_force(const Machine& machine) {
+    return normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+}
+
 double tilting_limit(const Machine& machine) {
     return machine.tilting_angle * machine.kappas.kappa3;  // phi = (a/b) Phi
 }

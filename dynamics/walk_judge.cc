@@ -29,11 +29,6 @@ double mean_force(const WalkWindow& window) {
     return window.sums.spring_force / static_cast<double>(window.sums.steps);
 }
 
-/// f_s at mu_e = 1.
-double sliding_force(const Machine& machine) {
-    return normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
-}
-
 StretchSums total(std::span<const WalkWindow> windows) {
     StretchSums sums;
     for (const WalkWindow& window : windows) sums.add(window.sums);
@@ -120,16 +115,14 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
                        const LimitCycle& cycle) {
     WalkResult result{.regime = Regime::limit_cycle};
     take_statistics(machine, cycle.sums, result);
-    // Deviations of single periods come from where in a step they begin: they do not add up.
-    const double n = cycle.n_periods;
     result.mu_e = cycle.spring_force / sliding_force(machine);
-    result.mu_e_error = cycle.spring_force_scatter / n / sliding_force(machine);
+    result.mu_e_error = cycle.spring_force_drift / sliding_force(machine);
     result.period = cycle.period;
-    result.period_error = cycle.period_scatter / n;
+    result.period_error = cycle.period_drift;
     result.section_points = cycle.section_points;
     result.transient = std::min(time_of_arrival(windows, cycle.sums), cycle.begin);
     result.transient_over = true;
-    result.observed = n * cycle.period;
+    result.observed = cycle.n_periods * cycle.period;
     return result;
 }
 

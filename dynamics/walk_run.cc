@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "dynamics/step_error.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/walk_judge.h"
 #include "dynamics/walk_recorder.h"
@@ -63,6 +64,8 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     result.windows = recorder.windows();
     result.returns = recorder.returns();
     result.result = judge(machine, {step, result.windows, result.returns, tilting_time});
+    if (result.result.regime == Regime::limit_cycle)
+        add_step_error(machine, result.returns, step, result.result);
     result.cpu_s = processor_time() - began;
     return result;
 }
