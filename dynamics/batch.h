@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "dynamics/kernel.h"
+#include "dynamics/lane.h"
+#include "dynamics/machine.h"
+#include "dynamics/motion.h"
+#include "dynamics/stretch_sums.h"
+
+namespace tricontact::dynamics {
+
+struct BatchOptions {
+    Kernel kernel = best_kernel();
+    int n_threads = 1;
+};
+
+/// Many machines at once by velocity Verlet, each in a lane of the processor's vectors: the motion
+/// that VelocityVerlet computes, but for rounding. What a machine does until it tilts depends
+/// neither on the others, nor on the number of threads, nor on how the steps are shared among
+/// calls.
+class Batch {
+  public:
+    /// What the sums hold: `motion` the spring force and the extremes of z and phi; `everything`
+    /// the spots and the kinetic energy too, at about half the speed.
+    enum class Detail { motion, everything };
+
+    /// One start per machine; `step` > 0, in units of sqrt(m/k_x). Throws std::invalid_argument for
+    /// what the lanes do not know: Model::spots, beds, machines of two models side by side, no
+    /// coupling, excitation, kappa1 or mu not above 0; and for a start with another number of
+    /// spots.
+    Batch(std::span<const Machine> machines, std::span<const Motion> starts, double step,
+          const BatchOptions& options = {});
+
+    std::size_t size() const { return lanes_.size(); }
+    double step() const { return step_; }
+
+    /// Adds the steps' sums to those of each machine, one each; empty: to none. A machine that
+    /// tilts (tilting_limit) stays where it was up to a thousand steps before; it adds nothing from
+    /// there on.
+    /// Detail::everything: the velocity of a spot and the deflection with it belong to the step
+    /// before, the kinetic energy to the middle of the step.
+    void advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> sums);
+
+    /// Takes the motion of a machine that has not tilted.
+    using Sink = std::function<void(std::size_t machine, const Motion& motion)>;
+
+    /// Hands out the motions after every `every` steps. Those of one machine come in the order of
+    /// time; those of several may come from several threads at once.
+    void advance_recorded(std::int64_t n_steps, std::int64_t every, const Sink& sink);
+
+    Motion motion(std::size_t machine) const { return lanes_[machine].motion(); }
+
+    /// Until when |phi| stayed within tilting_limit, up to a thousand steps; none: it still does.
+    std::optional<double> tilted(std::size_t machine) const;
+
+  private:
+    template <class Work>
+    void for_groups(bool everything, const Work& work);
+
+    std::vector<Lane> lanes_;
+    std::vector<char> tilted_;
+    double step_;
+    BatchOptions options_;
+};
+
+}  // namespace tricontact::dynamics

@@ -1,0 +1,35 @@
+#include "dynamics/kernel.h"
+
+namespace tricontact::dynamics {
+
+std::string_view word_of(Kernel kernel) {
+    switch (kernel) {
+        case Kernel::plain:
+            return "plain";
+        case Kernel::sse2:
+            return "sse2";
+        case Kernel::avx2:
+            return "avx2";
+        case Kernel::avx512:
+            break;
+    }
+    return "avx512";
+}
+
+std::vector<Kernel> available_kernels() {
+    std::vector<Kernel> kernels{Kernel::plain};
+#ifdef __x86_64__
+    kernels.push_back(Kernel::sse2);  // every processor of this architecture
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        kernels.push_back(Kernel::avx2);
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+        kernels.push_back(Kernel::avx512);
+#endif
+    return kernels;
+}
+
+Kernel best_kernel() {
+    return available_kernels().back();
+}
+
+}  // namespace tricontact::dynamics

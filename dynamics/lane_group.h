@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "dynamics/kernel.h"
+#include "dynamics/kernel_fields.h"
+#include "dynamics/lane.h"
+#include "dynamics/stretch_sums.h"
+
+namespace tricontact::dynamics {
+
+/// Lanes that a kernel advances in one go: up to so many, all of one model.
+class LaneGroup {
+  public:
+    static int capacity(Kernel kernel);
+
+    LaneGroup(Kernel kernel, std::span<Lane* const> lanes, bool everything);
+
+    /// A lane whose |phi| grows beyond tilting_limit stays as it was some steps before, see
+    /// `tilted`.
+    void advance(std::int64_t n_steps);
+
+    bool tilted(std::size_t lane) const { return tilted_[lane]; }
+    /// Of all steps so far.
+    StretchSums sums(std::size_t lane) const;
+    /// Writes the states back to the lanes.
+    void store();
+
+  private:
+    void advance_block(std::int64_t n_steps);
+    bool within_limit(std::size_t lane) const;
+    void add_sums(std::size_t lane);
+    double& at(int field, std::size_t lane) const;
+
+    struct Free {
+        void operator()(double* fields) const;
+    };
+
+    int n_lanes_;
+    kernels::AdvanceLanes* kernel_;
+    bool everything_;
+    std::vector<Lane*> lanes_;
+    std::unique_ptr<double[], Free> fields_;
+    std::vector<std::array<double, kernels::n_state>> held_;  // states before a block
+    std::vector<std::array<double, kernels::n_sums>> sums_;
+    std::vector<std::int64_t> n_steps_, n_stored_;
+    std::vector<char> tilted_;
+};
+
+}  // namespace tricontact::dynamics
