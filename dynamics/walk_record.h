@@ -1,22 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dynamics/motion.h"
 #include "dynamics/stretch_sums.h"
+#include "dynamics/walk_phases.h"
 #include "dynamics/walk_result.h"
+#include "dynamics/walk_snapshot.h"
 
 namespace tricontact::dynamics {
-
-/// What a contact spot does; the numbers are those of contact_state in files for ParaView.
-enum class SpotState { released = 0, stick = 1, slip = 2 };
-
-/// The machine at one time, for pictures.
-struct Snapshot {
-    Motion motion;
-    std::vector<SpotState> spots;  ///< in the order of spots_of
-};
 
 /// A stretch of the run and what happened in it.
 struct WalkWindow {
@@ -38,6 +32,7 @@ struct Walk {
     std::vector<WalkWindow> windows;     ///< of equal length, the whole run
     std::vector<SectionReturn> returns;  ///< of the end of the run, in the order of time
     std::vector<Snapshot> start, tail;   ///< first and last stretch, densely
+    std::optional<WalkPhases> phases;    ///< of the limit cycle, if it is one
     std::int64_t lane_steps = 0;         ///< steps of one machine
     double cpu_s = 0;                    ///< processor time of the run [s]
 };

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "dynamics/snapshots.h"
 #include "dynamics/step_error.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/walk_judge.h"
@@ -14,20 +15,37 @@
 namespace tricontact::dynamics {
 namespace {
 
-SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
-    if (spot.normal == 0) return SpotState::released;
-    return step.sticks ? SpotState::stick : SpotState::slip;
-}
-
-Snapshot snapshot_of(const VelocityVerlet& run) {
-    Snapshot snapshot{run.motion(), {}};
-    for (std::size_t i = 0; i < run.spots().size(); ++i)
-        snapshot.spots.push_back(state_of(run.motion().spots[i], run.spot_steps()[i]));
-    return snapshot;
-}
-
 double processor_time() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// Counts of steps, or of snapshots, in a time.
+std::int64_t count(double time, double interval) {
+    return static_cast<std::int64_t>(std::llround(time / interval));
+}
+
+/// Runs to the end, or until the machine tilts, and fills in what the recorders do not know.
+/// Returns the time of tilting.
+std::optional<double> run_to_end(const WalkCase& walk_case, const Recording& recording,
+                                 WalkRecorder& recorder, LastSnapshots& last, Walk& walk) {
+    const auto& [step, end] = walk_case.time;
+    const Machine& machine = walk_case.machine;
+    const std::int64_t n_steps = count(end, step),
+                       stride = std::max(count(recording.interval, step), std::int64_t{1}),
+                       start_end = recording.start > 0 ? count(recording.start, step) : -1;
+    const double limit = tilting_limit(machine);
+    VelocityVerlet run(machine, motion_at_start(machine, walk_case.start), step);
+    while (true) {
+        if (walk.lane_steps % stride == 0) {
+            last.add(run);
+            if (walk.lane_steps <= start_end) take_snapshot(run, walk.start.emplace_back());
+        }
+        if (walk.lane_steps == n_steps) return std::nullopt;
+        run.advance();
+        ++walk.lane_steps;
+        recorder.add(run.motion(), run.spot_steps());
+        if (!(std::abs(run.motion().phi) <= limit)) return run.motion().time;
+    }
 }
 
 }  // namespace
@@ -37,37 +55,27 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     if (!(step > 0) || !(end >= step)) throw std::invalid_argument("a run needs at least one step");
     const double began = processor_time();
     const Machine& machine = walk_case.machine;
-    const auto n_steps = static_cast<std::int64_t>(std::llround(end / step));
-    const auto steps_in = [step = step](double time) {
-        return static_cast<std::int64_t>(std::llround(time / step));
-    };
-    const std::int64_t start_end = steps_in(recording.start),
-                       tail_begin = n_steps - steps_in(recording.tail),
-                       stride = std::max(steps_in(recording.interval), std::int64_t{1});
-    VelocityVerlet run(machine, motion_at_start(machine, walk_case.start), step);
-    WalkRecorder recorder(machine, run.motion(), step, window_steps(n_steps, step));
-    std::optional<double> tilting_time;
-    Walk result;
-    const double limit = tilting_limit(machine);
-    for (std::int64_t i = 0; i <= n_steps; ++i) {
-        if (i % stride == 0 && i <= start_end) result.start.push_back(snapshot_of(run));
-        if (i % stride == 0 && i >= tail_begin) result.tail.push_back(snapshot_of(run));
-        if (i == n_steps) break;
-        run.advance();
-        ++result.lane_steps;
-        recorder.add(run.motion(), run.spot_steps());
-        if (!(std::abs(run.motion().phi) <= limit)) {
-            tilting_time = run.motion().time;
-            break;
-        }
+    const double interval = std::max(recording.interval, step);
+    WalkRecorder recorder(machine, motion_at_start(machine, walk_case.start), step,
+                          window_steps(count(end, step), step));
+    LastSnapshots last(
+        static_cast<std::size_t>(count(std::max(recording.tail, judged_time()), interval)) + 1);
+    Walk walk;
+    const auto tilting_time = run_to_end(walk_case, recording, recorder, last, walk);
+
+    walk.windows = recorder.windows();
+    walk.returns = recorder.returns();
+    walk.result = judge(machine, {step, walk.windows, walk.returns, tilting_time});
+    double tail = recording.tail;
+    if (walk.result.period) {
+        add_step_error(machine, walk.returns, step, walk.result);
+        // A snapshot more than three periods at either end, for what their length is rounded by.
+        tail = std::max(tail, 3 * *walk.result.period + 2 * interval);
     }
-    result.windows = recorder.windows();
-    result.returns = recorder.returns();
-    result.result = judge(machine, {step, result.windows, result.returns, tilting_time});
-    if (result.result.regime == Regime::limit_cycle)
-        add_step_error(machine, result.returns, step, result.result);
-    result.cpu_s = processor_time() - began;
-    return result;
+    walk.tail = last.last(static_cast<std::size_t>(count(tail, interval)) + 1);
+    if (walk.result.period) walk.phases = phases_of(machine, walk.tail, *walk.result.period);
+    walk.cpu_s = processor_time() - began;
+    return walk;
 }
 
 }  // namespace tricontact::dynamics

@@ -8,7 +8,7 @@ namespace tricontact::dynamics {
 /// What to record densely; times in units of sqrt(m/k_x).
 struct Recording {
     double start = 0;        ///< length of the first stretch
-    double tail = 20;        ///< of the last one
+    double tail = 20;        ///< of the last one, at least; three periods of a limit cycle
     double interval = 0.01;  ///< between snapshots; at least a step
 };
 

@@ -53,6 +53,23 @@ TEST(WalkRun, SetBWalksOnItsLimitCycle) {
     EXPECT_NEAR(result.spots[1].correlation, -0.727, 5e-4);
 }
 
+// Wetter (2016), figure 4.19: the spots stick about the turning point, then let go, then the body
+// jumps.
+TEST(WalkRun, SetBHasTheFourPhases) {
+    const Walk run = walk(case_of(set_b(), 5000));
+    ASSERT_TRUE(run.phases.has_value());
+    const WalkPhases& phases = *run.phases;
+    EXPECT_LT(phases.sticking, phases.turning_point);
+    EXPECT_LT(phases.turning_point, phases.release);
+    EXPECT_LT(phases.release, phases.jump);
+    EXPECT_LT(phases.jump, phases.landing);
+    EXPECT_LT(phases.landing, phases.sticking + phases.period);
+    EXPECT_NEAR(phases.jump_height, 0.4289, 1e-4);  // the highest point, a snapshot near
+    // Both spots stick but for a moment of slip: their share of time.
+    EXPECT_NEAR((phases.sticks[0].end - phases.sticks[0].begin) / phases.period, 0.4265, 0.005);
+    EXPECT_NEAR((phases.sticks[1].end - phases.sticks[1].begin) / phases.period, 0.4931, 0.005);
+}
+
 TEST(WalkRun, TooShortSaysSo) {
     const WalkResult result = walk(case_of(set_b(), 300)).result;
     EXPECT_FALSE(result.transient_over);
@@ -70,6 +87,8 @@ TEST(WalkRun, TiltsAboveTheCriticalFriction) {
     EXPECT_LT(static_cast<double>(run.lane_steps), 4000 / 1e-3);
     EXPECT_NEAR(run.result.phi_min, -0.1 * kappas.kappa3, 1e-4);
     EXPECT_TRUE(std::isnan(run.result.mu_e));
+    ASSERT_FALSE(run.tail.empty());  // the fall
+    EXPECT_NEAR(run.tail.back().motion.time, *run.result.tilting_time, 0.01);
 }
 
 // Stretches add up to the run, whatever they are cut by.

@@ -1,0 +1,39 @@
+#include "dynamics/snapshots.h"
+
+#include <algorithm>
+
+namespace tricontact::dynamics {
+namespace {
+
+SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
+    if (spot.normal == 0) return SpotState::released;
+    return step.sticks ? SpotState::stick : SpotState::slip;
+}
+
+}  // namespace
+
+void take_snapshot(const VelocityVerlet& run, Snapshot& snapshot) {
+    snapshot.motion = run.motion();
+    snapshot.spots.resize(run.spots().size());
+    for (std::size_t i = 0; i < snapshot.spots.size(); ++i)
+        snapshot.spots[i] = state_of(run.motion().spots[i], run.spot_steps()[i]);
+}
+
+void LastSnapshots::add(const VelocityVerlet& run) {
+    if (ring_.size() < most_) ring_.emplace_back();
+    // Written over, so that it keeps its memory: a run takes millions.
+    take_snapshot(run, ring_[next_]);
+    next_ = (next_ + 1) % most_;
+}
+
+std::vector<Snapshot> LastSnapshots::last(std::size_t count) const {
+    std::vector<Snapshot> ordered(ring_);
+    if (ring_.size() == most_)
+        std::rotate_copy(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(next_),
+                         ring_.end(), ordered.begin());
+    if (ordered.size() > count)
+        ordered.erase(ordered.begin(), ordered.end() - static_cast<std::ptrdiff_t>(count));
+    return ordered;
+}
+
+}  // namespace tricontact::dynamics
