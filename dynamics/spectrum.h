@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dynamics/kappas.h"
+
+namespace tricontact::dynamics {
+
+/// One-sided amplitudes of evenly sampled values: a sine of amplitude A shows as A at its
+/// frequency, twice the modulus of Wetter (2016), eq. 5.2.31.
+struct Spectrum {
+    double resolution = 0;           ///< frequency of amplitudes[i] is i times this, in cycles
+    std::vector<double> amplitudes;  ///< of the values about their mean, up to half the sampling
+};
+
+/// Amplitudes by a Fourier transform under a Hann window. `interval` > 0: between two values. At
+/// least four of them; throws std::invalid_argument for fewer.
+Spectrum spectrum(std::span<const double> values, double interval);
+
+/// Root mean square of the spectra of equally long parts of the values: Bartlett (1948), Nature
+/// 161. `n_parts` >= 1.
+Spectrum mean_spectrum(std::span<const double> values, double interval, int n_parts);
+
+/// Frequency of the largest amplitude in cycles, between the lines of the spectrum: exact for a
+/// sine under a Hann window, far from both ends of the spectrum. Grandke (1983), IEEE Trans.
+/// Instrum. Meas. 32. NaN where nothing vibrates.
+double peak_frequency(const Spectrum& spectrum);
+
+/// Frequency at which values vibrate most.
+struct CharacteristicFrequency {
+    double frequency = 0;  ///< cycles per unit time, mean over parts; NaN where nothing vibrates
+    double error = 0;      ///< half width of the 95 % interval from their scatter
+};
+
+/// From the peaks of `n_parts` >= 2 equally long parts, as Wetter (2016), eq. 5.2.36, has it from
+/// ten records.
+CharacteristicFrequency characteristic_frequency(std::span<const double> values, double interval,
+                                                 int n_parts);
+
+/// Frequency of the spring force while the body is in the air, in cycles per unit time: with
+/// e = x_s - x + kappa8 phi, e'' = -kappa1 (1 + kappa3^2 kappa8^2/kappa7) e follows from Wetter
+/// (2016), eqs. 4.1.17 and 4.1.19, to first order in phi.
+double free_flight_frequency(const Kappas& kappas);
+
+}  // namespace tricontact::dynamics
