@@ -92,7 +92,8 @@ void Batch::advance_recorded(std::int64_t n_steps, std::int64_t every, const Sin
             if (left < every) break;
             group.store();
             for (std::size_t i = 0; i < members.size(); ++i)
-                if (!group.tilted(i)) sink(members[i], lanes_[members[i]].motion());
+                if (const Lane& lane = lanes_[members[i]]; !group.tilted(i))
+                    sink(members[i], lane.motion(), lane.spot_steps());
         }
     });
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "dynamics/contact_element.h"
 #include "dynamics/kernel.h"
 #include "dynamics/lane.h"
 #include "dynamics/machine.h"
@@ -39,15 +40,15 @@ class Batch {
     std::size_t size() const { return lanes_.size(); }
     double step() const { return step_; }
 
-    /// Adds the steps' sums to those of each machine, one each; empty: to none. A machine that
-    /// tilts (tilting_limit) stays where it was up to a thousand steps before; it adds nothing from
-    /// there on.
-    /// Detail::everything: the velocity of a spot and the deflection with it belong to the step
-    /// before, the kinetic energy to the middle of the step.
+    /// Adds the steps' sums to those of each machine, one each; empty: to none. What depends on the
+    /// velocities of the spots lags one step behind the rest, as in StretchRecorder. A machine that
+    /// tilts (tilting_limit) stays where it was up to a thousand steps before, and adds nothing
+    /// from there on.
     void advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> sums);
 
-    /// Takes the motion of a machine that has not tilted.
-    using Sink = std::function<void(std::size_t machine, const Motion& motion)>;
+    /// Takes the motion of a machine that has not tilted, and what its spots did in the last step.
+    using Sink = std::function<void(std::size_t machine, const Motion& motion,
+                                    const std::vector<SpotStep>& spot_steps)>;
 
     /// Hands out the motions after every `every` steps. Those of one machine come in the order of
     /// time; those of several may come from several threads at once.

@@ -1,6 +1,6 @@
 #include <immintrin.h>
 
-#include "dynamics/kernel_step.h"
+#include "dynamics/kernel_lanes.h"
 
 namespace tricontact::dynamics::kernels {
 namespace {

@@ -39,6 +39,8 @@ enum Field : int {
     flank_2,
     slip_1,  ///< increment of s = x + phi - u in the last step
     slip_2,
+    flank_slip_1,  ///< prism: increment of slip along the flank in the last step
+    flank_slip_2,
     end_of_state,
 
     // Sums and extremes over the steps of one call.
@@ -47,7 +49,7 @@ enum Field : int {
     max_height,
     min_rotation,
     max_rotation,
-    sum_x_squared,  ///< of the increments
+    sum_x_squared,  ///< of two increments, the ones before and after
     sum_height_squared,
     sum_rotation_squared,
     sum_sticking_1,

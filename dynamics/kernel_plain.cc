@@ -1,4 +1,4 @@
-#include "dynamics/kernel_step.h"
+#include "dynamics/kernel_lanes.h"
 
 namespace tricontact::dynamics::kernels {
 namespace {

@@ -1,6 +1,6 @@
 #include <emmintrin.h>
 
-#include "dynamics/kernel_step.h"
+#include "dynamics/kernel_lanes.h"
 
 namespace tricontact::dynamics::kernels {
 namespace {

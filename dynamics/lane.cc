@@ -75,11 +75,8 @@ void Lane::set_start(const Motion& start) {
     fields_[x_increment] = step_ * (start.x_velocity + half * ax);
     for (int i = 0; i < 2; ++i) {
         const SpotDeflection& spot = start.spots[static_cast<std::size_t>(i)];
-        const bool sticks =
-            std::hypot(spot.tangential, spot.flank) < k.kappa5 * k.kappa2 * spot.normal;
         fields_[deflection_1 + i] = spot.tangential;
         fields_[flank_1 + i] = spot.flank;
-        fields_[slip_1 + i] = sticks ? 0 : step_ * (start.x_velocity + start.phi_velocity);
     }
 }
 
@@ -111,6 +108,15 @@ Motion Lane::motion() const {
     return motion;
 }
 
+std::vector<SpotStep> Lane::spot_steps() const {
+    std::vector<SpotStep> steps;
+    for (int i = 0; i < 2; ++i) {
+        const double slip = fields_[slip_1 + i], flank_slip = fields_[flank_slip_1 + i];
+        steps.push_back({slip == 0 && flank_slip == 0, slip, flank_slip});
+    }
+    return steps;
+}
+
 StretchSums Lane::sums(const std::array<double, n_sums>& sums, std::int64_t n_steps,
                        bool everything) const {
     const auto of = [&](int field) { return sums[static_cast<std::size_t>(field - end_of_state)]; };
@@ -127,9 +133,9 @@ StretchSums Lane::sums(const std::array<double, n_sums>& sums, std::int64_t n_st
     // phi = kappa3^2 p: kappa7/kappa3^2 phi'^2 = kappa7 kappa3^2 p'^2
     result.kinetic_energy = (of(sum_x_squared) + of(sum_height_squared) / (c * c) +
                              k.kappa7 * reach * of(sum_rotation_squared)) /
-                            (2 * step_ * step_);
-    // Sums of bounds are mu kappa2 times those of the deflections, those of slip 2 dt times those
-    // of the velocity.
+                            (8 * step_ * step_);
+    // Sums of squared increments are those of two steps. Sums of bounds are mu kappa2 times those
+    // of the deflections, those of slip 2 dt times those of the velocity.
     const double bound = k.kappa5 * k.kappa2, slip = 2 * step_;
     for (int i = 0; i < 2; ++i)
         result.spots.push_back({.sticking = static_cast<std::int64_t>(of(sum_sticking_1 + i)),

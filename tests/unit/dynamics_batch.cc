@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "dynamics/batch.h"
-#include "dynamics/forces.h"
+#include "dynamics/stretch_recorder.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/walk_case.h"
 #include "dynamics_sets.h"
@@ -90,51 +90,46 @@ TEST_P(BatchOf, MechanismsCanBeTakenAway) {
     }
 }
 
-// Sums of the scalar integrator over the steps 1 to n, as StretchSums defines them.
-struct ScalarSums {
-    double spring_force = 0, z_min = 1, z_max = -1, phi_min = 1, phi_max = -1, kinetic_energy = 0;
-    std::int64_t sticking[2] = {0, 0};
-};
-
-ScalarSums scalar_sums(const Machine& machine, const Motion& start, int n_steps) {
-    VelocityVerlet run(machine, start, step);
-    ScalarSums sums;
-    const double inertia = machine.kappas.kappa7 / (machine.kappas.kappa3 * machine.kappas.kappa3);
-    for (int n = 0; n < n_steps; ++n) {
-        run.advance();
-        const Motion& m = run.motion();
-        sums.spring_force += spring_force(machine, m);
-        sums.z_min = std::min(sums.z_min, m.z), sums.z_max = std::max(sums.z_max, m.z);
-        sums.phi_min = std::min(sums.phi_min, m.phi), sums.phi_max = std::max(sums.phi_max, m.phi);
-        sums.kinetic_energy += (m.x_velocity * m.x_velocity + m.z_velocity * m.z_velocity +
-                                inertia * m.phi_velocity * m.phi_velocity) /
-                               2;
-        for (std::size_t i = 0; i < 2; ++i) sums.sticking[i] += run.spot_steps()[i].sticks;
+void expect_near(const StretchSums& a, const StretchSums& b, const Machine& machine) {
+    const double n = static_cast<double>(b.steps), speed = machine.kappas.kappa6;
+    const double rest = static_displacement(machine);
+    EXPECT_EQ(a.steps, b.steps);
+    EXPECT_NEAR(a.spring_force, b.spring_force, rounding * n * rest);
+    EXPECT_NEAR(a.kinetic_energy, b.kinetic_energy, rounding * b.kinetic_energy);
+    EXPECT_NEAR(a.z_min, b.z_min, rounding * rest);
+    EXPECT_NEAR(a.z_max, b.z_max, rounding * rest);
+    EXPECT_NEAR(a.phi_min, b.phi_min, rounding * rest);
+    EXPECT_NEAR(a.phi_max, b.phi_max, rounding * rest);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const SpotSums &spot = a.spots[i], &other = b.spots[i];
+        EXPECT_EQ(spot.sticking, other.sticking);
+        EXPECT_NEAR(spot.velocity, other.velocity, rounding * n * speed);
+        EXPECT_NEAR(spot.velocity_squared, other.velocity_squared, rounding * n * speed * speed);
+        EXPECT_NEAR(spot.normal, other.normal, rounding * n * rest);
+        EXPECT_NEAR(spot.normal_squared, other.normal_squared, rounding * n * rest * rest);
+        EXPECT_NEAR(spot.normal_velocity, other.normal_velocity, rounding * n * rest * speed);
     }
-    return sums;
 }
 
-TEST_P(BatchOf, SumsUpTheStepsOfEveryMachine) {
-    constexpr int n = 5000;
+TEST_P(BatchOf, SumsUpTheStepsOfEveryMachineAsTheRecorderDoes) {
+    constexpr int n = 5000, before = 1000;
     for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
         const std::vector<Machine> all = machines(model);
         Batch batch = batch_of(all, {.kernel = GetParam()});
         std::vector<StretchSums> sums(all.size());
-        batch.advance(2000, everything, sums);
-        batch.advance(n - 2000, everything, sums);
+        batch.advance(before, motion_only, {});
+        batch.advance(1, everything, sums);
+        batch.advance(n - before - 1, everything, sums);
         for (std::size_t i = 0; i < all.size(); i += 7) {
-            const ScalarSums one = scalar_sums(all[i], starts_of(all)[i], n);
-            const double rest = static_displacement(all[i]);
-            EXPECT_EQ(sums[i].steps, n);
-            EXPECT_NEAR(sums[i].spring_force, one.spring_force, rounding * n * rest);
-            EXPECT_NEAR(sums[i].z_min, one.z_min, rounding * rest);
-            EXPECT_NEAR(sums[i].z_max, one.z_max, rounding * rest);
-            EXPECT_NEAR(sums[i].phi_min, one.phi_min, rounding * rest);
-            EXPECT_NEAR(sums[i].phi_max, one.phi_max, rounding * rest);
-            // Half a step beside: O(step^2) and what the ends of the stretch differ by.
-            EXPECT_NEAR(sums[i].kinetic_energy, one.kinetic_energy, 1e-3 * one.kinetic_energy);
-            for (std::size_t k = 0; k < 2; ++k)
-                EXPECT_EQ(sums[i].spots[k].sticking, one.sticking[k]) << i;
+            const Motion start = starts_of(all)[i];
+            VelocityVerlet run(all[i], start, step);
+            StretchRecorder recorder(all[i], start, step);
+            for (int k = 0; k < n; ++k) {
+                if (k == before) recorder.take();
+                run.advance();
+                recorder.add(run.motion(), run.spot_steps());
+            }
+            expect_near(sums[i], recorder.sums(), all[i]);
         }
     }
 }
@@ -180,22 +175,35 @@ TEST_P(BatchOf, AMachineThatTiltsTroublesNobody) {
     }
 }
 
-TEST_P(BatchOf, HandsOutMotionsInOrder) {
-    const std::vector<Machine> all = machines();
+TEST_P(BatchOf, HandsOutMotionsAndSlipInOrder) {
+    const std::vector<Machine> all = machines(Machine::Model::prism);
+    constexpr int every = 100, n_records = 20;
+    struct Record {
+        Motion motion;
+        std::vector<SpotStep> spots;
+    };
+    std::vector<std::vector<Record>> records(all.size());  // each filled by one thread
     Batch batch = batch_of(all, {.kernel = GetParam(), .n_threads = 2});
-    Batch other = batch_of(all, {.kernel = GetParam()});
-    std::vector<std::vector<Motion>> recorded(all.size());  // each filled by one thread
-    batch.advance_recorded(1050, 100,
-                           [&](std::size_t i, const Motion& m) { recorded[i].push_back(m); });
-    for (int n = 0; n < 10; ++n) {
-        other.advance(100, motion_only, {});
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            ASSERT_EQ(recorded[i].size(), 10u);
-            EXPECT_EQ(recorded[i][static_cast<std::size_t>(n)], other.motion(i)) << i;
+    batch.advance_recorded(n_records * every + 50, every,
+                           [&](std::size_t i, const Motion& motion, const auto& spots) {
+                               records[i].push_back({motion, spots});
+                           });
+    EXPECT_NEAR(batch.motion(3).time, (n_records * every + 50) * step, 1e-12);
+    for (std::size_t i = 0; i < all.size(); i += 7) {
+        ASSERT_EQ(records[i].size(), static_cast<std::size_t>(n_records));
+        const double rest = static_displacement(all[i]);
+        VelocityVerlet one(all[i], starts_of(all)[i], step);
+        for (const Record& record : records[i]) {
+            for (int n = 0; n < every; ++n) one.advance();
+            EXPECT_LT(difference(all[i], record.motion, one.motion()), rounding) << i;
+            for (std::size_t k = 0; k < 2; ++k) {
+                const SpotStep &spot = record.spots[k], &expected = one.spot_steps()[k];
+                EXPECT_EQ(spot.sticks, expected.sticks);
+                EXPECT_NEAR(spot.slip, expected.slip, rounding * rest);
+                EXPECT_NEAR(spot.flank_slip, expected.flank_slip, rounding * rest);
+            }
         }
     }
-    other.advance(50, motion_only, {});
-    EXPECT_EQ(batch.motion(3), other.motion(3));
 }
 
 TEST(Batch, VectorsWithFusedMultiplyAddAgreeToTheBitAndSoDoThoseWithout) {
