@@ -7,9 +7,11 @@
 
 #include "app/commands.h"
 #include "app/models.h"
+#include "app/walk_scales.h"
 #include "contact/error.h"
-#include "io/case_reader.h"
+#include "io/any_case.h"
 #include "io/case_writer.h"
+#include "io/walk_writer.h"
 #include "theory/oscillating_rolling.h"
 
 namespace tricontact::app {
@@ -45,11 +47,20 @@ std::string derived_values(const contact::Case& c) {
     return text;
 }
 
+/// The resolved case and what follows from it.
+struct Resolved {
+    std::string operator()(const contact::Case& c) const {
+        return io::write_case(c) + '\n' + derived_values(c);
+    }
+    std::string operator()(const dynamics::WalkCase& c) const {
+        return io::write_walk_case(c) + '\n' + walk_scales_text(c);
+    }
+};
+
 }  // namespace
 
 void check_command(const std::string& case_file, const std::vector<std::string>& overrides) {
-    const contact::Case c = io::read_case(case_file, overrides);
-    std::cout << io::write_case(c) << '\n' << derived_values(c);
+    std::cout << std::visit(Resolved{}, io::read_any_case(case_file, overrides));
 }
 
 void list_command(const std::optional<std::string>& given) {
@@ -66,8 +77,10 @@ void list_command(const std::optional<std::string>& given) {
         if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
     std::sort(files.begin(), files.end());
     std::cout << "cases\n";
-    for (const auto& file : files)
-        std::cout << fmt::format("  {}: {}\n", file, io::read_case(file).title);
+    for (const auto& file : files) {
+        const auto title = [](const auto& c) { return c.title; };
+        std::cout << fmt::format("  {}: {}\n", file, std::visit(title, io::read_any_case(file)));
+    }
 }
 
 }  // namespace tricontact::app

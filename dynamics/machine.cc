@@ -1,6 +1,7 @@
 #include "dynamics/machine.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace tricontact::dynamics {
@@ -41,6 +42,12 @@ double normal_load_factor(const Machine& machine) {
 
 double sliding_force(const Machine& machine) {
     return normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+}
+
+double critical_friction(const Machine& machine) {
+    double leading = -std::numeric_limits<double>::infinity();
+    for (const Spot& spot : spots_of(machine)) leading = std::max(leading, spot.position);
+    return leading * critical_friction(machine.kappas) / normal_load_factor(machine);
 }
 
 double tilting_limit(const Machine& machine) {

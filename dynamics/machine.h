@@ -61,6 +61,11 @@ double normal_load_factor(const Machine& machine);
 /// f_s while all spots slide, in units of k_x b: the one that mu_e = 1 stands for.
 double sliding_force(const Machine& machine);
 
+/// Friction above which the steadily sliding machine tilts over its leading spot; infinite where
+/// the spring pulls at or below the base. Wetter (2016), eq. 4.2.13, for spots anywhere and with
+/// the larger friction of the prism.
+double critical_friction(const Machine& machine);
+
 /// |phi| above which the machine counts as tilting. At the 0.1 rad that a machine has by default
 /// the sine of the small rotation that the model assumes is off by 0.2 % and its cosine by 0.5 %.
 /// One that vibrates in the range of its static displacement stays far below, one that tilts goes

@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "dynamics/dimensional_machine.h"
 #include "dynamics/machine.h"
 #include "dynamics/motion.h"
+#include "dynamics/spot_contact.h"
 
 namespace tricontact::dynamics {
 
@@ -27,11 +29,21 @@ struct WalkCase {
         bool operator==(const Time&) const = default;
     };
 
+    /// What the case states in place of numbers that follow from it.
+    struct Input {
+        std::optional<double> height_ratio;  ///< h/a of a dimensional machine: its lever arm
+        std::optional<SpotContact> contact;  ///< of a dimensional machine: its stiffnesses
+        std::optional<double> duration;      ///< [s] of a dimensional machine: Time::end
+        /// Of Model::spots, position by position; heights empty: 0, stiffnesses empty: 1.
+        std::vector<double> positions, heights, stiffnesses;
+    };
+
     std::string title;
     Machine machine;
     std::optional<DimensionalMachine> dimensional;  ///< what the kappas follow from, if given
     Start start;
     Time time;
+    Input input;
 };
 
 /// Motion at the start; by default at rest on the ground: Wetter (2016), eq. 4.1.21.

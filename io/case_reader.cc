@@ -11,6 +11,7 @@
 #include "io/overrides.h"
 #include "io/relaxation_input.h"
 #include "io/toml_document.h"
+#include "io/walk_reader.h"
 
 namespace tricontact::io {
 
@@ -54,6 +55,9 @@ void make_paths_absolute(Case& c, const Document& document) {
 }
 
 Case resolve(const Document& document) {
+    if (is_walk_case(document))
+        fail(document.find_section("machine")->place, "", "a case of the micro-walking machine",
+             "tricontact walk computes it");
     const KeyList& keys = case_key_list();
     check_known(document, keys);
     Case c;

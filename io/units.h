@@ -19,7 +19,9 @@ enum class Dimension {
     angular_frequency,
     mass,
     density,
-    stiffness
+    stiffness,
+    acceleration,
+    moment_of_inertia
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

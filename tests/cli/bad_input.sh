@@ -59,6 +59,10 @@ for file in "$source_dir"/tests/cli/bad/*.toml; do
     refused "$file$expected" check "$file"
     refused "$file$expected" run "$file" --output out
 done
+for file in "$source_dir"/tests/cli/bad_walk/*.toml; do
+    expected=$(head -n 1 "$file" | sed 's/^# expect: //')
+    refused "$file$expected" check "$file"
+done
 
 # 2. Files that are no case.
 : >"$work/empty.toml"

@@ -1,4 +1,5 @@
-// docs/case-file.md holds one table row per key, as the declarations of the keys say it.
+// docs/case-file.md and docs/walking.md hold one table row per key, as the declarations of the keys
+// say it.
 
 #include <gtest/gtest.h>
 
@@ -7,6 +8,7 @@
 
 #include "io/case_keys.h"
 #include "io/messages.h"
+#include "io/walk_keys.h"
 
 namespace tricontact::io {
 namespace {
@@ -61,53 +63,61 @@ std::string admissible(const Key& key) {
     return {};
 }
 
-std::string default_of(const Key& key) {
+std::string default_of(const Key& key, const KeyList& keys) {
     std::string out = key.required ? "required" : "";
     if (!key.default_value.empty()) out = code(key.default_value);
-    for (const Key& other : case_keys())
-        if (key.alternative > 0 && other.alternative == key.alternative && other.path != key.path)
-            out += (out.empty() ? "or " : ", or ") + code(other.name());
+    for (const Key* other : keys.alternatives(key))
+        if (other != &key)
+            out += (out.empty() ? "or " : ", or ") +
+                   code(other->section() == key.section() ? other->name() : other->path);
     return out;
 }
 
-std::string row(const Key& key) {
+std::string row(const Key& key, const KeyList& keys) {
     std::string meaning(key.text);
-    if (is_section(key.needs)) {
+    if (keys.has_section(key.needs)) {
         meaning += "; only with " + code('[' + std::string(key.needs) + ']');
     } else if (!key.needs.empty()) {
-        const Key& other = *find_key(key.needs);
+        const Key& other = *keys.find(key.needs);
         meaning +=
             "; only with " + code(other.section() == key.section() ? other.name() : other.path);
     }
     return "| " + code(key.name()) + " | " + code(key.example) + " | " + admissible(key) + " | " +
-           default_of(key) + " | " + meaning + " |";
+           default_of(key, keys) + " | " + meaning + " |";
 }
 
 /// The rows that the declarations demand, one table per section.
-std::string reference() {
+std::string reference(const KeyList& keys) {
     std::string out;
     std::string_view section = "none yet";
-    for (const Key& key : case_keys()) {
-        if (key.section() != section) {
-            section = key.section();
+    for (const Key* key : keys.keys()) {
+        if (key->section() != section) {
+            section = key->section();
             out +=
                 "\n### " +
                 (section.empty() ? "Before the sections" : code('[' + std::string(section) + ']')) +
                 "\n\n| Key | Example | Admissible | Default | Meaning |\n|---|---|---|---|---|\n";
         }
-        out += row(key) + '\n';
+        out += row(*key, keys) + '\n';
     }
     return out;
 }
 
-TEST(CaseReference, DocumentNamesEveryKeyAsDeclared) {
-    std::ifstream file(TRICONTACT_SOURCE_DIR "/docs/case-file.md");
+class CaseReference : public testing::TestWithParam<const KeyList*> {};
+
+TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
+    const KeyList& keys = *GetParam();
+    const std::string name(keys.reference());
+    std::ifstream file(TRICONTACT_SOURCE_DIR "/" + name);
     std::stringstream document;
     document << file.rdbuf();
-    EXPECT_NE(document.str().find(reference()), std::string::npos)
-        << "docs/case-file.md should hold this:\n"
-        << reference();
+    EXPECT_NE(document.str().find(reference(keys)), std::string::npos)
+        << name << " should hold this:\n"
+        << reference(keys);
 }
+
+INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,
+                         testing::Values(&case_key_list(), &walk_key_list()));
 
 }  // namespace
 }  // namespace tricontact::io

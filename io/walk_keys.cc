@@ -1,0 +1,248 @@
+#include "io/walk_keys.h"
+
+#include <algorithm>
+
+#include "io/walk_key_declarations.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Material;
+using dynamics::Bed;
+using dynamics::SpotContact;
+using dynamics::WalkCase;
+using Kind = Key::Kind;
+
+// Place of a number of the contact's bodies: `body` is the machine's, else the substrate's.
+template <double Material::*member>
+Field of_body(WalkCase& c) {
+    return c.input.contact ? Field(&(c.input.contact->body.*member)) : Field();
+}
+template <double Material::*member>
+Field of_substrate(WalkCase& c) {
+    return c.input.contact ? in(c.input.contact->substrate, member) : Field();
+}
+
+void add_contact(std::vector<WalkKey>& keys) {
+    constexpr std::string_view diameter = "contact.diameter";
+    keys.push_back({{.path = diameter,
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .alternative = spot_stiffness,
+                     .example = R"("1.8 mm")",
+                     .text = "diameter D_c of a contact: k_z = E* D_c, k_x = G* D_c"},
+                    [](WalkCase& c) { return in(c.input.contact, &SpotContact::diameter); }});
+    const auto young = [&](std::string_view path, std::string_view example, bool required,
+                           std::string_view text, Field (*field)(WalkCase&)) {
+        keys.push_back({{.path = path,
+                         .kind = Kind::quantity,
+                         .dimension = Dimension::pressure,
+                         .range = above_zero(1e15),
+                         .required = required,
+                         .needs = diameter,
+                         .example = example,
+                         .text = text},
+                        field});
+    };
+    const auto poisson = [&](std::string_view path, bool required, std::string_view text,
+                             Field (*field)(WalkCase&)) {
+        keys.push_back({{.path = path,
+                         .kind = Kind::number,
+                         .range = {-1, 0.5, false, true},
+                         .required = required,
+                         .needs = diameter,
+                         .example = "0.3",
+                         .text = text},
+                        field});
+    };
+    young("contact.young", R"("1.4 GPa")", true, "Young's modulus of the machine",
+          of_body<&Material::young>);
+    poisson("contact.poisson", true, "Poisson's ratio of the machine", of_body<&Material::poisson>);
+    young("contact.substrate_young", R"("90 GPa")", false,
+          "Young's modulus of the substrate; without it the substrate is rigid",
+          of_substrate<&Material::young>);
+    poisson("contact.substrate_poisson", false, "Poisson's ratio of the substrate",
+            of_substrate<&Material::poisson>);
+}
+
+void add_spots(std::vector<WalkKey>& keys) {
+    keys.push_back({{.path = "spots.positions",
+                     .kind = Kind::number_list,
+                     .range = {-1000, 1000},
+                     .example = "[-1, 0, 1]",
+                     .text = "along the base from its middle, in units of b"},
+                    [](WalkCase& c) -> Field { return &c.input.positions; }});
+    keys.push_back({{.path = "spots.heights",
+                     .kind = Kind::number_list,
+                     .range = {0, 1000},
+                     .needs = "spots.positions",
+                     .example = "[0, 1e-5, 0]",
+                     .text = "of the tips above the lowest one, in units of b; without it all 0"},
+                    [](WalkCase& c) -> Field { return &c.input.heights; }});
+    keys.push_back({{.path = "spots.stiffnesses",
+                     .kind = Kind::number_list,
+                     .range = above_zero(1e9),
+                     .needs = "spots.positions",
+                     .example = "[1, 0.5, 1]",
+                     .text = "normal in units of k_z, tangential of k_x; without it all 1"},
+                    [](WalkCase& c) -> Field { return &c.input.stiffnesses; }});
+}
+
+void add_bed(std::vector<WalkKey>& keys) {
+    keys.push_back({{.path = "bed.radius",
+                     .kind = Kind::number,
+                     .range = above_zero(1e9),
+                     .required = true,
+                     .example = "0.5",
+                     .text = "radius R of the tips, in units of b"},
+                    [](WalkCase& c) { return in(c.machine.bed, &Bed::radius); }});
+    keys.push_back({{.path = "bed.springs",
+                     .kind = Kind::integer,
+                     .range = {1, 10000},
+                     .default_value = "40",
+                     .needs = "bed.radius",
+                     .example = "40",
+                     .text = "springs of each spot"},
+                    [](WalkCase& c) { return in(c.machine.bed, &Bed::springs); }});
+    keys.push_back(
+        {{.path = "bed.width",
+          .kind = Kind::number,
+          .range = {1, 1000},
+          .reason = "at rest the contact has a width of 1",
+          .default_value = "3.0",
+          .needs = "bed.radius",
+          .example = "3",
+          .text = "width of the bed over the diameter of the contact at rest; a tip ends "
+                  "there"},
+         [](WalkCase& c) { return in(c.machine.bed, &Bed::width); }});
+}
+
+void add_mechanisms(std::vector<WalkKey>& keys) {
+    const auto add = [&](std::string_view path, std::string_view text, Field (*field)(WalkCase&)) {
+        keys.push_back({{.path = path,
+                         .kind = Kind::boolean,
+                         .default_value = "true",
+                         .example = "false",
+                         .text = text},
+                        field});
+    };
+    add("mechanisms.vertical", "vertical motion; else z stays at rest",
+        [](WalkCase& c) -> Field { return &c.machine.mechanisms.vertical; });
+    add("mechanisms.rotation", "rotation; else phi stays 0",
+        [](WalkCase& c) -> Field { return &c.machine.mechanisms.rotation; });
+    add("mechanisms.coupling",
+        "friction follows the normal forces; else mu times those at rest bounds it",
+        [](WalkCase& c) -> Field { return &c.machine.mechanisms.coupling; });
+}
+
+void add_number(std::vector<WalkKey>& keys, std::string_view path, Range range,
+                std::string_view default_value, std::string_view example, std::string_view text,
+                Field (*field)(WalkCase&)) {
+    keys.push_back({{.path = path,
+                     .kind = Kind::number,
+                     .range = range,
+                     .default_value = default_value,
+                     .example = example,
+                     .text = text},
+                    field});
+}
+
+void add_excitation(std::vector<WalkKey>& keys) {
+    add_number(keys, "excitation.moment", from_zero(1e9), "0.0", "1e-5",
+               "amplitude of a moment sin(omega t) from outside, in units of k_x b^2",
+               [](WalkCase& c) -> Field { return &c.machine.excitation.moment; });
+    add_number(keys, "excitation.force", from_zero(1e9), "0.0", "1e-5",
+               "amplitude of a vertical force sin(omega t) from outside, in units of k_x b",
+               [](WalkCase& c) -> Field { return &c.machine.excitation.force; });
+    add_number(keys, "excitation.frequency", from_zero(1e9), "0.0", "1.5",
+               "omega of both, in units of sqrt(k_x/m)",
+               [](WalkCase& c) -> Field { return &c.machine.excitation.frequency; });
+}
+
+void add_time(std::vector<WalkKey>& keys) {
+    add_number(keys, "time.step", above_zero(1e3), "0.001", "1e-3",
+               "step of the integration, in units of sqrt(m/k_x)",
+               [](WalkCase& c) -> Field { return &c.time.step; });
+    keys.push_back({{.path = "time.end",
+                     .kind = Kind::number,
+                     .range = above_zero(1e9),
+                     .default_value = "20000.0",
+                     .alternative = end_of_run,
+                     .example = "20000",
+                     .text = "end of the run, in units of sqrt(m/k_x)"},
+                    [](WalkCase& c) { return c.input.duration ? Field() : Field(&c.time.end); }});
+    keys.push_back({{.path = "time.duration",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::time,
+                     .range = above_zero(1e9),
+                     .alternative = end_of_run,
+                     .example = R"("8 s")",
+                     .text = "the same of a machine with dimensions"},
+                    [](WalkCase& c) -> Field { return &c.input.duration; }});
+}
+
+void add_start(std::vector<WalkKey>& keys) {
+    constexpr Range any{-1e6, 1e6};
+    add_number(keys, "start.x", any, "0.0", "0.5", "displacement, in static displacements",
+               [](WalkCase& c) -> Field { return &c.start.x; });
+    add_number(keys, "start.z", any, "1.0", "1.5",
+               "downward displacement, in static displacements: 1 is at rest",
+               [](WalkCase& c) -> Field { return &c.start.z; });
+    add_number(keys, "start.phi", any, "0.0", "0.1",
+               "rotation (a/b) Phi, counter-clockwise, in static displacements",
+               [](WalkCase& c) -> Field { return &c.start.phi; });
+    add_number(keys, "start.base", any, "0.0", "2",
+               "displacement of the spring's base, in static displacements",
+               [](WalkCase& c) -> Field { return &c.start.base; });
+    add_number(keys, "start.x_velocity", any, "0.0", "1", "in velocities of the base",
+               [](WalkCase& c) -> Field { return &c.start.x_velocity; });
+    add_number(keys, "start.z_velocity", any, "0.0", "1", "in velocities of the base",
+               [](WalkCase& c) -> Field { return &c.start.z_velocity; });
+    add_number(keys, "start.phi_velocity", any, "0.0", "1", "in velocities of the base",
+               [](WalkCase& c) -> Field { return &c.start.phi_velocity; });
+}
+
+const std::vector<WalkKey>& declared_keys() {
+    static const std::vector<WalkKey> keys = [] {
+        std::vector<WalkKey> all;
+        all.push_back({{.path = "title",
+                        .kind = Kind::text,
+                        .default_value = "\"\"",
+                        .example = R"("Set B walks")",
+                        .text = "what the case is"},
+                       [](WalkCase& c) -> Field { return &c.title; }});
+        add_machine_keys(all);
+        add_contact(all);
+        add_spots(all);
+        add_bed(all);
+        add_mechanisms(all);
+        add_excitation(all);
+        add_time(all);
+        add_start(all);
+        return all;
+    }();
+    return keys;
+}
+
+}  // namespace
+
+std::span<const WalkKey> walk_keys() {
+    return declared_keys();
+}
+
+const KeyList& walk_key_list() {
+    static const KeyList list(declared_keys(), "docs/walking.md");
+    return list;
+}
+
+bool is_dimensional(const Key& key) {
+    constexpr std::string_view body = "machine.mass";
+    if (key.section() == "contact" || key.path == "time.duration") return true;
+    const auto keys = walk_key_list().keys();  // [machine]: those of any kind, kappas, then these
+    const auto first = std::ranges::find(keys, body, &Key::path);
+    return key.section() == "machine" && std::find(first, keys.end(), &key) != keys.end();
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,188 @@
+#include "io/walk_key_declarations.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using dynamics::DimensionalMachine;
+using dynamics::Kappas;
+using dynamics::Machine;
+using dynamics::WalkCase;
+using Kind = Key::Kind;
+
+constexpr double large = 1e9;
+
+void add_model(std::vector<WalkKey>& keys) {
+    using Model = Machine::Model;
+    keys.push_back({{.path = "machine.model",
+                     .kind = Kind::choice,
+                     .choices = {choice("two-spot", Model::two_spot), choice("prism", Model::prism),
+                                 choice("spots", Model::spots)},
+                     .default_value = R"("two-spot")",
+                     .example = R"("two-spot")",
+                     .text = "contact spots: one at each end of the base, the same in a prism of "
+                             "45 degrees, or those of [spots]"},
+                    [](WalkCase& c) -> Field { return &c.machine.model; }});
+    keys.push_back({{.path = "machine.tilting_angle",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::angle,
+                     .range = above_zero(1e6),
+                     .default_value = R"("0.1 rad")",
+                     .example = R"("0.1 rad")",
+                     .text = "rotation above which it counts as tilting: the run ends there"},
+                    [](WalkCase& c) -> Field { return &c.machine.tilting_angle; }});
+}
+
+// Place of a kappa in a case whose machine has no dimensions.
+template <double Kappas::*member>
+Field kappa(WalkCase& c) {
+    return c.dimensional ? Field() : Field(&(c.machine.kappas.*member));
+}
+
+void add_kappas(std::vector<WalkKey>& keys) {
+    const auto add = [&](std::string_view path, Range range, std::string_view example,
+                         std::string_view text, Field (*field)(WalkCase&),
+                         std::string_view reason = {}) {
+        keys.push_back({{.path = path,
+                         .kind = Kind::number,
+                         .range = range,
+                         .reason = reason,
+                         .required = true,
+                         .example = example,
+                         .text = text},
+                        field});
+    };
+    add("machine.kappa1", above_zero(large), "2", "k_s/k_x, spring of the base over contact spot",
+        kappa<&Kappas::kappa1>);
+    add("machine.kappa2", above_zero(large), "1.2", "k_z/k_x, normal over tangential stiffness",
+        kappa<&Kappas::kappa2>, "the static displacement kappa4/(2 kappa2) is the unit of lengths");
+    add("machine.kappa3", above_zero(large), "0.5", "a/b, half height over half width",
+        kappa<&Kappas::kappa3>, "phi is (a/b) times the angle");
+    add("machine.kappa4", above_zero(large), "1e-4", "m g/(k_x b), weight", kappa<&Kappas::kappa4>,
+        "without weight there is no friction");
+    add("machine.kappa5", from_zero(100), "0.68", "Coulomb's coefficient of friction mu",
+        kappa<&Kappas::kappa5>);
+    add("machine.kappa6", from_zero(large), "1e-4", "(v_0/b) sqrt(m/k_x), velocity of the base",
+        kappa<&Kappas::kappa6>);
+    add("machine.kappa7", above_zero(large), "0.42", "Theta/(m b^2), moment of inertia",
+        kappa<&Kappas::kappa7>, "rotation divides by it");
+    add("machine.kappa8", {-1000, 1000}, "1.18",
+        "h/a, where the spring pulls: above the centre of gravity, negative below",
+        kappa<&Kappas::kappa8>);
+}
+
+template <double DimensionalMachine::*member>
+Field dimension(WalkCase& c) {
+    return in(c.dimensional, member);
+}
+
+void add_body(std::vector<WalkKey>& keys) {
+    const auto add = [&](std::string_view path, Dimension dimension, std::string_view example,
+                         std::string_view text, Field (*field)(WalkCase&)) {
+        keys.push_back({{.path = path,
+                         .kind = Kind::quantity,
+                         .dimension = dimension,
+                         .range = above_zero(large),
+                         .required = true,
+                         .example = example,
+                         .text = text},
+                        field});
+    };
+    add("machine.mass", Dimension::mass, R"("490 g")", "mass m",
+        dimension<&DimensionalMachine::mass>);
+    add("machine.half_height", Dimension::length, R"("21.2 mm")", "half height a",
+        dimension<&DimensionalMachine::half_height>);
+    add("machine.half_width", Dimension::length, R"("14 mm")", "half width b",
+        dimension<&DimensionalMachine::half_width>);
+    add("machine.moment_of_inertia", Dimension::moment_of_inertia, R"("1.7e-4 kg m2")",
+        "moment of inertia Theta about the centre of gravity",
+        dimension<&DimensionalMachine::moment_of_inertia>);
+    add("machine.spring_stiffness", Dimension::stiffness, R"("4.34e6 N/m")",
+        "stiffness k_s of the spring that drags", dimension<&DimensionalMachine::spring_stiffness>);
+}
+
+void add_stiffnesses(std::vector<WalkKey>& keys) {
+    keys.push_back({{.path = "machine.tangential_stiffness",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::stiffness,
+                     .range = above_zero(1e15),
+                     .alternative = spot_stiffness,
+                     .example = R"("2.2e6 N/m")",
+                     .text = "k_x of one contact spot"},
+                    [](WalkCase& c) {
+                        return c.input.contact
+                                   ? Field()
+                                   : in(c.dimensional, &DimensionalMachine::tangential_stiffness);
+                    }});
+    keys.push_back({{.path = "machine.normal_stiffness",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::stiffness,
+                     .range = above_zero(1e15),
+                     .required = true,
+                     .needs = "machine.tangential_stiffness",
+                     .example = R"("2.9e6 N/m")",
+                     .text = "k_z of one contact spot"},
+                    [](WalkCase& c) {
+                        return c.input.contact
+                                   ? Field()
+                                   : in(c.dimensional, &DimensionalMachine::normal_stiffness);
+                    }});
+}
+
+void add_motion(std::vector<WalkKey>& keys) {
+    keys.push_back({{.path = "machine.friction_coefficient",
+                     .kind = Kind::number,
+                     .range = from_zero(100),
+                     .required = true,
+                     .example = "0.75",
+                     .text = "Coulomb's coefficient of friction mu"},
+                    dimension<&DimensionalMachine::friction_coefficient>});
+    keys.push_back({{.path = "machine.base_velocity",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::velocity,
+                     .range = from_zero(1e6),
+                     .required = true,
+                     .example = R"("40 mm/s")",
+                     .text = "velocity v_0 of the spring's base"},
+                    dimension<&DimensionalMachine::base_velocity>});
+    keys.push_back({{.path = "machine.lever_arm",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = {-1e6, 1e6},
+                     .alternative = lever_arm,
+                     .example = R"("-10 mm")",
+                     .text = "height h of the spring above the centre of gravity"},
+                    [](WalkCase& c) {
+                        return c.input.height_ratio
+                                   ? Field()
+                                   : in(c.dimensional, &DimensionalMachine::lever_arm);
+                    }});
+    keys.push_back(
+        {{.path = "machine.height_ratio",
+          .kind = Kind::number,
+          .range = {-1000, 1000},
+          .alternative = lever_arm,
+          .example = "-0.47",
+          .text = "h/a, the same over the half height"},
+         [](WalkCase& c) { return c.dimensional ? Field(&c.input.height_ratio) : Field(); }});
+    keys.push_back({{.path = "machine.gravity",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::acceleration,
+                     .range = above_zero(1e6),
+                     .default_value = R"("9.81 m/s2")",
+                     .example = R"("9.81 m/s2")",
+                     .text = "acceleration g of gravity"},
+                    dimension<&DimensionalMachine::gravity>});
+}
+
+}  // namespace
+
+void add_machine_keys(std::vector<WalkKey>& keys) {
+    add_model(keys);
+    add_kappas(keys);
+    add_body(keys);
+    add_stiffnesses(keys);
+    add_motion(keys);
+}
+
+}  // namespace tricontact::io
