@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "../unit/dynamics_sets.h"
+#include "dynamics/event_driven.h"
+#include "dynamics/velocity_verlet.h"
+#include "dynamics/walk_case.h"
+
+namespace tricontact::dynamics {
+namespace {
+
+double distance(const Motion& a, const Motion& b) {
+    return std::hypot(a.x - b.x, a.z - b.z, a.phi - b.phi);
+}
+
+Motion by_verlet(const Machine& machine, const Start& start, double end, int n_steps) {
+    VelocityVerlet run(machine, motion_at_start(machine, start), end / n_steps);
+    for (int i = 0; i < n_steps; ++i) run.advance();
+    return run.motion();
+}
+
+// Errors of velocity Verlet over the static displacement with 500, 1000, 2000 and 4000 steps per
+// unit of time. Where in a step an event falls changes the error: root mean square of 100 steps, up
+// to 10 % shorter.
+std::array<double, 4> verlet_errors(const Machine& machine, const Start& start, double end) {
+    EventDriven reference(machine, motion_at_start(machine, start), 1e-13);
+    reference.advance_to(end);
+    const Motion exact = reference.motion();
+    constexpr int n_samples = 100;
+    std::array<double, 4> errors{};
+    double n_steps = 500 * end;
+    for (double& error : errors) {
+        for (int i = 0; i < n_samples; ++i) {
+            const int n = static_cast<int>(n_steps * (1 + 0.1 * i / n_samples));
+            error += std::pow(distance(by_verlet(machine, start, end, n), exact), 2) / n_samples;
+        }
+        error = std::sqrt(error) / static_displacement(machine);
+        n_steps *= 2;
+    }
+    return errors;
+}
+
+void expect_order(const std::array<double, 4>& errors, double order, double tolerance) {
+    for (std::size_t i = 1; i < errors.size(); ++i)
+        EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), order, tolerance)
+            << errors[i - 1] << " " << errors[i];
+}
+
+// No event: Verlet's own order, the next term of its error is smaller by the step squared.
+TEST(VelocityVerletOrder, IsTwoWithoutEvents) {
+    Machine machine{.kappas = set_b()};
+    machine.kappas.kappa5 = 50;
+    expect_order(verlet_errors(machine, {}, 0.9), 2, 0.01);
+}
+
+// Events of set B: the force is continuous there, its kink costs a step's square; so does the
+// deflection with which a spot sticks, as slip ends with velocity zero. They leave the order,
+// where in a step they fall scatters the error.
+TEST(VelocityVerletOrder, IsTwoWhereSpotsLandSlipping) {
+    expect_order(verlet_errors({.kappas = set_b()}, {}, 10), 2, 0.05);
+}
+
+// A spot that sticks from its landing on keeps a deflection that counts the whole of the step in
+// which it landed, the part in the air as well: off by a step times the velocity.
+TEST(VelocityVerletOrder, IsOneWhereSpotsLandSticking) {
+    Machine machine{.kappas = set_b(), .mechanisms = {.rotation = false}};
+    machine.kappas.kappa5 = 3;
+    expect_order(verlet_errors(machine, {.x = 0.3, .z = -1.3}, 3), 1, 0.1);
+}
+
+// On a flank the slip turns. The radial return takes the direction at the end of the step: backward
+// Euler.
+TEST(VelocityVerletOrder, IsOneInThePrism) {
+    expect_order(verlet_errors({.kappas = set_b(), .model = Machine::Model::prism}, {}, 10), 1,
+                 0.01);
+}
+
+// The spec: a step of 1e-4 is right to 1e-6 of the static displacement after ten units of time.
+TEST(EventDrivenReference, AgreesWithShortStepsOfVerlet) {
+    const Machine machine{.kappas = set_b()};
+    EventDriven reference(machine, motion_at_start(machine), 1e-13);
+    reference.advance_to(10);
+    const Motion motion = by_verlet(machine, {}, 10, 100000);
+    EXPECT_LT(distance(motion, reference.motion()) / static_displacement(machine), 1e-6);
+}
+
+// What happens on a limit cycle on which the body flies once.
+struct Cycle {
+    double period = 0;
+    std::array<double, 2> sticking = {0, 0};  // times
+    EnergyBalance balance;                    // of the period
+};
+
+bool flies(const EventDriven& run) {
+    return !run.modes()[0].touches && !run.modes()[1].touches;
+}
+
+// From the body's flight to its next one.
+Cycle cycle_of(EventDriven& run) {
+    const double never = run.motion().time + 1000;
+    while (!flies(run) && run.advance_to_event(never)) {
+    }
+    const EnergyBalance before = run.energy_balance();
+    double time = run.motion().time;
+    Cycle cycle;
+    do {
+        std::array<bool, 2> sticks;
+        for (int i = 0; i < 2; ++i) sticks[i] = run.modes()[i].state == SpotState::stick;
+        run.advance_to_event(never);
+        const double elapsed = run.motion().time - time;
+        for (int i = 0; i < 2; ++i) cycle.sticking[i] += sticks[i] ? elapsed : 0;
+        cycle.period += elapsed;
+        time += elapsed;
+    } while (!flies(run) && time < never);
+    const EnergyBalance after = run.energy_balance();
+    cycle.balance = {.base = after.base - before.base,
+                     .geometric = after.geometric - before.geometric,
+                     .dissipation = after.dissipation - before.dissipation,
+                     .stored = after.stored - before.stored};
+    return cycle;
+}
+
+// The numbers of the specification, found by velocity Verlet in an independent program; the
+// tolerances are its own. Its chaotic transient lasts 1450 on average.
+TEST(EventDrivenReference, EndsInTheLimitCycleOfSetB) {
+    const Machine machine{.kappas = set_b()};
+    const Kappas& k = machine.kappas;
+    EventDriven run(machine, motion_at_start(machine), 1e-12);
+    run.advance_to(16000);
+    const Cycle first = cycle_of(run), second = cycle_of(run);
+    EXPECT_NEAR(first.period, 4.2930, 0.5e-4);
+    EXPECT_NEAR(first.period, second.period, 1e-8);
+    EXPECT_NEAR(first.sticking[0] / first.period, 0.4265, 0.002);
+    EXPECT_NEAR(first.sticking[1] / first.period, 0.4931, 0.002);
+    // The work of the base is its way times the mean force.
+    const EnergyBalance& balance = first.balance;
+    const double mu_e = balance.base / (k.kappa6 * first.period * k.kappa5 * k.kappa4);
+    EXPECT_NEAR(mu_e, 0.0440, 0.0005);
+    // A cycle stores nothing: what the base does is dissipated, but for the moments that have no
+    // potential, a share of the order of phi. Steps, 100 in a period, are accurate to 1e-12 of the
+    // static displacement and z swings by 2.8 of it.
+    EXPECT_NEAR(balance.residual() / balance.base, 0, 1e-9);
+    EXPECT_NEAR(balance.stored / balance.base, 0, 1e-7);
+    EXPECT_GT(std::abs(balance.geometric / balance.base), 1e-5);
+    EXPECT_LT(std::abs(balance.geometric / balance.base), 1e-3);
+}
+
+}  // namespace
+}  // namespace tricontact::dynamics
