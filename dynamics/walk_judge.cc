@@ -49,6 +49,17 @@ double greatest_vibration(std::span<const WalkWindow> windows) {
     return greatest;
 }
 
+/// First of the windows from which on the body does not vibrate vertically; none if it does in the
+/// last quarter of the run.
+std::optional<std::size_t> first_still(const Machine& machine,
+                                       std::span<const WalkWindow> windows) {
+    const double bound = still * std::abs(static_displacement(machine));
+    const std::size_t first = first_of_end(
+        windows, [bound](const WalkWindow& window) { return vibration(window) <= bound; });
+    if (first >= windows.size() - windows.size() / 4) return std::nullopt;
+    return first;
+}
+
 /// Whatever is but a mean or an extreme over the steps.
 void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result) {
     const double n = static_cast<double>(sums.steps), rest = static_displacement(machine);
@@ -96,18 +107,18 @@ WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> wind
     return result;
 }
 
-/// Time from which on every window shows the extremes of the cycle, to a hundredth of its
-/// amplitudes.
-double time_of_arrival(std::span<const WalkWindow> windows, const StretchSums& cycle) {
+/// Whether the extremes of two stretches agree to a hundredth of the amplitudes.
+bool same_extremes(const StretchSums& a, const StretchSums& b) {
     constexpr double near = 0.01;
-    const double z = near * (cycle.z_max - cycle.z_min),
-                 phi = near * (cycle.phi_max - cycle.phi_min);
-    const std::size_t first = first_of_end(windows, [&](const WalkWindow& window) {
-        const StretchSums& sums = window.sums;
-        return std::abs(sums.z_min - cycle.z_min) <= z && std::abs(sums.z_max - cycle.z_max) <= z &&
-               std::abs(sums.phi_min - cycle.phi_min) <= phi &&
-               std::abs(sums.phi_max - cycle.phi_max) <= phi;
-    });
+    const double z = near * (b.z_max - b.z_min), phi = near * (b.phi_max - b.phi_min);
+    return std::abs(a.z_min - b.z_min) <= z && std::abs(a.z_max - b.z_max) <= z &&
+           std::abs(a.phi_min - b.phi_min) <= phi && std::abs(a.phi_max - b.phi_max) <= phi;
+}
+
+/// Time from which on every window shows the extremes of the cycle; infinite if none does.
+double time_of_arrival(std::span<const WalkWindow> windows, const StretchSums& cycle) {
+    const std::size_t first = first_of_end(
+        windows, [&](const WalkWindow& window) { return same_extremes(window.sums, cycle); });
     return first < windows.size() ? windows[first].begin : std::numeric_limits<double>::infinity();
 }
 
@@ -187,17 +198,23 @@ std::int64_t window_steps(std::int64_t n_steps, double step) {
         {n_steps / n_windows, static_cast<std::int64_t>(shortest / step), std::int64_t{1}});
 }
 
+bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows) {
+    if (first_still(machine, windows)) return false;
+    const double length = windows.front().end - windows.front().begin;
+    const auto half =
+        static_cast<std::size_t>(std::max(1., std::round(judged_time() / 2 / length)));
+    if (windows.size() < 2 * half) return true;
+    const auto end = windows.last(2 * half);
+    return same_extremes(total(end.first(half)), total(end.last(half)));
+}
+
 WalkResult judge(const Machine& machine, const WalkEvidence& evidence) {
     if (evidence.tilting_time) return judge_tilting(machine, evidence);
-    const auto windows = evidence.windows;
-    const double bound = still * std::abs(static_displacement(machine));
-    const std::size_t first = first_of_end(
-        windows, [bound](const WalkWindow& window) { return vibration(window) <= bound; });
-    if (first < windows.size() - windows.size() / 4)  // for a quarter of the run, at least a window
-        return judge_steady(machine, windows, first);
+    if (const auto first = first_still(machine, evidence.windows))
+        return judge_steady(machine, evidence.windows, *first);
     if (const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step))
-        return judge_cycle(machine, windows, *cycle);
-    return judge_chaos(machine, windows);
+        return judge_cycle(machine, evidence.windows, *cycle);
+    return judge_chaos(machine, evidence.windows);
 }
 
 }  // namespace tricontact::dynamics

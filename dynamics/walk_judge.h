@@ -23,6 +23,11 @@ double judged_time();
 /// Length of the windows, as a number of steps: 200 in a run, none shorter than five swings.
 std::int64_t window_steps(std::int64_t n_steps, double step);
 
+/// Whether a run may have ended on a limit cycle: it vibrates, and the extremes of its end, in
+/// which limit cycles are looked for, are the same in both halves. Without that it has no use for
+/// returns.
+bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows);
+
 /// Regime and statistics of a run of at least one window.
 WalkResult judge(const Machine& machine, const WalkEvidence& evidence);
 

@@ -10,14 +10,6 @@
 namespace tricontact::dynamics {
 namespace {
 
-WalkCase case_of(const Kappas& kappas, double end) {
-    return {.title = {},
-            .machine = {.kappas = kappas},
-            .dimensional = {},
-            .start = {},
-            .time = {.step = 1e-3, .end = end}};
-}
-
 // Wetter (2016), figure 4.5: slides, z constant. f_s swings on undamped; the mean's error says so.
 TEST(WalkRun, SetASlidesSteadily) {
     const WalkResult result = walk(case_of(set_a(), 4000)).result;

@@ -1,4 +1,4 @@
-#include "dynamics/snapshots.h"
+#include "dynamics/snapshot_recorder.h"
 
 #include <algorithm>
 
@@ -10,8 +10,6 @@ SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
     return step.sticks ? SpotState::stick : SpotState::slip;
 }
 
-}  // namespace
-
 void take_snapshot(const VelocityVerlet& run, Snapshot& snapshot) {
     snapshot.motion = run.motion();
     snapshot.spots.resize(run.spots().size());
@@ -19,16 +17,19 @@ void take_snapshot(const VelocityVerlet& run, Snapshot& snapshot) {
         snapshot.spots[i] = state_of(run.motion().spots[i], run.spot_steps()[i]);
 }
 
-void LastSnapshots::add(const VelocityVerlet& run) {
-    if (ring_.size() < most_) ring_.emplace_back();
+}  // namespace
+
+void SnapshotRecorder::add(const VelocityVerlet& run) {
+    if (first_.size() < n_first_) take_snapshot(run, first_.emplace_back());
+    if (ring_.size() < n_last_) ring_.emplace_back();
     // Written over, so that it keeps its memory: a run takes millions.
     take_snapshot(run, ring_[next_]);
-    next_ = (next_ + 1) % most_;
+    next_ = (next_ + 1) % n_last_;
 }
 
-std::vector<Snapshot> LastSnapshots::last(std::size_t count) const {
+std::vector<Snapshot> SnapshotRecorder::last(std::size_t count) const {
     std::vector<Snapshot> ordered(ring_);
-    if (ring_.size() == most_)
+    if (ring_.size() == n_last_)
         std::rotate_copy(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(next_),
                          ring_.end(), ordered.begin());
     if (ordered.size() > count)

@@ -1,0 +1,57 @@
+#include "dynamics/walk_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dynamics/step_error.h"
+#include "dynamics/walk_judge.h"
+
+namespace tricontact::dynamics {
+
+WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording) {
+    const auto& [step, end] = walk_case.time;
+    if (!(step > 0) || !(end >= step)) throw std::invalid_argument("a run needs at least one step");
+    const auto count = [step = step](double time) {
+        return static_cast<std::int64_t>(std::llround(time / step));
+    };
+    const std::int64_t run = count(end);
+    return {.run = run,
+            .window = window_steps(run, step),
+            .snapshot = std::max(count(recording.interval), std::int64_t{1}),
+            .tail = std::min(count(recording.tail), run),
+            .judged = std::min(count(judged_time()), run)};
+}
+
+std::optional<double> follow(VelocityVerlet& run, std::int64_t n_steps, std::int64_t every,
+                             WalkRecorder& recorder, SnapshotRecorder& snapshots) {
+    const double limit = tilting_limit(run.machine());
+    for (std::int64_t i = 0; i <= n_steps; ++i) {
+        if (i % every == 0) snapshots.add(run);
+        if (i == n_steps) break;
+        run.advance();
+        recorder.add(run.motion(), run.spot_steps());
+        if (!(std::abs(run.motion().phi) <= limit)) return run.motion().time;
+    }
+    return std::nullopt;
+}
+
+void conclude(const WalkCase& walk_case, const Recording& recording,
+              std::optional<double> tilting_time, const SnapshotRecorder& snapshots, Walk& walk) {
+    const Machine& machine = walk_case.machine;
+    const double step = walk_case.time.step;
+    const WalkSteps steps = steps_of(walk_case, recording);
+    walk.result = judge(machine, {step, walk.windows, walk.returns, tilting_time});
+    std::int64_t tail = steps.tail / steps.snapshot;
+    if (walk.result.period) {
+        add_step_error(machine, walk.returns, step, walk.result);
+        const double interval = static_cast<double>(steps.snapshot) * step;
+        // One more, as their length is rounded.
+        tail = std::max(tail, std::int64_t{std::llround(3 * *walk.result.period / interval)} + 1);
+    }
+    walk.start = snapshots.first();
+    walk.tail = snapshots.last(static_cast<std::size_t>(tail) + 1);
+    if (walk.result.period) walk.phases = phases_of(machine, walk.tail, *walk.result.period);
+}
+
+}  // namespace tricontact::dynamics

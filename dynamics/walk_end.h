@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "dynamics/snapshot_recorder.h"
+#include "dynamics/velocity_verlet.h"
+#include "dynamics/walk_recorder.h"
+#include "dynamics/walk_run.h"
+
+namespace tricontact::dynamics {
+
+/// Numbers of steps that a case and what is to be recorded of it stand for.
+struct WalkSteps {
+    std::int64_t run = 0;       ///< in the run
+    std::int64_t window = 0;    ///< in a window
+    std::int64_t snapshot = 0;  ///< between snapshots
+    std::int64_t tail = 0;      ///< of the end that is recorded densely
+    std::int64_t judged = 0;    ///< of the end in which limit cycles are looked for
+};
+
+/// Throws std::invalid_argument if step or end are not positive.
+WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording);
+
+/// Runs on for so many steps, or until the machine tilts; returns the time of that.
+std::optional<double> follow(VelocityVerlet& run, std::int64_t n_steps, std::int64_t every,
+                             WalkRecorder& recorder, SnapshotRecorder& snapshots);
+
+/// What follows from windows and returns: the result, the tail and its phases. `snapshots` are of
+/// the last steps_of().judged steps at least, or of the tail where there is no limit cycle.
+void conclude(const WalkCase& walk_case, const Recording& recording,
+              std::optional<double> tilting_time, const SnapshotRecorder& snapshots, Walk& walk);
+
+}  // namespace tricontact::dynamics
