@@ -1,0 +1,156 @@
+// Micro-walking machines in the processor's vectors: steps of one machine per second and core, and
+// what share of the processor's arithmetic they use; the design of experiments of the thesis.
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "benchmarks/arithmetic_peak.h"
+#include "dynamics/batch.h"
+#include "dynamics/velocity_verlet.h"
+#include "dynamics/walk_case.h"
+
+namespace tricontact::benchmarks {
+namespace {
+
+using namespace dynamics;
+using Clock = std::chrono::steady_clock;
+using Detail = Batch::Detail;
+
+constexpr double step = 1e-3;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Wetter (2016), eq. 4.1.26.
+constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
+
+std::vector<Motion> starts_of(const std::vector<Machine>& machines) {
+    std::vector<Motion> starts;
+    for (const Machine& machine : machines) starts.push_back(motion_at_start(machine));
+    return starts;
+}
+
+/// Arithmetic vector instructions of a step of the two-spot model, counted in kernel_step.h and
+/// kernel_sums.h: with a fused multiply-add and one instruction for the clamp, with the clamp in
+/// three, with multiplications and additions apart.
+double instructions(Kernel kernel, Detail detail) {
+    const bool all = detail == Detail::everything;
+    switch (kernel) {
+        case Kernel::avx512:
+            return all ? 57 : 33;
+        case Kernel::avx2:
+            return all ? 63 : 37;
+        default:
+            return all ? 84 : 49;
+    }
+}
+
+/// `lane_steps`: of one machine, per second on one core, the best of many short runs; `of_peak`:
+/// the share of the arithmetic instructions that the core can do, measured in turn with the runs.
+void kernel_speed(benchmark::State& state, Kernel kernel, Machine::Model model, Detail detail) {
+    constexpr std::int64_t n_steps = 20'000;
+    const std::vector<Machine> machines(240, {.kappas = set_b, .model = model});
+    Batch batch(machines, starts_of(machines), step, {.kernel = kernel});
+    std::vector<StretchSums> sums(machines.size());
+    double best = 0, peak = 0;
+    for (auto _ : state) {
+        const auto begin = Clock::now();
+        batch.advance(n_steps, detail, sums);
+        const double seconds = seconds_since(begin);
+        state.SetIterationTime(seconds);
+        best = std::max(best, static_cast<double>(n_steps * machines.size()) / seconds);
+        peak = std::max(peak, arithmetic_peak(kernel));
+    }
+    state.counters["lane_steps"] = best;
+    const double lanes = 1 << static_cast<int>(kernel);
+    if (model == Machine::Model::two_spot && kernel != Kernel::plain)
+        state.counters["of_peak"] = best * instructions(kernel, detail) / (lanes * peak);
+}
+
+/// The same of the integrator of one machine.
+void one_machine(benchmark::State& state) {
+    const Machine machine{.kappas = set_b};
+    VelocityVerlet run(machine, motion_at_start(machine), step);
+    double best = 0;
+    for (auto _ : state) {
+        constexpr int n_steps = 100'000;
+        const auto begin = Clock::now();
+        for (int n = 0; n < n_steps; ++n) run.advance();
+        best = std::max(best, n_steps / seconds_since(begin));
+    }
+    state.counters["lane_steps"] = best;
+}
+
+/// Wetter (2016), section 4.2.2: three levels of eight parameters.
+std::vector<Machine> design_of_experiments() {
+    constexpr double levels[8][3] = {{.1, 1, 10},        {1, 1.2, 1.4}, {.5, 1, 1.5},
+                                     {1e-4, 1e-3, 1e-2}, {.2, .4, .6},  {1e-4, 1e-3, 1e-2},
+                                     {.5, 1, 1.5},       {-.8, 0, .8}};
+    std::vector<Machine> machines;
+    for (int i = 0; i < 6561; ++i) {
+        double k[8];
+        for (int j = 0, rest = i; j < 8; ++j, rest /= 3) k[j] = levels[j][rest % 3];
+        machines.push_back({.kappas = {k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7]}});
+    }
+    return machines;
+}
+
+/// 6561 machines, 4e6 steps each, statistics of the second half. `finite`: runs whose results are;
+/// `tilted`: that were stopped early; `lane_steps`: made in all.
+void design(benchmark::State& state) {
+    const std::vector<Machine> machines = design_of_experiments();
+    const std::vector<Motion> starts = starts_of(machines);
+    for (auto _ : state) {
+        Batch batch(machines, starts, step, {.n_threads = static_cast<int>(state.range(0))});
+        std::vector<StretchSums> sums(machines.size());
+        batch.advance(2'000'000, Detail::motion, {});
+        batch.advance(2'000'000, Detail::motion, sums);
+        double finite = 0, tilted = 0, lane_steps = 0;
+        for (std::size_t i = 0; i < machines.size(); ++i) {
+            const Motion motion = batch.motion(i);
+            finite += std::isfinite(sums[i].spring_force + motion.x + motion.z + motion.phi);
+            tilted += batch.tilted(i).has_value();
+            lane_steps += motion.time / step;
+        }
+        state.counters["finite"] = finite;
+        state.counters["tilted"] = tilted;
+        state.counters["lane_steps"] = lane_steps;
+    }
+}
+BENCHMARK(design)
+    ->Name("design_of_experiments/threads")
+    ->Arg(2)
+    ->Iterations(1)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+void register_kernels() {
+    benchmark::RegisterBenchmark("one_machine", one_machine)->Unit(benchmark::kMillisecond);
+    for (const Kernel kernel : available_kernels())
+        for (const auto model : {Machine::Model::two_spot, Machine::Model::prism})
+            for (const auto detail : {Detail::motion, Detail::everything}) {
+                std::string name(word_of(kernel));
+                name += model == Machine::Model::prism ? "/prism" : "/two-spot";
+                name += detail == Detail::motion ? "/motion" : "/everything";
+                benchmark::RegisterBenchmark(name.c_str(), kernel_speed, kernel, model, detail)
+                    ->Iterations(40)
+                    ->UseManualTime()
+                    ->Unit(benchmark::kMillisecond);
+            }
+}
+
+}  // namespace
+}  // namespace tricontact::benchmarks
+
+int main(int argc, char** argv) {
+    tricontact::benchmarks::register_kernels();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+}
