@@ -1,0 +1,113 @@
+#include "comparisons/walking/course_section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tricontact::comparisons::walking {
+
+namespace {
+
+using dynamics::SectionReturn;
+using dynamics::WalkWindow;
+
+const std::string time_label = "time t [√(m/k_x)]";
+
+/// Where the statistics begin; nothing if nothing follows.
+void mark_transient(Figure& figure, const dynamics::WalkResult& result) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Curve& curve : figure.curves)
+        for (const double value : curve.y) {
+            low = std::fmin(low, value);
+            high = std::fmax(high, value);
+        }
+    if (result.observed > 0 && low < high)
+        figure.curves.push_back(
+            {.name = result.transient_over ? "end of the transient" : "judged from here on",
+             .x = {result.transient, result.transient},
+             .y = {low, high},
+             .theory = true});
+}
+
+Figure force_figure(const WalkReport& report) {
+    const dynamics::Machine& machine = report.walk_case.machine;
+    const double sliding =
+        normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+    Curve mean{.name = "mean f_s", .x = {}, .y = {}};
+    for (const WalkWindow& window : report.walk.windows) {
+        mean.x.push_back((window.begin + window.end) / 2);
+        mean.y.push_back(window.sums.spring_force / static_cast<double>(window.sums.steps) /
+                         sliding);
+    }
+    Figure figure{.id = "force_means",
+                  .title = "Friction over the run",
+                  .caption =
+                      "Means of the spring force over windows of equal length, over that of "
+                      "steady sliding. They ripple where a window is no whole number of periods.",
+                  .x = {time_label},
+                  .y = {"mean force [-]"},
+                  .curves = {mean}};
+    mark_transient(figure, report.walk.result);
+    return figure;
+}
+
+Figure height_figure(const WalkReport& report) {
+    const double rest = static_displacement(report.walk_case.machine);
+    Curve highest{.name = "highest", .x = {}, .y = {}},
+        deepest{.name = "deepest", .x = {}, .y = {}};
+    for (const WalkWindow& window : report.walk.windows) {
+        for (Curve* curve : {&highest, &deepest})
+            curve->x.push_back((window.begin + window.end) / 2);
+        highest.y.push_back(window.sums.z_min / rest);
+        deepest.y.push_back(window.sums.z_max / rest);
+    }
+    Figure figure{.id = "heights",
+                  .title = "Height over the run",
+                  .caption =
+                      "Extremes of z in each window over the static displacement, downwards; "
+                      "below 0 the body is in the air where it is not turned.",
+                  .x = {time_label},
+                  .y = {"z/z_stat [-]"},
+                  .curves = {highest, deepest}};
+    mark_transient(figure, report.walk.result);
+    return figure;
+}
+
+Figure return_map(const WalkReport& report) {
+    constexpr std::size_t most = 1000;
+    const double rest = static_displacement(report.walk_case.machine);
+    const std::vector<SectionReturn>& all = report.walk.returns;
+    const auto returns = std::span(all).last(std::min(all.size(), most));
+    Curve points{.name = "return", .x = {}, .y = {}, .kind = Curve::Kind::points};
+    for (std::size_t i = 1; i < returns.size(); ++i) {
+        points.x.push_back(returns[i - 1].motion.z / rest);
+        points.y.push_back(returns[i].motion.z / rest);
+    }
+    // Over all heights of the motion: the points of a limit cycle differ by less than can be seen.
+    const std::vector<double> heights{report.walk.result.z_min_ratio,
+                                      report.walk.result.z_max_ratio};
+    Curve same{.name = "same again", .x = heights, .y = heights, .theory = true};
+    return {.id = "returns",
+            .title = "Return map",
+            .caption =
+                "Height at each return to the Poincaré section, where the body gets as fast "
+                "as the spring's base, over that at the return before. A limit cycle is one "
+                "point for each of its returns, chaos a cloud.",
+            .x = {"z/z_stat at a return [-]"},
+            .y = {"at the next one [-]"},
+            .curves = {points, same}};
+}
+
+}  // namespace
+
+DocumentSection course_section(const WalkReport& report) {
+    DocumentSection section{.id = "course",
+                            .heading = "The whole run",
+                            .paragraphs = {},
+                            .figures = {force_figure(report), height_figure(report)}};
+    const dynamics::Regime regime = report.walk.result.regime;
+    if (regime == dynamics::Regime::limit_cycle || regime == dynamics::Regime::chaotic)
+        section.figures.push_back(return_map(report));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::walking

@@ -1,0 +1,112 @@
+#include "comparisons/walking/vibration_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons::walking {
+
+namespace {
+
+Curve upright(const std::string& name, double frequency, double top) {
+    return {.name = name, .x = {frequency, frequency}, .y = {0, top}, .theory = true};
+}
+
+Figure spectrum_figure(const Vibration& vibration) {
+    constexpr double shown = 4;  // times the frequency of free flight
+    Curve amplitudes{.name = "amplitude of f_s", .x = {}, .y = {}};
+    const dynamics::Spectrum& spectrum = vibration.spectrum;
+    for (std::size_t i = 0; i < spectrum.amplitudes.size(); ++i) {
+        const double frequency = static_cast<double>(i) * spectrum.resolution;
+        if (frequency > shown * vibration.free_flight) break;
+        amplitudes.x.push_back(frequency);
+        amplitudes.y.push_back(spectrum.amplitudes[i]);
+    }
+    const double top = *std::max_element(amplitudes.y.begin(), amplitudes.y.end());
+    Curve characteristic = upright("characteristic", vibration.characteristic.frequency, top);
+    characteristic.colour = 1;
+    return {
+        .id = "spectrum",
+        .title = "Spectrum of the spring force",
+        .caption =
+            "Amplitudes of sines in f_s over the force of steady sliding, root mean "
+            "square over eight parts of the recorded end under a Hann window: twice the "
+            "modulus of Wetter (2016), eq. 5.2.31.",
+        .x = {"frequency [√(k_x/m)]"},
+        .y = {"amplitude [-]"},
+        .curves = {amplitudes, characteristic, upright("free flight", vibration.free_flight, top)}};
+}
+
+Figure variance_figure(const Vibration& vibration) {
+    constexpr std::size_t enough = 1000;
+    const std::size_t stride = 1 + vibration.variances.size() / enough;
+    Curve variance{.name = "variance of f_s", .x = {}, .y = {}};
+    for (std::size_t i = 0; i < vibration.variances.size(); i += stride) {
+        variance.x.push_back(static_cast<double>(i) * vibration.interval + vibration.window / 2);
+        variance.y.push_back(vibration.variances[i]);
+    }
+    Curve threshold{.name = "threshold",
+                    .x = {variance.x.front(), variance.x.back()},
+                    .y = {instability_threshold, instability_threshold},
+                    .theory = true};
+    return {.id = "variance",
+            .title = "Running variance",
+            .caption = fmt::format("Of the spring force over that of steady sliding, in windows of "
+                                   "ten characteristic periods, {}. As eq. 4.3.1 of Wetter (2016) "
+                                   "is printed the deviations are not squared and sum to zero: "
+                                   "here they are.",
+                                   significant(vibration.window, 3)),
+            .x = {"time t* = t - t_0 [√(m/k_x)]"},
+            .y = {"variance [-]"},
+            .curves = {variance, threshold}};
+}
+
+/// Frequencies side by side, in hertz too where the case has dimensions.
+DocumentTable frequency_table(const WalkReport& report, const Vibration& vibration) {
+    DocumentTable table{.id = "frequencies",
+                        .title = "Characteristic frequency",
+                        .note =
+                            "Cycles per unit of time √(m/k_x); error: 95 % interval from eight "
+                            "parts. Free flight: √(κ_1 (1 + κ_3² κ_8²/κ_7))/2π.",
+                        .columns = {{"frequency"}, {"[√(k_x/m)]"}},
+                        .rows = {}};
+    const auto& dimensional = report.walk_case.dimensional;
+    const double second = dimensional ? 1 / characteristic_time(*dimensional) : 0;
+    if (dimensional) table.columns.push_back({"[Hz]"});
+    const auto add = [&](const std::string& name, double frequency, double error) {
+        std::vector<Cell>& row = table.rows.emplace_back();
+        row.emplace_back(name);
+        row.emplace_back(WithError{frequency, error});
+        if (dimensional) row.emplace_back(WithError{frequency * second, error * second});
+    };
+    const auto& [frequency, error] = vibration.characteristic;
+    add("of the spring force, most of the vibration", frequency, error);
+    if (const auto period = report.walk.result.period)
+        add("of the limit cycle", 1 / *period, report.walk.result.period_error / *period / *period);
+    add("of free flight", vibration.free_flight, 0);
+    return table;
+}
+
+}  // namespace
+
+DocumentSection vibration_section(const WalkReport& report, const Vibration& vibration) {
+    DocumentSection section{.id = "vibration",
+                            .heading = "Vibration of the spring force",
+                            .paragraphs = {},
+                            .figures = {spectrum_figure(vibration)},
+                            .tables = {frequency_table(report, vibration)}};
+    if (report.walk_case.machine.model == dynamics::Machine::Model::prism)
+        section.paragraphs.push_back(fmt::format(
+            "Wetter (2016), eq. 5.2.36, has 0.1 ± 0.006 for his simulations of set 5 "
+            "and derives the characteristic time and k_x = m/τ² of the rig from it. "
+            "Here it is {}: to the same measured frequency belongs a k_x as many times "
+            "smaller as the square of the ratio of both.",
+            with_error(vibration.characteristic.frequency, vibration.characteristic.error)));
+    if (!vibration.variances.empty()) section.figures.push_back(variance_figure(vibration));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::walking

@@ -1,0 +1,35 @@
+#include "comparisons/walking/walk_document.h"
+
+#include <fmt/format.h>
+
+#include "comparisons/format.h"
+#include "comparisons/walking/contact_section.h"
+#include "comparisons/walking/course_section.h"
+#include "comparisons/walking/motion_section.h"
+#include "comparisons/walking/vibration_section.h"
+#include "comparisons/walking/walk_settings.h"
+#include "comparisons/walking/walk_verdicts.h"
+
+namespace tricontact::comparisons::walking {
+
+Document walk_document(const WalkReport& report) {
+    const auto vibration = vibration_of(report);
+    Document document{
+        .kind = "Micro-walking machine",
+        .title =
+            report.walk_case.title.empty() ? "Run of a walking machine" : report.walk_case.title,
+        .lead =
+            "How a slider on elastic contact spots moves after its transient, and how much of "
+            "its friction is left: Wetter (2016), chapter 4. Lengths are in units of b, times "
+            "of √(m/k_x), where nothing else is said.",
+        .verdicts = walk_verdicts(report, vibration),
+        .settings = walk_settings(report.walk_case),
+        .sections = {motion_section(report), contact_section(report), course_section(report)},
+        .files = report.files,
+        .command = report.command,
+        .version = report.version};
+    if (vibration) document.sections.push_back(vibration_section(report, *vibration));
+    return document;
+}
+
+}  // namespace tricontact::comparisons::walking

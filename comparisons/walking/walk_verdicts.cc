@@ -1,0 +1,155 @@
+#include "comparisons/walking/walk_verdicts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/walking/spot_statistics.h"
+
+namespace tricontact::comparisons::walking {
+
+namespace {
+
+using dynamics::Regime;
+using dynamics::WalkResult;
+using Standing = Verdict::Standing;
+
+std::string percents(double share, int digits = 3) {
+    return significant(100 * share, digits) + " %";
+}
+
+std::string friction(const WalkResult& result) {
+    return fmt::format("μ_e = {}", with_error(result.mu_e, result.mu_e_error));
+}
+
+/// How much friction vibration takes away, where that is more than the error.
+std::string reduction(const WalkResult& result) {
+    const double saved = 1 - result.mu_e;
+    return saved > result.mu_e_error
+               ? fmt::format(", {} less friction than steady sliding", percents(saved))
+               : "";
+}
+
+Verdict fall(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    const dynamics::Machine& machine = report.walk_case.machine;
+    const double mu = machine.kappas.kappa5;
+    const double limit = critical_friction(machine.kappas) / normal_load_factor(machine);
+    return {
+        Standing::finding,
+        fmt::format("Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which "
+                    "a sliding body falls over its leading spot.",
+                    significant(result.tilting_time), significant(tilting_limit(machine), 3),
+                    as_given(mu), mu > limit ? "above" : "below", significant(limit))};
+}
+
+Verdict outcome(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    if (result.regime == Regime::tilting) return fall(report);
+    if (report.walk_case.machine.kappas.kappa5 == 0)
+        return {Standing::finding, "Without friction, μ = 0, there is none to reduce."};
+    if (!result.transient_over)
+        return {Standing::cannot_tell,
+                fmt::format("Too short: the transient was not over by T = {}. So far {} with "
+                            "μ_e = {}, whose error covers what it may still become; a longer "
+                            "[time] end tells.",
+                            significant(report.walk_case.time.end, 5),
+                            result.regime == Regime::steady ? "it slides" : "the motion is chaotic",
+                            with_error(result.mu_e, result.mu_e_error))};
+    if (result.regime == Regime::limit_cycle)
+        return {Standing::finding,
+                fmt::format("Walks in a limit cycle of period {}: {}{}. Mean over whole periods; "
+                            "the transient ends before t = {}.",
+                            with_error(*result.period, result.period_error, 5), friction(result),
+                            reduction(result), significant(result.transient))};
+    if (result.regime == Regime::steady)
+        return {Standing::finding,
+                fmt::format("Slides steadily: {}. The height does not vibrate from t = {} on.",
+                            friction(result), significant(result.transient))};
+    return {Standing::finding,
+            fmt::format("Chaotic to the end: {}{}; 95 % interval by block bootstrap over the last "
+                        "{}. Single numbers of a chaotic motion mean nothing.",
+                        friction(result), reduction(result), significant(result.observed))};
+}
+
+Verdict jump(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    if (result.z_min_ratio >= 0)
+        return {Standing::finding,
+                fmt::format("The body does not jump: its highest position is z = {} z_stat, "
+                            "downwards from where the spots are free.",
+                            significant(result.z_min_ratio))};
+    std::string text = fmt::format("The body jumps {} static displacements high",
+                                   significant(-result.z_min_ratio));
+    if (result.regime == Regime::chaotic)
+        text +=
+            fmt::format(" at most within {}; the longer chaos lasts, the higher its highest jump",
+                        significant(result.observed));
+    if (const auto& phases = report.walk.phases; phases && phases->airborne > 0)
+        text +=
+            fmt::format(": it is in the air for {} of a period, in which it makes {} of its way",
+                        percents(phases->airborne), percents(phases->airborne_advance));
+    return {Standing::finding, text + "."};
+}
+
+/// Wetter (2016), section 4.2.2: where friction is much reduced, the spots' velocities and normal
+/// deflections have correlations below -0.5.
+std::optional<Verdict> walking(const WalkReport& report) {
+    const std::vector<SpotStatistics> spots = spot_statistics(report);
+    if (spots.empty() || spots.size() > most_spots) return std::nullopt;
+    std::string correlations;
+    double greatest = -1;
+    for (const SpotStatistics& spot : spots) {
+        const auto& [r, error] = spot.correlation;
+        correlations += fmt::format("{}r_{} = {}", correlations.empty() ? "" : ", ", spot.number,
+                                    std::isnan(error) ? significant(r, 3) : with_error(r, error));
+        greatest = std::fmax(greatest, r);
+    }
+    constexpr double strong = -0.5;
+    return Verdict{
+        Standing::finding,
+        greatest < strong
+            ? "Spots move where they press little, correlations " + correlations +
+                  ": micro-walking."
+            : "How fast spots move depends little on how hard they press, correlations " +
+                  correlations + "."};
+}
+
+Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
+    const auto& [frequency, error] = vibration.characteristic;
+    std::string text = fmt::format("The spring force vibrates at {} cycles per √(m/k_x)",
+                                   with_error(frequency, error));
+    if (const auto& dimensional = report.walk_case.dimensional) {
+        const double second = 1 / characteristic_time(*dimensional);
+        text += fmt::format(", {} Hz", with_error(frequency * second, error * second));
+    }
+    text += fmt::format("; in free flight it would be {}.", significant(vibration.free_flight, 3));
+    if (report.walk.result.regime == Regime::steady)
+        text += " Sliding is linearly neutral: nothing damps this vibration, nor feeds it.";
+    else if (std::isfinite(vibration.instability))
+        text += fmt::format(
+            " Unstable, variance above {}: {} % of the recorded end.",
+            as_given(instability_threshold),
+            with_error(100 * vibration.instability, 100 * vibration.instability_error, 3));
+    return {Standing::finding, text};
+}
+
+}  // namespace
+
+std::vector<Verdict> walk_verdicts(const WalkReport& report,
+                                   const std::optional<Vibration>& vibration) {
+    const WalkResult& result = report.walk.result;
+    std::vector<Verdict> verdicts{outcome(report)};
+    if (result.regime == Regime::tilting) return verdicts;
+    if (result.regime != Regime::steady && result.transient_over) {
+        verdicts.push_back(jump(report));
+        if (const auto verdict = walking(report)) verdicts.push_back(*verdict);
+    }
+    if (vibration && std::isfinite(vibration->characteristic.frequency))
+        verdicts.push_back(vibrates(report, *vibration));
+    return verdicts;
+}
+
+}  // namespace tricontact::comparisons::walking

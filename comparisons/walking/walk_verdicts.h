@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparisons/document.h"
+#include "comparisons/walking/vibration.h"
+
+namespace tricontact::comparisons::walking {
+
+/// What a run came to, whether it was long enough, whether the body jumps and its spots move where
+/// they press little.
+std::vector<Verdict> walk_verdicts(const WalkReport& report,
+                                   const std::optional<Vibration>& vibration);
+
+}  // namespace tricontact::comparisons::walking

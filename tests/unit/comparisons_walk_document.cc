@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/walking/motion_series.h"
+#include "comparisons/walking/walk_document.h"
+#include "comparisons/walking/walk_verdicts.h"
+#include "dynamics_sets.h"
+
+namespace tricontact::comparisons::walking {
+namespace {
+
+using Standing = Verdict::Standing;
+
+WalkReport run_of(const dynamics::Machine& machine, double end) {
+    WalkReport report;
+    report.walk_case.machine = machine;
+    report.walk_case.time.end = end;
+    report.walk = dynamics::walk(report.walk_case, report_recording);
+    return report;
+}
+
+/// Set B on its limit cycle, which it reaches at t = 600 from rest.
+const WalkReport& walking_set_b() {
+    static const WalkReport report = run_of({.kappas = dynamics::set_b()}, 1500);
+    return report;
+}
+
+bool contains(const std::string& text, std::string_view part) {
+    return text.find(part) != std::string::npos;
+}
+
+const Figure& figure(const Document& document, const std::string& id) {
+    for (const DocumentSection& section : document.sections)
+        for (const Figure& each : section.figures)
+            if (each.id == id) return each;
+    throw std::invalid_argument("no figure " + id);
+}
+
+// Numbers of set B: an independent program's, to their last digit.
+TEST(WalkDocument, TellsWhatALimitCycleIs) {
+    const Document document = walk_document(walking_set_b());
+    ASSERT_EQ(document.verdicts.size(), 4u);
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "limit cycle of period 4.29"));
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "95.6 % less friction"));
+    EXPECT_TRUE(contains(document.verdicts[1].sentence, "jumps 0.4289 static"));
+    EXPECT_TRUE(contains(document.verdicts[2].sentence, "r_1 = −0.759, r_2 = −0.727"));
+    EXPECT_TRUE(contains(document.verdicts[3].sentence, "0.2329"));
+    EXPECT_NO_THROW(document_html(document));
+}
+
+TEST(WalkDocument, DrawsWholePeriods) {
+    const Document document = walk_document(walking_set_b());
+    const Figure& motion = figure(document, "motion");
+    constexpr double sampled = 0.05;
+    EXPECT_NEAR(motion.curves[1].x.back(), 3 * 4.2930, sampled);
+    const auto [low, high] =
+        std::minmax_element(motion.curves[1].y.begin(), motion.curves[1].y.end());
+    constexpr double between_samples = 0.002;  // z'' <= 2.1 z_stat over half an interval, squared
+    EXPECT_NEAR(*low, -0.4289, between_samples);
+    EXPECT_NEAR(*high, 2.3545, between_samples);
+    // The phases follow each other on the curve of z, the turning point at its top.
+    const std::vector<Curve>& period = figure(document, "period").curves;
+    const auto mark = [&](int phase) { return period[period.size() - 5 + phase]; };
+    for (int phase = 1; phase < 4; ++phase)
+        EXPECT_LT(mark(phase).x.front(), mark(phase + 1).x.front());
+    EXPECT_NEAR(mark(2).y.front(), 2.3545, between_samples);
+    EXPECT_LT(mark(4).y.front(), 0);
+}
+
+// On the limit cycle the forces of the spots balance the weight in the mean: no mean acceleration.
+TEST(WalkDocument, ForcesOfTheSpotsBalanceTheWeight) {
+    const Document document = walk_document(walking_set_b());
+    double weight = 0;
+    for (const char* id : {"spot_1", "spot_2"}) {
+        const std::vector<double>& force = figure(document, id).curves[0].y;
+        for (std::size_t i = 1; i < force.size(); ++i)
+            weight += force[i] / static_cast<double>(force.size() - 1);
+    }
+    EXPECT_NEAR(weight, 1, 0.01);  // the stretch is whole periods to an interval of 258
+}
+
+TEST(WalkDocument, FindsTheLimitCyclesFrequencyInTheSpectrum) {
+    const auto vibration = vibration_of(walking_set_b());
+    ASSERT_TRUE(vibration);
+    const double frequency = 1 / *walking_set_b().walk.result.period;
+    EXPECT_NEAR(vibration->characteristic.frequency / frequency, 1, 1e-4);
+    EXPECT_EQ(vibration->instability, 1);
+}
+
+TEST(WalkDocument, SaysWhereARunIsTooShort) {
+    const Document document = walk_document(run_of({.kappas = dynamics::set_b()}, 150));
+    EXPECT_EQ(document.verdicts[0].standing, Standing::cannot_tell);
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "Too short"));
+    EXPECT_NO_THROW(document_html(document));
+}
+
+TEST(WalkDocument, SteadySlidingHasNoReturnMap) {
+    const Document document = walk_document(run_of({.kappas = dynamics::set_a()}, 1500));
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "Slides steadily"));
+    EXPECT_THROW(figure(document, "returns"), std::invalid_argument);
+    EXPECT_NO_THROW(document_html(document));
+}
+
+TEST(WalkDocument, OfAFallNamesTheCriticalFriction) {
+    dynamics::Machine machine{.kappas = dynamics::set_b()};
+    machine.kappas.kappa5 = 2;
+    const Document document = walk_document(run_of(machine, 5000));
+    ASSERT_EQ(document.verdicts.size(), 1u);
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "Falls over"));
+    EXPECT_TRUE(contains(document.verdicts[0].sentence, "above μ_c = 0.9174"));
+    EXPECT_NO_THROW(document_html(document));
+}
+
+TEST(WalkDocument, StandsWithoutFrictionWithoutDragAndWithManySpots) {
+    dynamics::Machine machine{.kappas = dynamics::set_b()};
+    machine.kappas.kappa5 = 0;
+    const Document frictionless = walk_document(run_of(machine, 60));
+    EXPECT_TRUE(contains(frictionless.verdicts[0].sentence, "μ = 0"));
+    EXPECT_NO_THROW(document_html(frictionless));
+    machine.kappas = dynamics::set_b();
+    machine.kappas.kappa6 = 0;
+    EXPECT_NO_THROW(document_html(walk_document(run_of(machine, 60))));
+    machine = {.kappas = dynamics::set_b(), .model = dynamics::Machine::Model::spots};
+    for (int i = -2; i <= 2; ++i) machine.spots.push_back({.position = i / 2.});
+    const Document many = walk_document(run_of(machine, 60));
+    EXPECT_EQ(figure(many, "spots").curves.size(), 3u);
+    EXPECT_THROW(figure(many, "spot_1"), std::invalid_argument);
+    EXPECT_NO_THROW(document_html(many));
+}
+
+TEST(WalkDocument, HasHertzWhereTheCaseHasDimensions) {
+    WalkReport report = walking_set_b();
+    report.walk_case.dimensional =
+        dynamics::with_dimensions(report.walk_case.machine.kappas, 0.49, 14e-3);
+    const double hertz =
+        1 / *report.walk.result.period / characteristic_time(*report.walk_case.dimensional);
+    const Document document = walk_document(report);
+    const DocumentTable& table = document.sections.back().tables.front();
+    ASSERT_EQ(table.columns.size(), 3u);
+    EXPECT_NEAR(std::get<WithError>(table.rows[1][2]).value / hertz, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons::walking
