@@ -5,6 +5,7 @@
 #include "comparisons/format.h"
 #include "comparisons/walking/contact_section.h"
 #include "comparisons/walking/course_section.h"
+#include "comparisons/walking/energy_section.h"
 #include "comparisons/walking/motion_section.h"
 #include "comparisons/walking/vibration_section.h"
 #include "comparisons/walking/walk_settings.h"
@@ -29,6 +30,10 @@ Document walk_document(const WalkReport& report) {
         .command = report.command,
         .version = report.version};
     if (vibration) document.sections.push_back(vibration_section(report, *vibration));
+    if (const auto energy = energy_of(report)) {
+        document.verdicts.push_back(energy_verdict(report, *energy));
+        document.sections.push_back(energy_section(*energy));
+    }
     return document;
 }
 

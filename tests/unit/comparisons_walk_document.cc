@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/walking/energy_section.h"
 #include "comparisons/walking/motion_series.h"
 #include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_verdicts.h"
@@ -41,13 +42,35 @@ const Figure& figure(const Document& document, const std::string& id) {
 // Numbers of set B: an independent program's, to their last digit.
 TEST(WalkDocument, TellsWhatALimitCycleIs) {
     const Document document = walk_document(walking_set_b());
-    ASSERT_EQ(document.verdicts.size(), 4u);
+    ASSERT_EQ(document.verdicts.size(), 5u);
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "limit cycle of period 4.29"));
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "95.6 % less friction"));
     EXPECT_TRUE(contains(document.verdicts[1].sentence, "jumps 0.4289 static"));
     EXPECT_TRUE(contains(document.verdicts[2].sentence, "r_1 = −0.759, r_2 = −0.727"));
     EXPECT_TRUE(contains(document.verdicts[3].sentence, "0.2329"));
+    EXPECT_EQ(document.verdicts[4].standing, Standing::holds);
     EXPECT_NO_THROW(document_html(document));
+}
+
+// What a period on the limit cycle takes from the base is <f_s> kappa6 T; nothing is stored.
+TEST(WalkDocument, BalancesTheEnergyOfAPeriod) {
+    const auto energy = energy_of(walking_set_b());
+    ASSERT_TRUE(energy);
+    const dynamics::Kappas kappas = dynamics::set_b();
+    const double work = 0.0440 * kappas.kappa5 * kappas.kappa4 * kappas.kappa6 *
+                        *walking_set_b().walk.result.period;
+    EXPECT_NEAR(energy->balance.base / work, 1, 0.02);  // a step more or less at 40 times the mean
+    EXPECT_LT(std::abs(energy->balance.residual()) / energy->balance.base, 1e-6);
+}
+
+TEST(WalkDocument, SaysWhereTheStepLosesEnergy) {
+    WalkReport report = walking_set_b();
+    report.walk_case.time.step = 0.02;
+    const auto energy = energy_of(report);
+    ASSERT_TRUE(energy);
+    const Verdict verdict = energy_verdict(report, *energy);
+    EXPECT_EQ(verdict.standing, Standing::fails);
+    EXPECT_TRUE(contains(verdict.sentence, "smaller [time] step"));
 }
 
 TEST(WalkDocument, DrawsWholePeriods) {
@@ -137,7 +160,8 @@ TEST(WalkDocument, HasHertzWhereTheCaseHasDimensions) {
     const double hertz =
         1 / *report.walk.result.period / characteristic_time(*report.walk_case.dimensional);
     const Document document = walk_document(report);
-    const DocumentTable& table = document.sections.back().tables.front();
+    const DocumentTable& table = document.sections[3].tables.front();
+    ASSERT_EQ(table.id, "frequencies");
     ASSERT_EQ(table.columns.size(), 3u);
     EXPECT_NEAR(std::get<WithError>(table.rows[1][2]).value / hertz, 1, 1e-12);
 }
