@@ -7,6 +7,7 @@
 #include "comparisons/walking/course_section.h"
 #include "comparisons/walking/energy_section.h"
 #include "comparisons/walking/motion_section.h"
+#include "comparisons/walking/stability_section.h"
 #include "comparisons/walking/vibration_section.h"
 #include "comparisons/walking/walk_settings.h"
 #include "comparisons/walking/walk_verdicts.h"
@@ -34,6 +35,9 @@ Document walk_document(const WalkReport& report) {
         document.verdicts.push_back(energy_verdict(report, *energy));
         document.sections.push_back(energy_section(*energy));
     }
+    const SlidingStability stability = sliding_stability(report.walk_case.machine);
+    document.verdicts.push_back(stability_verdict(report, stability));
+    if (!stability.eigenvalues.empty()) document.sections.push_back(stability_section(stability));
     return document;
 }
 

@@ -5,8 +5,10 @@
 
 #include "comparisons/walking/energy_section.h"
 #include "comparisons/walking/motion_series.h"
+#include "comparisons/walking/stability_section.h"
 #include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_verdicts.h"
+#include "dynamics/linear_stability.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {
@@ -42,7 +44,7 @@ const Figure& figure(const Document& document, const std::string& id) {
 // Numbers of set B: an independent program's, to their last digit.
 TEST(WalkDocument, TellsWhatALimitCycleIs) {
     const Document document = walk_document(walking_set_b());
-    ASSERT_EQ(document.verdicts.size(), 5u);
+    ASSERT_EQ(document.verdicts.size(), 6u);
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "limit cycle of period 4.29"));
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "95.6 % less friction"));
     EXPECT_TRUE(contains(document.verdicts[1].sentence, "jumps 0.4289 static"));
@@ -71,6 +73,28 @@ TEST(WalkDocument, SaysWhereTheStepLosesEnergy) {
     const Verdict verdict = energy_verdict(report, *energy);
     EXPECT_EQ(verdict.standing, Standing::fails);
     EXPECT_TRUE(contains(verdict.sentence, "smaller [time] step"));
+}
+
+// z of two alike spots vibrates on its own, at sqrt(2 kappa2); x and phi on springs: neutral. With
+// the weight ahead of the middle of the base they drive each other above some friction.
+TEST(WalkDocument, TellsWhetherSlidingIsStable) {
+    const dynamics::Machine symmetric{.kappas = dynamics::set_b()};
+    const SlidingStability neutral = sliding_stability(symmetric);
+    ASSERT_EQ(neutral.eigenvalues.size(), 3u);
+    EXPECT_TRUE(contains(stability_verdict(walking_set_b(), neutral).sentence, "linearly neutral"));
+    bool vertical = false;
+    for (const auto& value : neutral.eigenvalues)
+        vertical |= std::abs(value.imag() - std::sqrt(2 * symmetric.kappas.kappa2)) < 1e-9;
+    EXPECT_TRUE(vertical);
+    dynamics::Machine ahead{.kappas = dynamics::set_b(),
+                            .model = dynamics::Machine::Model::spots,
+                            .spots = {{.position = -0.5}, {.position = 1.5}}};
+    const auto onset = flutter_friction(ahead, 2);
+    ASSERT_TRUE(onset);
+    ahead.kappas.kappa5 = 0.9 * *onset;
+    EXPECT_TRUE(contains(stability_verdict({}, sliding_stability(ahead)).sentence, "neutral"));
+    ahead.kappas.kappa5 = 1.1 * *onset;
+    EXPECT_TRUE(contains(stability_verdict({}, sliding_stability(ahead)).sentence, "flutters"));
 }
 
 TEST(WalkDocument, DrawsWholePeriods) {
@@ -130,9 +154,10 @@ TEST(WalkDocument, OfAFallNamesTheCriticalFriction) {
     dynamics::Machine machine{.kappas = dynamics::set_b()};
     machine.kappas.kappa5 = 2;
     const Document document = walk_document(run_of(machine, 5000));
-    ASSERT_EQ(document.verdicts.size(), 1u);
+    ASSERT_EQ(document.verdicts.size(), 2u);
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "Falls over"));
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "above μ_c = 0.9174"));
+    EXPECT_TRUE(contains(document.verdicts[1].sentence, "no steady sliding"));
     EXPECT_NO_THROW(document_html(document));
 }
 
