@@ -8,7 +8,7 @@ double resting_indentation(double load) {
     return 1.5 * load;
 }
 
-std::vector<Spot> springs_of(const Bed& bed, const Spot& spot, double load) {
+std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load) {
     const double depth = resting_indentation(load);
     const double contact_radius = std::sqrt(bed.radius * depth);
     const double spacing = 2 * bed.width / bed.springs;  // over the contact radius

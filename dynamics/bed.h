@@ -26,6 +26,6 @@ double resting_indentation(double load);
 
 /// Springs of a spot with its bed, from left to right; `load` as above, of a spot under an equal
 /// share of the weight.
-std::vector<Spot> springs_of(const Bed& bed, const Spot& spot, double load);
+std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load);
 
 }  // namespace tricontact::dynamics

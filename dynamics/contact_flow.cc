@@ -49,7 +49,7 @@ struct ContactFlow::Kinematics {
 
 ContactFlow::ContactFlow(Machine machine, double smallest)
     : machine_(std::move(machine)),
-      spots_(spots_of(machine_)),
+      spots_(springs_of(machine_)),
       slope_(machine_.model == Machine::Model::prism ? 1 / std::numbers::sqrt2 : 1),
       rest_(static_displacement(machine_)),
       smallest_(smallest) {}

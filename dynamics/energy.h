@@ -17,7 +17,7 @@ struct StoredEnergy {
     double total() const { return kinetic + spring + contacts + gravity; }
 };
 
-/// `spots`: spots_of(machine), here and below.
+/// `spots`: springs_of(machine), here and below.
 StoredEnergy stored_energy(const Machine& machine, std::span<const Spot> spots,
                            const Motion& motion);
 

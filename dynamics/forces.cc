@@ -20,19 +20,19 @@ SpotForce spot_force(const Machine& machine, const Spot& spot, const SpotDeflect
     return {spot.stiffness * kappa2 * normal, spot.stiffness * tangential};
 }
 
-Acceleration acceleration(const Machine& machine, std::span<const Spot> spots,
+Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
                           const Motion& motion) {
     const auto& [kappa1, kappa2, kappa3, kappa4, kappa5, kappa6, kappa7, kappa8] = machine.kappas;
     const auto& [moment_amplitude, force_amplitude, frequency] = machine.excitation;
     const double phi = motion.phi, pull = spring_force(machine, motion);
     const double rotation = phi / kappa3;
     double x = pull, z = kappa4, moment = -pull * (kappa3 * kappa3 * kappa8 + phi);
-    for (std::size_t i = 0; i < spots.size(); ++i) {
-        const auto [normal, tangential] = spot_force(machine, spots[i], motion.spots[i]);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const auto [normal, tangential] = spot_force(machine, springs[i], motion.spots[i]);
         x -= tangential;
         z -= normal;
-        moment += kappa3 * normal * (normal_lever(spots[i], rotation) + phi) -
-                  tangential * (kappa3 * kappa3 - spots[i].position * phi);
+        moment += kappa3 * normal * (normal_lever(springs[i], rotation) + phi) -
+                  tangential * (kappa3 * kappa3 - springs[i].position * phi);
     }
     if (frequency > 0) {
         const double phase = std::sin(frequency * motion.time);

@@ -23,12 +23,12 @@ struct Acceleration {
 /// eq. 4.1.23.
 double spring_force(const Machine& machine, const Motion& motion);
 
-/// Forces of the spot at place i of spots_of.
+/// Forces of a spot or spring with this deflection.
 SpotForce spot_force(const Machine& machine, const Spot& spot, const SpotDeflection& deflection);
 
 /// Newton's law for small rotations; Wetter (2016), eqs. 4.1.17 to 4.1.19 and 5.2.23 to 5.2.25, for
-/// spots anywhere along the base. `spots`: spots_of(machine).
-Acceleration acceleration(const Machine& machine, std::span<const Spot> spots,
+/// springs anywhere along the base. `springs`: springs_of(machine).
+Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
                           const Motion& motion);
 
 }  // namespace tricontact::dynamics

@@ -7,14 +7,18 @@
 namespace tricontact::dynamics {
 
 std::vector<Spot> spots_of(const Machine& machine) {
-    std::vector<Spot> spots = machine.spots;
-    if (machine.model != Machine::Model::spots) spots = {{.position = -1}, {.position = 1}};
+    if (machine.model == Machine::Model::spots) return machine.spots;
+    return {{.position = -1}, {.position = 1}};
+}
+
+std::vector<Spot> springs_of(const Machine& machine) {
+    const std::vector<Spot> spots = spots_of(machine);
     if (!machine.bed) return spots;
-    const double share = machine.kappas.kappa4 / static_cast<double>(spots.size());
+    const auto& [kappa1, kappa2, kappa3, kappa4, kappa5, kappa6, kappa7, kappa8] = machine.kappas;
+    const double share = kappa4 / kappa2 / static_cast<double>(spots.size());
     std::vector<Spot> springs;
     for (const Spot& spot : spots)
-        for (const Spot& spring : springs_of(*machine.bed, spot, share / machine.kappas.kappa2))
-            springs.push_back(spring);
+        for (const Spot& spring : bed_springs(*machine.bed, spot, share)) springs.push_back(spring);
     return springs;
 }
 
@@ -23,14 +27,14 @@ double static_displacement(const Machine& machine) {
     if (machine.model == Machine::Model::prism)  // four contacts: f_N = 2 sqrt(1/2) kappa2 u_n
         return kappa4 / (2 * kappa2);
     // The lowest tips carry first: add one after another until the next stays clear of the ground.
-    std::vector<Spot> spots = spots_of(machine);
-    std::sort(spots.begin(), spots.end(),
+    std::vector<Spot> springs = springs_of(machine);
+    std::sort(springs.begin(), springs.end(),
               [](const Spot& a, const Spot& b) { return a.height < b.height; });
     double stiffness = 0, moment = 0, z = 0;
-    for (const Spot& spot : spots) {
-        if (stiffness > 0 && z <= spot.height) break;
-        stiffness += kappa2 * spot.stiffness;
-        moment += kappa2 * spot.stiffness * spot.height;
+    for (const Spot& spring : springs) {
+        if (stiffness > 0 && z <= spring.height) break;
+        stiffness += kappa2 * spring.stiffness;
+        moment += kappa2 * spring.stiffness * spring.height;
         z = (kappa4 + moment) / stiffness;
     }
     return z;

@@ -46,9 +46,11 @@ struct Machine {
     bool operator==(const Machine&) const = default;
 };
 
-/// The spots that carry the machine: its own, or those of its model, left one first. Of a bed,
-/// each spring is a spot: those of the first spot in their order, then those of the next.
+/// The spots that carry the machine: its own, or those of its model, left one first.
 std::vector<Spot> spots_of(const Machine& machine);
+
+/// The springs that carry it: its spots, or those of their beds, spot after spot.
+std::vector<Spot> springs_of(const Machine& machine);
 
 /// Vertical displacement at rest with phi = 0, in units of b; kappa4/(2 kappa2) for two spots at
 /// the base plane: Wetter (2016), eq. 4.1.22. Prism: tangential springs of its flanks at rest.

@@ -20,7 +20,7 @@ struct Motion {
     double base = 0;  ///< x_s, of the spring's base
     double x = 0, z = 0, phi = 0;
     double x_velocity = 0, z_velocity = 0, phi_velocity = 0;
-    std::vector<SpotDeflection> spots = {};  ///< in the order of spots_of
+    std::vector<SpotDeflection> spots = {};  ///< in the order of springs_of
 
     bool operator==(const Motion&) const = default;
 };

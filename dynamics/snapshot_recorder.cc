@@ -10,20 +10,22 @@ SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
     return step.sticks ? SpotState::stick : SpotState::slip;
 }
 
-void take_snapshot(const VelocityVerlet& run, Snapshot& snapshot) {
+void take_snapshot(const SpotView& run, Snapshot& snapshot) {
     snapshot.motion = run.motion();
-    snapshot.spots.resize(run.spots().size());
+    snapshot.spots.resize(run.steps().size());
     for (std::size_t i = 0; i < snapshot.spots.size(); ++i)
-        snapshot.spots[i] = state_of(run.motion().spots[i], run.spot_steps()[i]);
+        snapshot.spots[i] = state_of(run.motion().spots[i], run.steps()[i]);
 }
 
 }  // namespace
 
 void SnapshotRecorder::add(const VelocityVerlet& run) {
-    if (first_.size() < n_first_) take_snapshot(run, first_.emplace_back());
+    if (!view_) view_.emplace(run.machine());
+    view_->look_at(run.motion(), run.spot_steps());
+    if (first_.size() < n_first_) take_snapshot(*view_, first_.emplace_back());
     if (ring_.size() < n_last_) ring_.emplace_back();
     // Written over, so that it keeps its memory: a run takes millions.
-    take_snapshot(run, ring_[next_]);
+    take_snapshot(*view_, ring_[next_]);
     next_ = (next_ + 1) % n_last_;
 }
 

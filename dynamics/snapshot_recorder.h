@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "dynamics/spot_view.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/walk_snapshot.h"
 
@@ -22,6 +24,7 @@ class SnapshotRecorder {
 
   private:
     std::size_t n_first_, n_last_;
+    std::optional<SpotView> view_;
     std::vector<Snapshot> first_;
     std::vector<Snapshot> ring_;
     std::size_t next_ = 0;  // place of the oldest, once the ring is full

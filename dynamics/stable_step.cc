@@ -13,11 +13,11 @@ Eigen::Matrix3d sticking_stiffness(const Machine& machine) {
     const bool prism = machine.model == Machine::Model::prism;
     const Eigen::Vector3d stretch(-1, 0, k.kappa8), shear(1, 0, 1);
     Eigen::Matrix3d stiffness = k.kappa1 * stretch * stretch.transpose();
-    for (const Spot& spot : spots_of(machine)) {
-        const Eigen::Vector3d approach(0, 1, -normal_lever(spot, 0) / k.kappa3);
+    for (const Spot& spring : springs_of(machine)) {
+        const Eigen::Vector3d approach(0, 1, -normal_lever(spring, 0) / k.kappa3);
         // Two flanks of 45 degrees resist an approach across and along themselves.
-        const double normal = prism ? k.kappa2 + 1 : spot.stiffness * k.kappa2;
-        const double tangential = prism ? 2 : spot.stiffness;
+        const double normal = prism ? k.kappa2 + 1 : spring.stiffness * k.kappa2;
+        const double tangential = prism ? 2 : spring.stiffness;
         stiffness +=
             normal * approach * approach.transpose() + tangential * shear * shear.transpose();
     }

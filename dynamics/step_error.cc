@@ -9,13 +9,12 @@
 
 namespace tricontact::dynamics {
 
-void add_step_error(const Machine& machine, std::span<const SectionReturn> returns, double step,
-                    WalkResult& result) {
+void add_step_error(const Machine& machine, const Motion& motion, double step, WalkResult& result) {
     // The cycles of both steps differ by the order of step^2; ten periods bring one to the other.
     constexpr int settling = 10, averaged = 10;
     const int points = result.section_points;
     const auto enough = static_cast<std::size_t>((settling + averaged) * points + 1);
-    VelocityVerlet run(machine, returns.back().motion, step / 2);
+    VelocityVerlet run(machine, motion, step / 2);
     WalkRecorder recorder(machine, run.motion(), step / 2,
                           std::numeric_limits<std::int64_t>::max());
     const double latest = run.motion().time + 2 * (settling + averaged) * *result.period;

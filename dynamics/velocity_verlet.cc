@@ -8,7 +8,7 @@ namespace tricontact::dynamics {
 
 VelocityVerlet::VelocityVerlet(Machine machine, Motion start, double step)
     : machine_(std::move(machine)),
-      spots_(spots_of(machine_)),
+      spots_(springs_of(machine_)),
       rest_(static_displacement(machine_)),
       motion_(std::move(start)),
       step_(step),
@@ -16,7 +16,7 @@ VelocityVerlet::VelocityVerlet(Machine machine, Motion start, double step)
       start_base_(motion_.base),
       spot_steps_(spots_.size()) {
     if (motion_.spots.size() != spots_.size())
-        throw std::invalid_argument("the start has another number of spots than the machine");
+        throw std::invalid_argument("the start has another number of springs than the machine");
     acceleration_ = acceleration(machine_, spots_, motion_);
 }
 

@@ -14,7 +14,7 @@ namespace tricontact::dynamics {
 /// section B.3, with the contacts of section B.4 after the positions.
 class VelocityVerlet {
   public:
-    /// `step` > 0, in units of sqrt(m/k_x), below stable_step. `start` has the spots of the
+    /// `step` > 0, in units of sqrt(m/k_x), below stable_step. `start` has the springs of the
     /// machine. Throws std::invalid_argument if it has not.
     VelocityVerlet(Machine machine, Motion start, double step);
 
@@ -23,8 +23,9 @@ class VelocityVerlet {
     const Machine& machine() const { return machine_; }
     const Motion& motion() const { return motion_; }
     double step() const { return step_; }
-    /// What the spots did in the last step, in the order of spots_of.
+    /// What the springs did in the last step, in the order of springs_of.
     const std::vector<SpotStep>& spot_steps() const { return spot_steps_; }
+    /// springs_of the machine.
     const std::vector<Spot>& spots() const { return spots_; }
 
   private:

@@ -71,7 +71,8 @@ void conclude_lane(const WalkCase& walk_case, const Recording& recording, const 
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
     if (tilts)  // the batch stopped a little before it did
         for (const WalkWindow& window : recorder.windows()) walk.windows.push_back(window);
-    conclude(walk_case, recording, tilts ? tilting_time : std::nullopt, snapshots, walk);
+    conclude(walk_case, recording, run.motion(), tilts ? tilting_time : std::nullopt, snapshots,
+             walk);
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ Motion motion_at_start(const Machine& machine, const Start& start) {
                   .z_velocity = start.z_velocity * speed,
                   .phi_velocity = start.phi_velocity * speed};
     const double slope = machine.model == Machine::Model::prism ? 1 / std::numbers::sqrt2 : 1;
-    for (const Spot& spot : spots_of(machine)) {
-        const double near = approach(spot, motion.z, motion.phi / machine.kappas.kappa3);
+    for (const Spot& spring : springs_of(machine)) {
+        const double near = approach(spring, motion.z, motion.phi / machine.kappas.kappa3);
         motion.spots.push_back({.normal = std::max(0., slope * near)});
     }
     return motion;

@@ -36,7 +36,7 @@ std::optional<double> follow(VelocityVerlet& run, std::int64_t n_steps, std::int
     return std::nullopt;
 }
 
-void conclude(const WalkCase& walk_case, const Recording& recording,
+void conclude(const WalkCase& walk_case, const Recording& recording, const Motion& end,
               std::optional<double> tilting_time, const SnapshotRecorder& snapshots, Walk& walk) {
     const Machine& machine = walk_case.machine;
     const double step = walk_case.time.step;
@@ -44,13 +44,14 @@ void conclude(const WalkCase& walk_case, const Recording& recording,
     walk.result = judge(machine, {step, walk.windows, walk.returns, tilting_time});
     std::int64_t tail = steps.tail / steps.snapshot;
     if (walk.result.period) {
-        add_step_error(machine, walk.returns, step, walk.result);
+        add_step_error(machine, end, step, walk.result);
         const double interval = static_cast<double>(steps.snapshot) * step;
         // One more, as their length is rounded.
         tail = std::max(tail, std::int64_t{std::llround(3 * *walk.result.period / interval)} + 1);
     }
     walk.start = snapshots.first();
     walk.tail = snapshots.last(static_cast<std::size_t>(tail) + 1);
+    judge_drift(machine, walk.periods, walk.result);
     if (walk.result.period) walk.phases = phases_of(machine, walk.tail, *walk.result.period);
 }
 

@@ -27,8 +27,9 @@ std::optional<double> follow(VelocityVerlet& run, std::int64_t n_steps, std::int
                              WalkRecorder& recorder, SnapshotRecorder& snapshots);
 
 /// What follows from windows and returns: the result, the tail and its phases. `snapshots` are of
-/// the last steps_of().judged steps at least, or of the tail where there is no limit cycle.
-void conclude(const WalkCase& walk_case, const Recording& recording,
+/// the last steps_of().judged steps at least, or of the tail where there is no limit cycle; `end`
+/// is the motion of the springs there.
+void conclude(const WalkCase& walk_case, const Recording& recording, const Motion& end,
               std::optional<double> tilting_time, const SnapshotRecorder& snapshots, Walk& walk);
 
 }  // namespace tricontact::dynamics

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/drift.h"
 #include "dynamics/motion.h"
 #include "dynamics/stretch_sums.h"
 #include "dynamics/walk_phases.h"
@@ -31,6 +32,7 @@ struct Walk {
     WalkResult result;
     std::vector<WalkWindow> windows;     ///< of equal length, the whole run
     std::vector<SectionReturn> returns;  ///< of the end of the run, in the order of time
+    std::vector<ExcitedPeriod> periods;  ///< of an excitation while the base stands still
     std::vector<Snapshot> start, tail;   ///< first and last stretch, densely
     std::optional<WalkPhases> phases;    ///< of the limit cycle, if it is one
     std::int64_t lane_steps = 0;         ///< steps of one machine

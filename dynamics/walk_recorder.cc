@@ -22,15 +22,25 @@ Motion between(const Motion& a, const Motion& b, double share) {
     return motion;
 }
 
+Motion seen(SpotView& view, const Motion& start) {
+    const std::vector<SpotStep> no_steps(start.spots.size());
+    view.look_at(start, no_steps);
+    return view.motion();
+}
+
 }  // namespace
 
 WalkRecorder::WalkRecorder(const Machine& machine, const Motion& start, double step,
                            std::int64_t window)
     : base_velocity_(machine.kappas.kappa6),
-      stretch_(machine, start, step),
+      view_(machine),
+      last_(seen(view_, start)),
+      stretch_(machine, last_, step),
       window_(window),
-      open_window_{start.time, start.time, {}},
-      last_(start) {}
+      open_window_{start.time, start.time, {}} {
+    if (machine.excitation.frequency > 0 && machine.kappas.kappa6 == 0)
+        periods_.emplace(machine, start);
+}
 
 void WalkRecorder::end_stretch() {
     const StretchSums sums = stretch_.take();
@@ -38,7 +48,9 @@ void WalkRecorder::end_stretch() {
     if (open_return_) open_return_->sums.add(sums);
 }
 
-void WalkRecorder::add(const Motion& motion, const std::vector<SpotStep>& spot_steps) {
+void WalkRecorder::add(const Motion& spring_motion, const std::vector<SpotStep>& spring_steps) {
+    view_.look_at(spring_motion, spring_steps);
+    const Motion& motion = view_.motion();
     const double before = last_.x_velocity - base_velocity_;
     const double now = motion.x_velocity - base_velocity_;
     if (before < 0 && now >= 0) {
@@ -46,7 +58,8 @@ void WalkRecorder::add(const Motion& motion, const std::vector<SpotStep>& spot_s
         if (open_return_) returns_.push_back(*std::move(open_return_));
         open_return_ = {between(last_, motion, before / (before - now)), {}};
     }
-    stretch_.add(motion, spot_steps);
+    stretch_.add(motion, view_.steps());
+    if (periods_) periods_->add(motion);
     last_ = motion;
     if (open_window_.sums.steps + stretch_.steps() == window_) {
         end_stretch();
@@ -65,6 +78,10 @@ std::vector<WalkWindow> WalkRecorder::windows() const {
     all.back().end = rest.end;
     all.back().sums.add(rest.sums);
     return all;
+}
+
+std::vector<ExcitedPeriod> WalkRecorder::periods() const {
+    return periods_ ? periods_->periods() : std::vector<ExcitedPeriod>();
 }
 
 }  // namespace tricontact::dynamics

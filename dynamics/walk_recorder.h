@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/drift.h"
+#include "dynamics/spot_view.h"
 #include "dynamics/stretch_recorder.h"
 #include "dynamics/walk_record.h"
 
@@ -16,8 +18,9 @@ class WalkRecorder {
     /// `window` > 0: steps of a window.
     WalkRecorder(const Machine& machine, const Motion& start, double step, std::int64_t window);
 
-    /// Next step of the run; `spot_steps` are what the spots did in it.
-    void add(const Motion& motion, const std::vector<SpotStep>& spot_steps);
+    /// Next step of the run: of the machine's springs and what they did in it. What is recorded is
+    /// that of its spots.
+    void add(const Motion& spring_motion, const std::vector<SpotStep>& spring_steps);
 
     /// Windows so far. An unfinished one counts where it is the only one, or else lengthens the
     /// last.
@@ -26,17 +29,22 @@ class WalkRecorder {
     /// Returns that were followed by another one.
     const std::vector<SectionReturn>& returns() const { return returns_; }
 
+    /// Of an excitation while the base stands still, so far; else none.
+    std::vector<ExcitedPeriod> periods() const;
+
   private:
     void end_stretch();
 
     double base_velocity_;  // kappa6
+    SpotView view_;
+    Motion last_;
     StretchRecorder stretch_;
     std::int64_t window_;
     std::vector<WalkWindow> windows_;
     WalkWindow open_window_;
     std::vector<SectionReturn> returns_;
     std::optional<SectionReturn> open_return_;
-    Motion last_;
+    std::optional<PeriodRecorder> periods_;
 };
 
 }  // namespace tricontact::dynamics

@@ -11,9 +11,15 @@ std::string_view word_of(Regime regime) {
         case Regime::chaotic:
             return "chaotic";
         case Regime::tilting:
+            return "tilting";
+        case Regime::shakedown:
+            return "shakedown";
+        case Regime::ratcheting:
+            return "ratcheting";
+        case Regime::walking:
             break;
     }
-    return "tilting";
+    return "walking";
 }
 
 }  // namespace tricontact::dynamics

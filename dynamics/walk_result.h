@@ -11,10 +11,15 @@ enum class Regime {
     steady,       ///< slides without vibration in the vertical direction
     limit_cycle,  ///< repeats itself
     chaotic,      ///< does not, within the time observed
-    tilting       ///< falls over: small rotations no longer
+    tilting,      ///< falls over: small rotations no longer
+    // Of a machine under an excitation whose base stands still:
+    shakedown,   ///< comes to rest: no shift per period
+    ratcheting,  ///< shifts in every period, its spots on the ground
+    walking      ///< spots leave the ground
 };
 
-std::string_view word_of(Regime regime);  ///< "steady", "limit-cycle", "chaotic", "tilting"
+/// "steady", "limit-cycle", "chaotic", "tilting", "shakedown", "ratcheting", "walking"
+std::string_view word_of(Regime regime);
 
 /// Statistics of a run after its transient: over whole periods of a limit cycle, else over what is
 /// left of the run. NaN where undefined.
@@ -22,6 +27,13 @@ struct WalkResult {
     struct Spot {
         double stick_time = 0;   ///< share of time: Wetter (2016), eq. 4.2.14
         double correlation = 0;  ///< of velocity and normal deflection: Wetter (2016), A.1.4
+    };
+
+    /// Of a machine under an excitation whose base stands still.
+    struct Drift {
+        double per_period = 0;  ///< shift x + phi of the base over U_max = mu kappa2 z_stat
+        double error = 0;       ///< of it: it cannot be farther off
+        double airborne = 0;    ///< share of time in which a spot, or more, is in the air
     };
 
     Regime regime = Regime::steady;
@@ -38,6 +50,7 @@ struct WalkResult {
     bool transient_over = false;              ///< false: the run is too short to tell, and says so
     double observed = 0;                      ///< time over which they were taken
     std::optional<double> tilting_time = {};  ///< when it tilted, if it did
+    std::optional<Drift> drift = {};
 };
 
 }  // namespace tricontact::dynamics

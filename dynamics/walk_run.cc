@@ -34,8 +34,9 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     Walk walk;
     walk.windows = recorder.windows();
     walk.returns = recorder.returns();
+    walk.periods = recorder.periods();
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
-    conclude(walk_case, recording, tilting_time, snapshots, walk);
+    conclude(walk_case, recording, run.motion(), tilting_time, snapshots, walk);
     walk.cpu_s = processor_time() - began;
     return walk;
 }

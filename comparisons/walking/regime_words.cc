@@ -11,9 +11,15 @@ std::string words_of(dynamics::Regime regime) {
         case dynamics::Regime::chaotic:
             return "walks chaotically";
         case dynamics::Regime::tilting:
+            return "falls over";
+        case dynamics::Regime::shakedown:
+            return "shakes down";
+        case dynamics::Regime::ratcheting:
+            return "ratchets";
+        case dynamics::Regime::walking:
             break;
     }
-    return "falls over";
+    return "walks";
 }
 
 }  // namespace tricontact::comparisons::walking

@@ -29,7 +29,7 @@ struct Pressed {
     std::vector<Spot> springs;
     std::vector<SpotDeflection> deflections;
 
-    Pressed(int n, double z) : springs(springs_of(bed(n), {}, load)), deflections(n) {
+    Pressed(int n, double z) : springs(bed_springs(bed(n), {}, load)), deflections(n) {
         for (int i = 0; i < n; ++i) advance_flat(deflections[i], approach(springs[i], z, 0), 0, 0);
     }
     double normal_force() const {  // over k_z b
@@ -82,7 +82,7 @@ TEST(Bed, StandsAtHertzIndentation) {
         EXPECT_NEAR(rest / resting_indentation(share), 1, 1.0 / n / n * 9);
         // At rest its springs' stiffnesses add up to k_z: as many cells as D_c is long.
         double stiffness = 0;
-        for (const Spot& spring : spots_of(machine))
+        for (const Spot& spring : springs_of(machine))
             if (approach(spring, rest, 0) > 0) stiffness += spring.stiffness / 2;
         EXPECT_NEAR(stiffness, 1, 3.0 / n + 1e-12);
     }
@@ -112,7 +112,7 @@ TEST(Bed, SlidesUnderMuTimesItsNormalForceAndTurnsBack) {
 // Turned by Phi, a tip is the same paraboloid about -R Phi, R Phi^2/2 lower.
 TEST(Bed, RollsByRadiusTimesRotation) {
     const Bed wide = bed(2000);
-    const std::vector<Spot> springs = springs_of(wide, {.position = -1}, load);
+    const std::vector<Spot> springs = bed_springs(wide, {.position = -1}, load);
     const double radius = wide.radius, contact_radius = std::sqrt(radius * depth);
     for (const double w : {-0.9, 0.3, 1.2}) {
         const double rotation = w * contact_radius / radius;
