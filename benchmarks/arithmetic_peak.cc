@@ -4,7 +4,8 @@
 #include <immintrin.h>
 
 #include <algorithm>
-#include <chrono>
+
+#include "benchmarks/cpu_timer.h"
 
 namespace tricontact::benchmarks {
 namespace {
@@ -63,13 +64,11 @@ void run_chains(Kernel kernel) {
 }  // namespace
 
 double arithmetic_peak(Kernel kernel) {
-    using Clock = std::chrono::steady_clock;
     double best = 0;
     for (int attempt = 0; attempt < 5; ++attempt) {
-        const auto begin = Clock::now();
+        const CpuTimer timer;
         run_chains(kernel);
-        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-        best = std::max(best, n_chains * static_cast<double>(n_rounds) / seconds);
+        best = std::max(best, n_chains * static_cast<double>(n_rounds) / timer.seconds());
     }
     return best;
 }

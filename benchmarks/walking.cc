@@ -3,11 +3,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
-#include <map>
+#include <string>
+#include <vector>
 
 #include "benchmarks/arithmetic_peak.h"
+#include "benchmarks/cpu_timer.h"
 #include "dynamics/batch.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/walk_case.h"
@@ -16,14 +18,9 @@ namespace tricontact::benchmarks {
 namespace {
 
 using namespace dynamics;
-using Clock = std::chrono::steady_clock;
 using Detail = Batch::Detail;
 
 constexpr double step = 1e-3;
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 /// Wetter (2016), eq. 4.1.26.
 constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
@@ -52,15 +49,15 @@ double instructions(Kernel kernel, Detail detail) {
 /// `lane_steps`: of one machine, per second on one core, the best of many short runs; `of_peak`:
 /// the share of the arithmetic instructions that the core can do, measured in turn with the runs.
 void kernel_speed(benchmark::State& state, Kernel kernel, Machine::Model model, Detail detail) {
-    constexpr std::int64_t n_steps = 20'000;
+    constexpr std::int64_t n_steps = 5'000;
     const std::vector<Machine> machines(240, {.kappas = set_b, .model = model});
     Batch batch(machines, starts_of(machines), step, {.kernel = kernel});
     std::vector<StretchSums> sums(machines.size());
     double best = 0, peak = 0;
     for (auto _ : state) {
-        const auto begin = Clock::now();
+        const CpuTimer timer;
         batch.advance(n_steps, detail, sums);
-        const double seconds = seconds_since(begin);
+        const double seconds = timer.seconds();
         state.SetIterationTime(seconds);
         best = std::max(best, static_cast<double>(n_steps * machines.size()) / seconds);
         peak = std::max(peak, arithmetic_peak(kernel));
@@ -78,9 +75,9 @@ void one_machine(benchmark::State& state) {
     double best = 0;
     for (auto _ : state) {
         constexpr int n_steps = 100'000;
-        const auto begin = Clock::now();
+        const CpuTimer timer;
         for (int n = 0; n < n_steps; ++n) run.advance();
-        best = std::max(best, n_steps / seconds_since(begin));
+        best = std::max(best, n_steps / timer.seconds());
     }
     state.counters["lane_steps"] = best;
 }
@@ -138,7 +135,7 @@ void register_kernels() {
                 name += model == Machine::Model::prism ? "/prism" : "/two-spot";
                 name += detail == Detail::motion ? "/motion" : "/everything";
                 benchmark::RegisterBenchmark(name.c_str(), kernel_speed, kernel, model, detail)
-                    ->Iterations(40)
+                    ->Iterations(100)
                     ->UseManualTime()
                     ->Unit(benchmark::kMillisecond);
             }
