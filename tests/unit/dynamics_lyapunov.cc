@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "dynamics/linear_stability.h"
+#include "dynamics/lyapunov.h"
+#include "dynamics/steady_sliding.h"
+#include "dynamics/walk_case.h"
+#include "dynamics_sets.h"
+
+namespace tricontact::dynamics {
+namespace {
+
+// Steady sliding that flutters: disturbances grow as its leading eigenvalue says. Over half turns
+// of that mode the distance grows by the rate alone, whatever the form of its orbit.
+TEST(Lyapunov, IsTheGrowthRateOfAFlutteringMachine) {
+    Machine machine{
+        .kappas = set_b(), .model = Machine::Model::spots, .spots = {{-0.7, 0, 1}, {1.3, 0, 0.9}}};
+    machine.kappas.kappa5 = 0.6, machine.kappas.kappa8 = 0.8;
+    const auto steady = steady_sliding(machine);
+    ASSERT_TRUE(steady);
+    const std::complex<double> leading = leading_eigenvalue(machine, *steady);
+    const double half_turn = std::numbers::pi / leading.imag();
+    const Mean found = lyapunov_exponent(machine, *steady,
+                                         {.step = half_turn / 1000,
+                                          .interval = half_turn,
+                                          .alignment = 30 * half_turn,
+                                          .duration = 10 * half_turn});
+    EXPECT_NEAR(found.value / leading.real(), 1, 0.01);
+}
+
+// In the prism sliding attracts: the slowest mode, alone after some time.
+TEST(Lyapunov, IsTheDecayRateOfStableSliding) {
+    Machine machine{.kappas = set_b(), .model = Machine::Model::prism};
+    machine.kappas.kappa5 = 0.2;
+    const auto steady = steady_sliding(machine);
+    ASSERT_TRUE(steady);
+    const std::complex<double> leading = leading_eigenvalue(machine, *steady);
+    const double half_turn = std::numbers::pi / leading.imag();
+    const Mean found = lyapunov_exponent(machine, *steady,
+                                         {.step = half_turn / 1000,
+                                          .interval = half_turn,
+                                          .alignment = 60 * half_turn,
+                                          .duration = 10 * half_turn});
+    EXPECT_NEAR(found.value / leading.real(), 1, 0.01);
+}
+
+// Set A: the spring swings on undamped. What is a bounded oscillation of the distance contributes
+// the logarithm of its range over the time, below 3/500.
+TEST(Lyapunov, IsZeroWhereVibrationsPersist) {
+    const Machine machine{.kappas = set_a()};
+    const Mean found =
+        lyapunov_exponent(machine, motion_at_start(machine), {.alignment = 100, .duration = 500});
+    EXPECT_NEAR(found.value, 0, 0.006);
+    EXPECT_LT(found.error, 0.02);
+}
+
+TEST(Lyapunov, RefusesTimesThatAreNone) {
+    const Machine machine{.kappas = set_a()};
+    const Motion start = motion_at_start(machine);
+    EXPECT_THROW(separation_rates(machine, start, {.step = 0}), std::invalid_argument);
+    EXPECT_THROW(separation_rates(machine, start, {.interval = 5, .duration = 9}),
+                 std::invalid_argument);
+    EXPECT_THROW(separation_rates(machine, start, {.distance = -1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace tricontact::dynamics
