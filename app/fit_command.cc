@@ -126,6 +126,10 @@ void fit_command(const FitOptions& options) {
     const std::string folder =
         options.output.empty() ? default_sweep_folder(options.study_file) : options.output;
     const io::Study study = io::read_study(options.study_file);
+    if (study.walks)
+        throw contact::InputError(study.name +
+                                  ": is a study of walking machines, which have neither kappa of a "
+                                  "shakedown nor eta; see the report of tricontact sweep");
     const std::vector<SweepPoint> points = sweep_points(study);
     for (const SweepPoint& point : points) require_constant_rolling(study, point);
 

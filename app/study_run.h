@@ -34,4 +34,8 @@ class StudyRun {
 std::unique_ptr<StudyRun> contact_study(io::Study study, const Shard& shard,
                                         const SweepOptions& options);
 
+/// The same of walking machines.
+std::unique_ptr<StudyRun> walking_study(io::Study study, const Shard& shard,
+                                        const SweepOptions& options);
+
 }  // namespace tricontact::app

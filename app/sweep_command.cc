@@ -51,8 +51,9 @@ std::string report_of(const StudyRun& run, const io::Study& study, const io::Res
                       const std::string& folder, const std::string& shard) {
     comparisons::Document document = run.report(store, folder);
     if (!shard.empty()) document.settings.emplace_back("shard", shard);
-    document.files = {{"table of all points", table_name},
-                      {"everything that is stored, for SQLite", io::result_store_name}};
+    document.files.insert(document.files.end(),
+                          {{"table of all points", table_name},
+                           {"everything that is stored, for SQLite", io::result_store_name}});
     document.command = "tricontact sweep " + study.name;
     if (!shard.empty()) document.command += " --shard " + shard;
     document.version = TRICONTACT_VERSION;
@@ -68,7 +69,8 @@ std::string default_sweep_folder(const std::string& study_file) {
 void sweep_command(const SweepOptions& options) {
     const std::string folder = folder_of(options);
     const io::Study study = io::read_study(options.study_file);
-    const auto run = contact_study(study, shard_of(options.shard), options);
+    const auto run =
+        (study.walks ? walking_study : contact_study)(study, shard_of(options.shard), options);
     const std::vector<std::string> keys = run->keys();
 
     io::make_output_folder(folder);

@@ -1,38 +1,19 @@
 #include "app/sweep_report.h"
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "app/compute_point.h"
+#include "app/study_axes.h"
 #include "comparisons/format.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using comparisons::Cell;
 using comparisons::Sweep;
-
-/// Numbers as numbers, words as words.
-Cell cell_of(const std::string& text) {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    if (read.ec == std::errc() && read.ptr == end) return number;
-    return text;
-}
-
-Sweep::Axis axis_of(const io::Study::Axis& axis) {
-    const auto* range = std::get_if<io::Study::Range>(&axis.values);
-    const io::Dimension dimension = axis.key->dimension;
-    const bool has_unit = dimension != io::Dimension::none;
-    return {.key = std::string(axis.key->path),
-            .unit = std::string(has_unit ? io::si_unit(dimension) : ""),
-            .logarithmic = range && range->logarithmic};
-}
 
 /// From the JSON text of point_results.
 void read_results(const std::string& text, Sweep::Point& point) {

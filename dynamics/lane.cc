@@ -17,20 +17,28 @@ using Model = Machine::Model;
 
 constexpr double slope = 1 / std::numbers::sqrt2;  // of a flank at 45 degrees
 
-void check(const Machine& machine, const Motion& start) {
-    if (machine.model == Model::spots)
-        throw std::invalid_argument("a lane carries two spots, not Model::spots");
-    if (machine.bed) throw std::invalid_argument("a lane has no springs in its spots");
-    if (!machine.mechanisms.coupling)
-        throw std::invalid_argument("a lane couples friction to the normal force");
-    if (machine.excitation.frequency > 0) throw std::invalid_argument("a lane has no excitation");
+/// Why a lane cannot carry the machine; nothing: it can.
+const char* obstacle(const Machine& machine) {
+    if (machine.model == Model::spots) return "a lane carries two spots, not Model::spots";
+    if (machine.bed) return "a lane has no springs in its spots";
+    if (!machine.mechanisms.coupling) return "a lane couples friction to the normal force";
+    if (machine.excitation.frequency > 0) return "a lane has no excitation";
     if (!(machine.kappas.kappa1 > 0) || !(machine.kappas.kappa5 > 0))
-        throw std::invalid_argument("a lane needs kappa1 > 0 and mu > 0: it scales by them");
+        return "a lane needs kappa1 > 0 and mu > 0: it scales by them";
+    return nullptr;
+}
+
+void check(const Machine& machine, const Motion& start) {
+    if (const char* reason = obstacle(machine)) throw std::invalid_argument(reason);
     if (start.spots.size() != 2)
         throw std::invalid_argument("the start has another number of spots than the machine");
 }
 
 }  // namespace
+
+bool fits_lane(const Machine& machine) {
+    return !obstacle(machine);
+}
 
 Lane::Lane(const Machine& machine, const Motion& start, double step)
     : machine_(machine), step_(step), start_time_(start.time), start_base_(start.base) {

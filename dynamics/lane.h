@@ -12,6 +12,9 @@
 
 namespace tricontact::dynamics {
 
+/// Whether kernels know the machine's model, mechanisms and loads; see Batch.
+bool fits_lane(const Machine& machine);
+
 /// One machine of a batch in the numbers of the kernels, and back.
 class Lane {
   public:

@@ -132,11 +132,12 @@ std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
     return outcome_of(row);
 }
 
-void ResultStore::add(const PointOutcome& outcome) {
-    const auto found = find(outcome.key);
-    if (found && found->results) return;
+void ResultStore::add(std::span<const PointOutcome> outcomes) {
     Transaction transaction(file_);
-    insert(file_, outcome);
+    for (const PointOutcome& outcome : outcomes) {
+        const auto found = find(outcome.key);
+        if (!found || !found->results) insert(file_, outcome);
+    }
     transaction.commit();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "io/sqlite_file.h"
@@ -34,8 +35,9 @@ class ResultStore {
     /// The result of a point, else its last failure, else nothing.
     std::optional<PointOutcome> find(const std::string& key) const;
 
-    /// Durable when it returns. A second result of a point is left out.
-    void add(const PointOutcome& outcome);
+    /// Durable when it returns, all or nothing. A second result of a point is left out.
+    void add(std::span<const PointOutcome> outcomes);
+    void add(const PointOutcome& outcome) { add(std::span(&outcome, 1)); }
 
     struct Merged {
         std::int64_t points = 0;     ///< taken over

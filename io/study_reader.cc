@@ -9,6 +9,8 @@
 #include "io/input_file.h"
 #include "io/messages.h"
 #include "io/study_axes.h"
+#include "io/walk_keys.h"
+#include "io/walk_reader.h"
 
 namespace tricontact::io {
 
@@ -113,6 +115,14 @@ std::vector<std::string> read_models(const Document& document, const Document& b
     return models;
 }
 
+// A machine is its own model, and its step its resolution.
+void refuse_models(const Document& document) {
+    for (const char* path : {"models", "levels"})
+        if (const Entry* entry = document.find(path))
+            fail(entry->key_place, "", std::string("a walking case has no ") + path,
+                 "omit the key");
+}
+
 int integer_at(const Key& key, const Document& document, int otherwise) {
     int value = otherwise;
     if (const Entry* entry = document.find(key.path)) read_field(key, *entry, Field(&value));
@@ -150,11 +160,16 @@ Study parse_study(std::string_view text, const std::string& name) {
     if (const Entry* entry = document.find("title"))
         read_field(*find_key("title"), *entry, Field(&study.title));
     study.levels = integer_at(levels_key(), document, 1);
-    study.settings = read_settings(document, case_key_list());
-    study.axes = read_axes(document, case_key_list());
-    study.sampling = read_sampling(document, study.axes);
     study.base = read_base(document);
-    study.models = read_models(document, study.base);
+    study.walks = is_walk_case(study.base);
+    const KeyList& keys = study.walks ? walk_key_list() : case_key_list();
+    study.settings = read_settings(document, keys);
+    study.axes = read_axes(document, keys);
+    study.sampling = read_sampling(document, study.axes);
+    if (study.walks)
+        refuse_models(document);
+    else
+        study.models = read_models(document, study.base);
     return study;
 }
 

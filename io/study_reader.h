@@ -33,7 +33,8 @@ struct Study {
     std::string title;
     std::string name;                        ///< of the file
     Document base;                           ///< the case file
-    std::vector<std::string> models;         ///< of the study, else of the case
+    bool walks = false;                      ///< whether it is about the micro-walking machine
+    std::vector<std::string> models;         ///< of the study, else of the case; none if it walks
     int levels = 1;                          ///< of refinement
     std::vector<Entry> settings;             ///< keys of the case that have another value
     std::vector<Axis> axes;                  ///< in the order of the file

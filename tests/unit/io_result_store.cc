@@ -48,6 +48,17 @@ std::string message_of(const Call& call) {
     return "(accepted)";
 }
 
+TEST_F(Store, AddsALotAtOnce) {
+    ResultStore store(path("a"));
+    store.add(done("first", R"({"x":1})"));
+    const std::vector<PointOutcome> lot{done("first", R"({"x":2})"), failed("second", "no"),
+                                        done("third", R"({"x":3})")};
+    store.add(lot);
+    EXPECT_EQ(store.find("first")->results, R"({"x":1})");  // a point has one result
+    EXPECT_EQ(store.find("second")->error, "no");
+    EXPECT_EQ(store.find("third")->results, R"({"x":3})");
+}
+
 TEST_F(Store, FindsAfterReopeningWhatWasAdded) {
     ResultStore(path("a")).add(done("k", R"({"x":0.1})"));
     const ResultStore store(path("a"));

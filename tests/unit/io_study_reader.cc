@@ -189,5 +189,20 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"OutputVaried", vary("output.vtk = [\"all\"]"), "changes no number"}),
     [](const auto& test) { return std::string(test.param.name); });
 
+TEST(StudyOfWalkingMachines, HasTheKeysOfItsCase) {
+    const std::string walking = "case = \"" TRICONTACT_SOURCE_DIR "/cases/walking_set_b.toml\"\n";
+    const Study study =
+        parse(walking + "[set]\ntime.end = 100\n[vary]\nmachine.kappa8 = [0, 1.18]\n");
+    EXPECT_TRUE(study.walks);
+    EXPECT_TRUE(study.models.empty());
+    EXPECT_EQ(table_heading(*study.axes.front().key), "machine.kappa8");
+    EXPECT_FALSE(parse(head + "[vary]\nload.tangential_ratio = [0.1]\n").walks);
+    EXPECT_EQ(message_of(walking + "[vary]\nload.tangential_ratio = [0.1]\n"),
+              "study.toml:3:6: unknown key vary.load.tangential_ratio: the case has no key "
+              "load.tangential_ratio; docs/walking.md lists the keys");
+    EXPECT_EQ(message_of("levels = 2\n" + walking + "[vary]\nmachine.kappa8 = [0]\n"),
+              "study.toml:1:1: a walking case has no levels; omit the key");
+}
+
 }  // namespace
 }  // namespace tricontact::io

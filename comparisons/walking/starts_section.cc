@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparisons/format.h"
+#include "comparisons/regression.h"
+#include "comparisons/walking/walk_factorial.h"
+#include "comparisons/walking/walk_sections.h"
+
+namespace tricontact::comparisons::walking {
+
+namespace {
+
+using dynamics::Regime;
+
+constexpr double confidence = 0.95;
+
+/// When runs reached their limit cycle, and how long the others were waited for.
+struct Arrivals {
+    std::vector<double> times;    ///< sorted
+    std::vector<double> waiting;  ///< of runs that reached none
+    std::size_t n() const { return times.size() + waiting.size(); }
+
+    WithError share_by(double time) const {
+        const auto arrived = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+        const double p = static_cast<double>(arrived) / static_cast<double>(n());
+        return {p, normal_quantile(confidence) * std::sqrt(p * (1 - p) / static_cast<double>(n()))};
+    }
+    /// Mean life of what ends at a constant rate, by maximum likelihood: all time waited over the
+    /// number of ends.
+    WithError mean_life() const {
+        double sum = 0;
+        for (const double time : times) sum += time;
+        for (const double time : waiting) sum += time;
+        const auto n_ends = static_cast<double>(times.size());
+        return {sum / n_ends, normal_quantile(confidence) * sum / n_ends / std::sqrt(n_ends)};
+    }
+};
+
+Arrivals arrivals_of(const WalkSweep& sweep) {
+    Arrivals arrivals;
+    for (const WalkSweep::Point& point : sweep.points) {
+        if (!point.outcome) continue;
+        const dynamics::WalkResult& result = point.outcome->result;
+        if (result.regime == Regime::limit_cycle)
+            arrivals.times.push_back(result.transient);
+        else
+            arrivals.waiting.push_back(result.transient + result.observed);
+    }
+    std::sort(arrivals.times.begin(), arrivals.times.end());
+    return arrivals;
+}
+
+DocumentTable arrival_table(const Arrivals& arrivals) {
+    DocumentTable table{.id = "arrivals",
+                        .title = "Runs on their limit cycle",
+                        .note = "Errors: 95 %, of a share among so many runs.",
+                        .columns = {{"by the time"}, {"runs"}, {"share [%]"}},
+                        .rows = {}};
+    for (const double time : {500., 1000., 2000., 4000., 6000., 8000., 10000., 15000., 20000.}) {
+        const WithError share = arrivals.share_by(time);
+        std::vector<Cell>& row = table.rows.emplace_back();
+        row.emplace_back(time);
+        row.emplace_back(std::rint(share.value * static_cast<double>(arrivals.n())));
+        row.emplace_back(WithError{100 * share.value, 100 * share.error});
+    }
+    return table;
+}
+
+Figure arrival_figure(const Arrivals& arrivals) {
+    Figure figure{.id = "arrivals_over_time",
+                  .title = "Runs on their limit cycle",
+                  .caption =
+                      "Share of the runs that have reached their limit cycle. Dashed: chaos "
+                      "that ends at a constant rate, of the mean life found.",
+                  .x = {"t"},
+                  .y = {"share"}};
+    Curve found{.name = "runs", .x = {0}, .y = {0}};
+    Curve decay{.name = "constant rate", .x = {0}, .y = {0}, .theory = true};
+    constexpr int n = 100;
+    const double life = arrivals.mean_life().value, end = arrivals.times.back();
+    for (int i = 1; i <= n; ++i) {
+        const double time = end * i / n;
+        found.x.push_back(time);
+        found.y.push_back(arrivals.share_by(time).value);
+        decay.x.push_back(time);
+        decay.y.push_back(1 - std::exp(-time / life));
+    }
+    figure.curves = {found, decay};
+    return figure;
+}
+
+/// Least and largest of the limit cycles.
+struct Span {
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+};
+Span span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
+    Span span;
+    for (const WalkSweep::Point& point : sweep.points) {
+        if (!point.outcome || point.outcome->result.regime != Regime::limit_cycle) continue;
+        span.least = std::min(span.least, value(*point.outcome));
+        span.largest = std::max(span.largest, value(*point.outcome));
+    }
+    return span;
+}
+
+void add_arrivals(const WalkSweep& sweep, WalkSection& result) {
+    const Arrivals arrivals = arrivals_of(sweep);
+    if (arrivals.times.empty()) return;
+    const Span period = span_of(sweep, [](const WalkOutcome& o) { return *o.result.period; });
+    const Span friction = span_of(sweep, [](const WalkOutcome& o) { return o.result.mu_e; });
+    const WithError life = arrivals.mean_life();
+    result.verdicts.push_back(
+        {Verdict::Standing::finding,
+         fmt::format("{} of {} starts end on a limit cycle: periods from {} to {}, μ_e from {} to "
+                     "{}. The mean life of the transient is {}.",
+                     arrivals.times.size(), arrivals.n(), significant(period.least, 6),
+                     significant(period.largest, 6), significant(friction.least),
+                     significant(friction.largest), with_error(life.value, life.error))});
+    result.section.figures.push_back(arrival_figure(arrivals));
+    result.section.tables.push_back(arrival_table(arrivals));
+}
+
+std::vector<WalkGroup> points_alone(const WalkSweep& sweep) {
+    std::vector<WalkGroup> groups;
+    for (const WalkSweep::Point& point : sweep.points)
+        if (point.outcome) groups.push_back({{}, {&point}});
+    return groups;
+}
+
+void add_effects(const WalkSweep& sweep, WalkSection& result) {
+    std::vector<std::size_t> axes;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) axes.push_back(i);
+    const std::vector<WalkGroup> runs = points_alone(sweep);
+    const auto factorial = factorial_of(sweep, runs, axes);
+    if (!factorial) return;
+    const ExclusionRule& all = exclusion_rules().back();
+    const FactorialDesign kinetic =
+        factorial->design(runs, all, [](const WalkOutcome& o) { return o.result.kinetic_energy; });
+    double largest = 0;
+    for (const MainEffect& effect : main_effects(kinetic)) {
+        const auto [low, high] = std::minmax_element(
+            effect.means.begin(), effect.means.end(),
+            [](const WithError& a, const WithError& b) { return a.value < b.value; });
+        largest = std::max(largest, high->value / low->value - 1);
+    }
+    result.verdicts.push_back(
+        {Verdict::Standing::finding,
+         fmt::format("The start changes the mean kinetic energy by at most {} % (main effects).",
+                     significant(100 * largest, 2))});
+    result.section.figures.push_back(main_effects_figure(
+        "effects_on_kinetic_energy", "Kinetic energy at the end", "e_kin", kinetic));
+    result.section.figures.push_back(main_effects_figure(
+        "effects_on_initial_energy", "Mechanical energy at the start", "e_m(0)",
+        factorial->design(runs, all, [](const WalkOutcome& o) { return o.initial_energy; })));
+}
+
+}  // namespace
+
+std::optional<WalkSection> starts_section(const WalkSweep& sweep) {
+    if (!machine_axes(sweep).empty() || sweep.axes.empty()) return {};
+    WalkSection result{.section = {.id = "starts", .heading = "Starts"}};
+    add_arrivals(sweep, result);
+    add_effects(sweep, result);
+    return result;
+}
+
+}  // namespace tricontact::comparisons::walking

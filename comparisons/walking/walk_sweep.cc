@@ -1,0 +1,113 @@
+#include "comparisons/walking/walk_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "comparisons/csv.h"
+#include "comparisons/format.h"
+#include "comparisons/regression.h"
+
+namespace tricontact::comparisons::walking {
+
+namespace {
+
+constexpr double confidence = 0.95;
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+bool tilted(const WalkSweep::Point* point) {
+    return point->outcome->result.regime == dynamics::Regime::tilting;
+}
+
+std::string text_of(const Cell& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? csv_field(*number) : std::get<std::string>(value);
+}
+
+/// Largest magnitude of an axis, for its unit.
+double magnitude(const WalkSweep& sweep, std::size_t axis) {
+    double largest = 0;
+    for (const WalkSweep::Point& point : sweep.points)
+        if (const auto* value = std::get_if<double>(&point.values[axis]))
+            largest = std::max(largest, std::abs(*value));
+    return largest;
+}
+
+Unit unit_of(const WalkSweep& sweep, std::size_t axis) {
+    const std::string& base = sweep.axes[axis].unit;
+    return base.empty() ? Unit{} : fitting_unit(magnitude(sweep, axis), base);
+}
+
+}  // namespace
+
+bool WalkGroup::tilts() const {
+    const auto n_tilted = std::count_if(points.begin(), points.end(), tilted);
+    return n_tilted > 0 && 2 * n_tilted >= static_cast<std::ptrdiff_t>(points.size());
+}
+
+double WalkGroup::mean(double (*value)(const WalkOutcome& outcome)) const {
+    if (tilts()) return undefined;
+    double sum = 0, n = 0;
+    for (const WalkSweep::Point* point : points) {
+        if (tilted(point)) continue;
+        sum += value(*point->outcome);
+        ++n;
+    }
+    return n > 0 ? sum / n : undefined;
+}
+
+WithError WalkGroup::mu_e() const {
+    const double value = mean([](const WalkOutcome& o) { return o.result.mu_e; });
+    if (std::isnan(value)) return {undefined, undefined};
+    double squares = 0;
+    int n = 0;
+    for (const WalkSweep::Point* point : points) {
+        if (tilted(point)) continue;
+        squares += std::pow(point->outcome->result.mu_e - value, 2);
+        ++n;
+    }
+    if (n == 1) return {value, mean([](const WalkOutcome& o) { return o.result.mu_e_error; })};
+    return {value, student_t(confidence, n - 1) * std::sqrt(squares / (n - 1) / n)};
+}
+
+std::vector<std::size_t> machine_axes(const WalkSweep& sweep) {
+    std::vector<std::size_t> axes;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i)
+        if (!sweep.axes[i].key.starts_with("start.")) axes.push_back(i);
+    return axes;
+}
+
+std::vector<WalkGroup> groups_of(const WalkSweep& sweep) {
+    const std::vector<std::size_t> axes = machine_axes(sweep);
+    std::vector<WalkGroup> groups;
+    std::map<std::vector<std::string>, std::size_t> known;
+    for (const WalkSweep::Point& point : sweep.points) {
+        if (!point.outcome) continue;
+        std::vector<std::string> texts;
+        for (const std::size_t axis : axes) texts.push_back(text_of(point.values[axis]));
+        const auto [at, is_new] = known.emplace(texts, groups.size());
+        if (is_new) {
+            WalkGroup& group = groups.emplace_back();
+            for (const std::size_t axis : axes) group.values.push_back(point.values[axis]);
+        }
+        groups[at->second].points.push_back(&point);
+    }
+    return groups;
+}
+
+std::string label_of(const WalkSweep& sweep, std::size_t axis) {
+    const std::string& key = sweep.axes[axis].key;
+    const std::string name = key.substr(key.find('.') + 1);
+    if (name == "kappa5") return "μ";
+    if (name.starts_with("kappa")) return "κ_" + name.substr(5);
+    const Unit unit = unit_of(sweep, axis);
+    return unit.symbol.empty() ? name : name + " [" + unit.symbol + "]";
+}
+
+double shown_value(const WalkSweep& sweep, std::size_t axis, const Cell& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? *number / unit_of(sweep, axis).factor : undefined;
+}
+
+}  // namespace tricontact::comparisons::walking
