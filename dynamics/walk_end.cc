@@ -8,6 +8,32 @@
 #include "dynamics/walk_judge.h"
 
 namespace tricontact::dynamics {
+namespace {
+
+/// Phases of the last period but one: the cycle is followed for three more, more densely than
+/// pictures need.
+std::optional<WalkPhases> find_phases(const WalkCase& walk_case, const Motion& on_cycle,
+                                      double period) {
+    constexpr double per_period = 2000;
+    const double step = walk_case.time.step;
+    const auto every =
+        std::max(static_cast<std::int64_t>(period / step / per_period), std::int64_t{1});
+    const auto n =
+        static_cast<std::size_t>(3 * period / step) / static_cast<std::size_t>(every) + 4;
+    VelocityVerlet run(walk_case.machine, on_cycle, step);
+    SnapshotRecorder snapshots(n, 1);
+    for (std::int64_t i = 0; snapshots.first().size() < n; ++i) {
+        if (i % every == 0) snapshots.add(run);
+        run.advance();
+    }
+    auto phases = phases_of(walk_case.machine, snapshots.first(), period);
+    if (!phases) return phases;
+    const double late = phases->turning_point + period - walk_case.time.end;
+    phases->shift(-period * std::ceil(late / period));
+    return phases;
+}
+
+}  // namespace
 
 WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording) {
     const auto& [step, end] = walk_case.time;
@@ -52,7 +78,7 @@ void conclude(const WalkCase& walk_case, const Recording& recording, const Motio
     walk.start = snapshots.first();
     walk.tail = snapshots.last(static_cast<std::size_t>(tail) + 1);
     judge_drift(machine, walk.periods, walk.result);
-    if (walk.result.period) walk.phases = phases_of(machine, walk.tail, *walk.result.period);
+    if (walk.result.period) walk.phases = find_phases(walk_case, end, *walk.result.period);
 }
 
 }  // namespace tricontact::dynamics

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// Half the vertical vibration over the static displacement below which a machine slides as if it
-// were one block: its normal forces, and with them friction, differ by no more.
+// Vertical vibration over the static displacement that does not count: normal forces, and with them
+// friction, differ by no more.
 constexpr double still = 0.01;
 
 // A chaotic run has to outlive this before chaos counts as what it ends in. Chaos of set B lives
@@ -27,6 +27,12 @@ double vibration(const WalkWindow& window) {
 
 double mean_force(const WalkWindow& window) {
     return window.sums.spring_force / static_cast<double>(window.sums.steps);
+}
+
+/// The force that mu_e and its error are told in; NaN, as they are, where there is no friction.
+double unit_force(const Machine& machine) {
+    const double sliding = sliding_force(machine);
+    return sliding > 0 ? sliding : nothing;
 }
 
 StretchSums total(std::span<const WalkWindow> windows) {
@@ -49,13 +55,19 @@ double greatest_vibration(std::span<const WalkWindow> windows) {
     return greatest;
 }
 
-/// First of the windows from which on the body does not vibrate vertically; none if it does in the
-/// last quarter of the run.
-std::optional<std::size_t> first_still(const Machine& machine,
-                                       std::span<const WalkWindow> windows) {
-    const double bound = still * std::abs(static_displacement(machine));
-    const std::size_t first = first_of_end(
-        windows, [bound](const WalkWindow& window) { return vibration(window) <= bound; });
+/// First of the windows from which on the body slides without vertical vibration, or with one that
+/// is left from the start: while all spots stay on the ground z is a free oscillator, neither
+/// driven nor damped by friction. It swings evenly about its rest then, and a jump cannot. None if
+/// it does not in the last quarter of the run.
+std::optional<std::size_t> first_steady(const Machine& machine,
+                                        std::span<const WalkWindow> windows) {
+    const double rest = static_displacement(machine), bound = still * std::abs(rest);
+    const double amplitude = vibration(windows.back());
+    const std::size_t first = first_of_end(windows, [&](const WalkWindow& window) {
+        const double middle = (window.sums.z_max + window.sums.z_min) / 2;
+        return vibration(window) <= bound || (std::abs(middle - rest) <= bound &&
+                                              std::abs(vibration(window) - amplitude) <= bound);
+    });
     if (first >= windows.size() - windows.size() / 4) return std::nullopt;
     return first;
 }
@@ -63,7 +75,7 @@ std::optional<std::size_t> first_still(const Machine& machine,
 /// Whatever is but a mean or an extreme over the steps.
 void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result) {
     const double n = static_cast<double>(sums.steps), rest = static_displacement(machine);
-    result.mu_e = sums.spring_force / n / sliding_force(machine);
+    result.mu_e = sums.spring_force / n / unit_force(machine);
     result.z_min_ratio = sums.z_min / rest;
     result.z_max_ratio = sums.z_max / rest;
     result.phi_min = sums.phi_min;
@@ -90,13 +102,13 @@ WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> wind
                         std::size_t first) {
     WalkResult result = judge_windows(machine, windows, Regime::steady, first);
     const auto judged = windows.subspan(first);
-    const double mean = result.mu_e * sliding_force(machine);
+    const double mean = result.mu_e * unit_force(machine);
     double greatest = 0;
     for (const WalkWindow& window : judged)
         greatest =
             std::max(greatest, std::abs(mean_force(window) - mean) * (window.end - window.begin));
     result.mu_e_error =
-        judged.size() > 1 ? greatest / result.observed / sliding_force(machine) : nothing;
+        judged.size() > 1 ? greatest / result.observed / unit_force(machine) : nothing;
     // Flutter begins small: a vibration that still grows is not what the run ends in.
     const std::size_t half = judged.size() / 2;
     const double before = greatest_vibration(judged.first(half)),
@@ -126,8 +138,8 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
                        const LimitCycle& cycle) {
     WalkResult result{.regime = Regime::limit_cycle};
     take_statistics(machine, cycle.sums, result);
-    result.mu_e = cycle.spring_force / sliding_force(machine);
-    result.mu_e_error = cycle.spring_force_drift / sliding_force(machine);
+    result.mu_e = cycle.spring_force / unit_force(machine);
+    result.mu_e_error = cycle.spring_force_drift / unit_force(machine);
     result.period = cycle.period;
     result.period_error = cycle.period_drift;
     result.section_points = cycle.section_points;
@@ -174,14 +186,14 @@ WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windo
     result.transient_over =
         2 * first < forces.size() && result.observed >= sustained && stationary(rest);
     if (result.transient_over) {
-        result.mu_e_error = block_bootstrap_mean(rest).error / sliding_force(machine);
+        result.mu_e_error = block_bootstrap_mean(rest).error / unit_force(machine);
         return result;
     }
     // What it ends in may be like any stretch of it.
+    const double mean = result.mu_e * unit_force(machine);
     double greatest = 0;
-    for (const double force : forces)
-        greatest = std::max(greatest, std::abs(force / sliding_force(machine) - result.mu_e));
-    result.mu_e_error = forces.size() > 1 ? greatest : nothing;
+    for (const double force : forces) greatest = std::max(greatest, std::abs(force - mean));
+    result.mu_e_error = forces.size() > 1 ? greatest / unit_force(machine) : nothing;
     return result;
 }
 
@@ -210,7 +222,7 @@ std::int64_t window_steps(std::int64_t n_steps, double step) {
 }
 
 bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows) {
-    if (first_still(machine, windows)) return false;
+    if (first_steady(machine, windows)) return false;
     const double length = windows.front().end - windows.front().begin;
     const auto half =
         static_cast<std::size_t>(std::max(1., std::round(judged_time() / 2 / length)));
@@ -221,7 +233,7 @@ bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows) {
 
 WalkResult judge(const Machine& machine, const WalkEvidence& evidence) {
     if (evidence.tilting_time) return judge_tilting(machine, evidence);
-    if (const auto first = first_still(machine, evidence.windows))
+    if (const auto first = first_steady(machine, evidence.windows))
         return judge_steady(machine, evidence.windows, *first);
     if (const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step))
         return judge_cycle(machine, evidence.windows, *cycle);

@@ -35,6 +35,11 @@ void find_jump(std::span<const Snapshot> period, double rest, WalkPhases& phases
 
 }  // namespace
 
+void WalkPhases::shift(double time) {
+    for (double* each : {&sticking, &turning_point, &release, &jump, &landing}) *each += time;
+    for (Stick& stick : sticks) stick = {stick.begin + time, stick.end + time};
+}
+
 std::optional<WalkPhases> phases_of(const Machine& machine, std::span<const Snapshot> snapshots,
                                     double period) {
     if (snapshots.size() < 2) return std::nullopt;

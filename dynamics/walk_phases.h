@@ -9,8 +9,8 @@
 
 namespace tricontact::dynamics {
 
-/// Phases of a period of a limit cycle, as times of the snapshots they are seen in: Wetter (2016),
-/// figures 4.18 and 4.19. NaN where a phase does not occur.
+/// Phases of a period of a limit cycle: Wetter (2016), figures 4.18 and 4.19. Times are those of
+/// the snapshots in which a phase begins; NaN where it does not occur.
 struct WalkPhases {
     /// About the turning point; a spot that does not stick there has none.
     struct Stick {
@@ -28,6 +28,9 @@ struct WalkPhases {
         0;                ///< of the undeformed base over the ground, over the static displacement
     double airborne = 0;  ///< share of time in which no spot touches the ground
     double airborne_advance = 0;  ///< share of the way made in it
+
+    /// The same phases of another period, so much later.
+    void shift(double time);
 };
 
 /// Phases of the period about the last turning point with a period before and after it. None if

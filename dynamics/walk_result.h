@@ -8,7 +8,8 @@ namespace tricontact::dynamics {
 
 /// What a run came to.
 enum class Regime {
-    steady,       ///< slides without vibration in the vertical direction
+    steady,       ///< slides, or rests, and does not vibrate vertically but for what is left of the
+                  ///< start
     limit_cycle,  ///< repeats itself
     chaotic,      ///< does not, within the time observed
     tilting,      ///< falls over: small rotations no longer
