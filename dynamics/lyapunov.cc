@@ -50,12 +50,12 @@ Motion moved_to(const Machine& machine, const Motion& motion, const Motion& neig
     there.x_velocity = between(motion.x_velocity, neighbour.x_velocity);
     there.z_velocity = between(motion.z_velocity, neighbour.z_velocity);
     there.phi_velocity = between(motion.phi_velocity, neighbour.phi_velocity);
-    const std::vector<Spot> spots = spots_of(machine);
-    for (std::size_t i = 0; i < spots.size(); ++i) {
+    const std::vector<Spot> springs = springs_of(machine);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
         SpotDeflection& spot = there.spots[i];
         spot.tangential = between(spot.tangential, neighbour.spots[i].tangential);
         spot.flank = between(spot.flank, neighbour.spots[i].flank);
-        admit(machine, spots[i], there, spot);
+        admit(machine, springs[i], there, spot);
     }
     return there;
 }

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "dynamics/block_bootstrap.h"
+
 namespace tricontact::dynamics {
 
 /// What a run came to.
@@ -52,6 +54,8 @@ struct WalkResult {
     double observed = 0;                      ///< time over which they were taken
     std::optional<double> tilting_time = {};  ///< when it tilted, if it did
     std::optional<Drift> drift = {};
+    /// Largest Lyapunov exponent of the motion it ended in, with its 95 % interval; of a run alone.
+    std::optional<Mean> lyapunov = {};
 };
 
 }  // namespace tricontact::dynamics

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "dynamics/lyapunov.h"
 #include "dynamics/walk_end.h"
 
 namespace tricontact::dynamics {
@@ -15,6 +16,16 @@ double processor_time() {
 
 std::size_t n_snapshots(double time, double interval) {
     return time > 0 ? static_cast<std::size_t>(std::llround(time / interval)) + 1 : 0;
+}
+
+/// Of what the run goes on to do, for a thousand units of time, or as long as it has taken if that
+/// is less; none for a machine that tilts or has hardly begun.
+std::optional<Mean> exponent_at_the_end(const VelocityVerlet& run) {
+    Separation separation{.step = run.step()};
+    separation.duration = std::min(separation.duration, run.motion().time);
+    const bool tilts = std::abs(run.motion().phi) > tilting_limit(run.machine());
+    if (tilts || separation.duration < 100) return std::nullopt;
+    return lyapunov_exponent(run.machine(), run.motion(), separation);
 }
 
 }  // namespace
@@ -38,6 +49,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
     conclude(walk_case, recording, run.motion(), tilting_time, snapshots, walk);
     walk.cpu_s = processor_time() - began;
+    walk.result.lyapunov = exponent_at_the_end(run);
     return walk;
 }
 

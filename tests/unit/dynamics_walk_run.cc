@@ -79,6 +79,9 @@ TEST(WalkRun, SetBWalksOnItsLimitCycle) {
     EXPECT_NEAR(result.spots[1].stick_time, 0.4931, 1e-4);
     EXPECT_NEAR(result.spots[0].correlation, -0.759, 5e-4);
     EXPECT_NEAR(result.spots[1].correlation, -0.727, 5e-4);
+    // The phase of a cycle is free, all else is drawn to it.
+    ASSERT_TRUE(result.lyapunov.has_value());
+    EXPECT_NEAR(result.lyapunov->value, 0, 0.005);
 }
 
 // Wetter (2016), figure 4.19: the spots stick about the turning point, then let go, then the body
@@ -103,6 +106,8 @@ TEST(WalkRun, TooShortSaysSo) {
     const WalkResult result = walk(case_of(set_b(), 300)).result;
     EXPECT_FALSE(result.transient_over);
     EXPECT_NEAR(result.mu_e, 0.0440, 2 * result.mu_e_error);  // where it ends in the end
+    ASSERT_TRUE(result.lyapunov.has_value());
+    EXPECT_GT(result.lyapunov->value, result.lyapunov->error);  // chaos so far
 }
 
 // Its spring force, constant while it slides, would pull it over its leading spot from the start.
