@@ -20,12 +20,14 @@ void mark_transient(Figure& figure, const dynamics::WalkResult& result) {
             low = std::fmin(low, value);
             high = std::fmax(high, value);
         }
-    if (result.observed > 0 && low < high)
-        figure.curves.push_back(
-            {.name = result.transient_over ? "end of the transient" : "judged from here on",
-             .x = {result.transient, result.transient},
-             .y = {low, high},
-             .theory = true});
+    if (!(result.observed > 0 && low < high)) return;
+    figure.curves.push_back({.name = "judged from",
+                             .x = {result.transient, result.transient},
+                             .y = {low, high},
+                             .theory = true});
+    figure.caption += result.transient_over ? " Dashed: end of the transient."
+                                            : " Dashed: where the run is judged from, though its "
+                                              "transient is not over.";
 }
 
 Figure force_figure(const WalkReport& report) {
