@@ -7,6 +7,7 @@
 
 #include "dynamics/block_bootstrap.h"
 #include "dynamics/limit_cycle.h"
+#include "dynamics/stationarity.h"
 
 namespace tricontact::dynamics {
 namespace {
@@ -149,38 +150,10 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
     return result;
 }
 
-/// How many values to leave out at the beginning so that the mean of the rest has the least error:
-/// MSER, White (1997), Simulation 69. At most half of them.
-std::size_t marginal_standard_error_rule(std::span<const double> values) {
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity(), sum = 0, squares = 0;
-    for (std::size_t left = values.size(); left-- > 0;) {
-        sum += values[left];
-        squares += values[left] * values[left];
-        const double n = static_cast<double>(values.size() - left);
-        const double error = (squares - sum * sum / n) / (n * n);
-        if (2 * left > values.size() || error > least) continue;
-        least = error;
-        best = left;
-    }
-    return best;
-}
-
-/// Whether both halves of the values have the same mean within their intervals, after Geweke
-/// (1992). Half as much again as the 95 % interval of their difference: by chance it is missed in 3
-/// of 1000.
-bool stationary(std::span<const double> values) {
-    const std::size_t half = values.size() / 2;
-    if (half < 2) return false;
-    const Mean before = block_bootstrap_mean(values.first(half)),
-               after = block_bootstrap_mean(values.last(half));
-    return std::abs(after.value - before.value) <= 1.5 * std::hypot(before.error, after.error);
-}
-
 WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windows) {
     std::vector<double> forces;
     for (const WalkWindow& window : windows) forces.push_back(mean_force(window));
-    const std::size_t first = marginal_standard_error_rule(forces);
+    const std::size_t first = transient_values(forces);
     WalkResult result = judge_windows(machine, windows, Regime::chaotic, first);
     const auto rest = std::span(forces).subspan(first);
     result.transient_over =
