@@ -18,6 +18,9 @@ void verify_friction_pressing(const Say& say, comparisons::Verification& all);
 /// Shifts of bem and bem-layer beside those of other programs (comparisons/peer_shifts.h).
 void verify_peer_shifts(const Say& say, comparisons::Verification& all);
 
+/// Velocity Verlet beside closed forms and the event-driven integrator.
+void verify_walking(const Say& say, comparisons::Verification& all);
+
 /// fem beside the same; no rows where the program has no finite elements.
 void verify_fem(const Say& say, comparisons::Verification& all);
 

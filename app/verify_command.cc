@@ -23,6 +23,7 @@ Verification verify(bool brief, const Say& say) {
     verify_friction_pressing(say, all);
     verify_peer_shifts(say, all);
     verify_fem(say, all);
+    verify_walking(say, all);
     return all;
 }
 

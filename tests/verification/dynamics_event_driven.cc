@@ -5,6 +5,7 @@
 
 #include "../unit/dynamics_sets.h"
 #include "dynamics/event_driven.h"
+#include "dynamics/reference_cycle.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/verlet_energy.h"
 #include "dynamics/walk_case.h"
@@ -87,58 +88,20 @@ TEST(EventDrivenReference, AgreesWithShortStepsOfVerlet) {
     EXPECT_LT(distance(motion, reference.motion()) / static_displacement(machine), 1e-6);
 }
 
-// What happens on a limit cycle on which the body flies once.
-struct Cycle {
-    double period = 0;
-    std::array<double, 2> sticking = {0, 0};  // times
-    EnergyBalance balance;                    // of the period
-};
-
-bool flies(const EventDriven& run) {
-    return !run.modes()[0].touches && !run.modes()[1].touches;
-}
-
-// From the body's flight to its next one.
-Cycle cycle_of(EventDriven& run) {
-    const double never = run.motion().time + 1000;
-    while (!flies(run) && run.advance_to_event(never)) {
-    }
-    const EnergyBalance before = run.energy_balance();
-    double time = run.motion().time;
-    Cycle cycle;
-    do {
-        std::array<bool, 2> sticks;
-        for (int i = 0; i < 2; ++i) sticks[i] = run.modes()[i].state == SpotState::stick;
-        run.advance_to_event(never);
-        const double elapsed = run.motion().time - time;
-        for (int i = 0; i < 2; ++i) cycle.sticking[i] += sticks[i] ? elapsed : 0;
-        cycle.period += elapsed;
-        time += elapsed;
-    } while (!flies(run) && time < never);
-    const EnergyBalance after = run.energy_balance();
-    cycle.balance = {.base = after.base - before.base,
-                     .geometric = after.geometric - before.geometric,
-                     .dissipation = after.dissipation - before.dissipation,
-                     .stored = after.stored - before.stored};
-    return cycle;
-}
-
 // The numbers of the specification, found by velocity Verlet in an independent program; the
 // tolerances are its own. Its chaotic transient lasts 1450 on average.
 TEST(EventDrivenReference, EndsInTheLimitCycleOfSetB) {
     const Machine machine{.kappas = set_b()};
-    const Kappas& k = machine.kappas;
     EventDriven run(machine, motion_at_start(machine), 1e-12);
     run.advance_to(16000);
-    const Cycle first = cycle_of(run), second = cycle_of(run);
+    const ReferenceCycle first = reference_cycle(run), second = reference_cycle(run);
     EXPECT_NEAR(first.period, 4.2930, 0.5e-4);
     EXPECT_NEAR(first.period, second.period, 1e-8);
-    EXPECT_NEAR(first.sticking[0] / first.period, 0.4265, 0.002);
-    EXPECT_NEAR(first.sticking[1] / first.period, 0.4931, 0.002);
-    // The work of the base is its way times the mean force.
+    EXPECT_NEAR(first.stick_times[0], 0.4265, 0.002);
+    EXPECT_NEAR(first.stick_times[1], 0.4931, 0.002);
+    EXPECT_NEAR(first.z_min / static_displacement(machine), -0.4289, 0.0005);
+    EXPECT_NEAR(first.spring_force / sliding_force(machine), 0.0440, 0.0005);
     const EnergyBalance& balance = first.balance;
-    const double mu_e = balance.base / (k.kappa6 * first.period * k.kappa5 * k.kappa4);
-    EXPECT_NEAR(mu_e, 0.0440, 0.0005);
     // A cycle stores nothing: what the base does is dissipated, but for the moments that have no
     // potential, a share of the order of phi. Steps are accurate to 1e-12 of the static
     // displacement, z swings by 2.8 of it.
@@ -147,7 +110,7 @@ TEST(EventDrivenReference, EndsInTheLimitCycleOfSetB) {
     EXPECT_NEAR(balance.geometric / balance.base, 3.2e-4, 0.1e-4);
     // Velocity Verlet with the usual step over the same period, and with one of a tenth. The
     // requirement: 1e-6 of the base's work.
-    Motion start = run.motion();
+    Motion start = first.start;
     start.x -= start.base;  // where x is large, its rounding is
     start.base = 0;
     for (const int n_steps : {4293, 42930}) {
