@@ -11,8 +11,8 @@
 #include "comparisons/format.h"
 #include "comparisons/json_number.h"
 #include "comparisons/walking/map_readings.h"
+#include "comparisons/walking/motion_class.h"
 #include "comparisons/walking/packed_samples.h"
-#include "comparisons/walking/regime_words.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -74,14 +74,13 @@ Json json(const Quantity& quantity) {
             {"high", std::max(low, high)}};
 }
 
-Json regimes(const WalkMap& map) {
+Json motions(const WalkMap& map) {
     Json values = Json::array(), words = Json::array();
     for (const WalkMapCell& cell : map.cells)
-        values.push_back(static_cast<int>(cell.result.regime));
-    for (const Regime each :
-         {Regime::steady, Regime::limit_cycle, Regime::chaotic, Regime::tilting})
-        words.push_back(words_of(each));
-    return {{"name", "regime"}, {"values", values}, {"words", words}};
+        values.push_back(static_cast<int>(motion_class(cell.result)));
+    for (int i = 0; i < n_motion_classes; ++i)
+        words.push_back(words_of(static_cast<MotionClass>(i)));
+    return {{"name", "motion"}, {"values", values}, {"words", words}};
 }
 
 /// Friction above which the machine tilts, over the width of the map as far as its height.
@@ -146,7 +145,7 @@ Json map_json(const WalkMap& map) {
     Json ground = Json::array();
     const std::vector<Quantity> list = quantities(map);
     for (const Quantity& each : list) ground.push_back(json(each));
-    ground.push_back(regimes(map));
+    ground.push_back(motions(map));
     Json curves = Json::array();
     for (const char* name : {"Δx / (μ κ_4)", "z / z_stat", "φ / (μ κ_3 κ_4)", "f_s / (μ κ_4)"})
         curves.push_back(chart_label(name));

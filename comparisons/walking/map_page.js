@@ -5,8 +5,9 @@
 const map = JSON.parse(document.getElementById("map").textContent);
 const part = id => document.getElementById(id);
 const n_x = map.x.values.length, n_y = map.y.values.length;
-const regime_colours = ["#f0e442", "#009e73", "#56b4e9", "#8a8a8a"];  // Okabe and Ito; last: fallen
-const map_margin = {l: 54, r: 16, t: 62, b: 48};
+// Okabe and Ito; the last, of machines that fell over, also where there is no value.
+const motion_colours = ["#f0e442", "#009e73", "#56b4e9", "#e69f00", "#8a8a8a"];
+const map_margin = {l: 54, r: 16, t: 66, b: 48};
 const motion_margin = {l: 66, r: 16, t: 10, b: 48};
 const heights = {map: 430, motion: 560};
 const drawing = {map: {width: 720, height: 560}, motion: {width: 720, height: 620}};
@@ -24,22 +25,22 @@ function rows(values) {
     return map.y.values.map((_, row) => values.slice(row * n_x, (row + 1) * n_x));
 }
 
-function regime_scale(n) {
-    return [...Array(n).keys()].flatMap(i => [[i / n, regime_colours[i]], [(i + 1) / n, regime_colours[i]]]);
+function motion_scale(n) {
+    return [...Array(n).keys()].flatMap(i => [[i / n, motion_colours[i]], [(i + 1) / n, motion_colours[i]]]);
 }
 
+// Numbers have a colour bar; words squares of their colours, which wrap on a narrow screen.
 function ground_of(shown, theme) {
-    const bar = {orientation: "h", x: 0.5, y: 1.01, yanchor: "bottom", len: 1, thickness: 12,
-                 outlinewidth: 0, tickfont: {color: theme.text}, ticks: "outside", ticklen: 3,
-                 ticklabelposition: "outside top"};
-    const common = {type: "heatmap", x: map.x.values, y: map.y.values, z: rows(shown.values)};
+    const cells = {type: "heatmap", x: map.x.values, y: map.y.values, z: rows(shown.values), showlegend: false};
     if (!shown.words)
-        return {...common, colorscale: charts.ground, zmin: shown.low, zmax: shown.high, colorbar: bar};
+        return [{...cells, colorscale: charts.ground, zmin: shown.low, zmax: shown.high, colorbar: {
+            orientation: "h", x: 0.5, y: 1.01, yanchor: "bottom", len: 1, thickness: 12, outlinewidth: 0,
+            tickfont: {color: theme.text}, ticks: "outside", ticklen: 3}}];
     const n = shown.words.length;
-    const ticks = shown.words.map((_, i) => i);
-    const names = shown.words.map(words => words.replace(" in a ", "<br>in a ").replace(/ (?!in a )/, "<br>"));
-    return {...common, colorscale: regime_scale(n), zmin: -0.5, zmax: n - 0.5,
-            colorbar: {...bar, tickvals: ticks, ticktext: names}};
+    const names = shown.words.map((name, i) => ({
+        type: "scatter", mode: "markers", name, x: [null], y: [null], showlegend: true,
+        marker: {symbol: "square", size: 11, color: motion_colours[i]}}));
+    return [{...cells, colorscale: motion_scale(n), zmin: -0.5, zmax: n - 0.5, showscale: false}, ...names];
 }
 
 function draw_map(theme) {
@@ -51,10 +52,12 @@ function draw_map(theme) {
         ...charts.layout(theme), margin: {...map_margin, autoexpand: false},
         xaxis: {...charts.axis({label: map.x.name}, theme, false), range: x_range},
         yaxis: {...charts.axis({label: map.y.name}, theme, false), range: y_range},
-        plot_bgcolor: "#8a8a8a",  // where a machine fell over there is no value
+        plot_bgcolor: motion_colours.at(-1),
+        legend: {orientation: "h", x: -0.1, y: 1.01, yanchor: "bottom", font: {size: 11}, itemwidth: 30,
+                 entrywidth: 0.5, entrywidthmode: "fraction"},
     };
     for (const axis of [layout.xaxis, layout.yaxis]) axis.showgrid = axis.zeroline = false;
-    return [[ground_of(shown, theme), limit], layout];
+    return [[...ground_of(shown, theme), limit], layout];
 }
 
 function unpacked([offset, scale, text]) {

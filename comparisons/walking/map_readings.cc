@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/format.h"
-#include "comparisons/walking/regime_words.h"
+#include "comparisons/walking/motion_class.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -37,7 +37,7 @@ const std::vector<std::string>& map_reading_names() {
 
 std::vector<std::string> map_readings(const WalkMap& map, double kappa8, const WalkResult& result) {
     const std::string limit = significant(critical_friction(map, kappa8), 4);
-    const std::string motion = words_of(result.regime);
+    const std::string motion = words_of(motion_class(result));
     if (result.regime == dynamics::Regime::tilting) {
         const std::string when =
             result.tilting_time ? " at t = " + significant(*result.tilting_time, 4) : "";

@@ -74,11 +74,21 @@ TEST(MapJson, BlanksMachinesThatFellOver) {
     EXPECT_TRUE(friction["values"][3].is_null());
     EXPECT_EQ(friction["low"], 0.0440);
     EXPECT_EQ(friction["high"], 0.9);
-    const auto& regimes = json["quantities"].back();
-    EXPECT_EQ(regimes["words"][regimes["values"][3].get<int>()], "falls over");
+    const auto& motions = json["quantities"].back();
+    EXPECT_EQ(motions["words"][motions["values"][3].get<int>()], "falls over");
     EXPECT_EQ(json["cells"][3]["readings"][0], "falls over at t = 321.0");
     EXPECT_TRUE(json["cells"][3]["samples"].empty());
     EXPECT_TRUE(json["cells"][3]["mean"].is_null());
+}
+
+TEST(MapJson, DoesNotCallChaosWhatIsNotOver) {
+    WalkMap young = map();
+    young.cells[0].result.transient_over = false;
+    const auto json = map_json(young);
+    const auto& motions = json["quantities"].back();
+    EXPECT_EQ(motions["words"][motions["values"][0].get<int>()], "not settled yet");
+    EXPECT_EQ(motions["words"][motions["values"][1].get<int>()], "walks in a limit cycle");
+    EXPECT_EQ(json["cells"][0]["readings"][0], "not settled yet");
 }
 
 TEST(MapJson, ReadsNumbersWithTheirErrors) {
