@@ -48,10 +48,11 @@ double instructions(Kernel kernel, Detail detail) {
 
 /// `lane_steps`: of one machine, per second on one core, the best of many short runs; `of_peak`:
 /// the share of the arithmetic instructions that the core can do, measured in turn with the runs.
-void kernel_speed(benchmark::State& state, Kernel kernel, Machine::Model model, Detail detail) {
+void kernel_speed(benchmark::State& state, const BatchOptions& options, Machine::Model model,
+                  Detail detail) {
     constexpr std::int64_t n_steps = 5'000;
     const std::vector<Machine> machines(240, {.kappas = set_b, .model = model});
-    Batch batch(machines, starts_of(machines), step, {.kernel = kernel});
+    Batch batch(machines, starts_of(machines), step, options);
     std::vector<StretchSums> sums(machines.size());
     double best = 0, peak = 0;
     for (auto _ : state) {
@@ -60,12 +61,13 @@ void kernel_speed(benchmark::State& state, Kernel kernel, Machine::Model model, 
         const double seconds = timer.seconds();
         state.SetIterationTime(seconds);
         best = std::max(best, static_cast<double>(n_steps * machines.size()) / seconds);
-        peak = std::max(peak, arithmetic_peak(kernel));
+        peak = std::max(peak, arithmetic_peak(options.kernel));
     }
     state.counters["lane_steps"] = best;
-    const double lanes = 1 << static_cast<int>(kernel);
-    if (model == Machine::Model::two_spot && kernel != Kernel::plain)
-        state.counters["of_peak"] = best * instructions(kernel, detail) / (lanes * peak);
+    const int doubles = 1 << static_cast<int>(options.kernel);  // of a vector
+    const int lanes = options.precision == Precision::float32 ? 2 * doubles : doubles;
+    if (model == Machine::Model::two_spot && options.kernel != Kernel::plain)
+        state.counters["of_peak"] = best * instructions(options.kernel, detail) / (lanes * peak);
 }
 
 /// The same of the integrator of one machine.
@@ -126,19 +128,24 @@ BENCHMARK(design)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
 
+void register_kernel(const BatchOptions& options, Machine::Model model, Detail detail) {
+    std::string name(word_of(options.kernel));
+    name += options.precision == Precision::float32 ? "/float32" : "/float64";
+    name += model == Machine::Model::prism ? "/prism" : "/two-spot";
+    name += detail == Detail::motion ? "/motion" : "/everything";
+    benchmark::RegisterBenchmark(name.c_str(), kernel_speed, options, model, detail)
+        ->Iterations(100)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+}
+
 void register_kernels() {
     benchmark::RegisterBenchmark("one_machine", one_machine)->Unit(benchmark::kMillisecond);
     for (const Kernel kernel : available_kernels())
-        for (const auto model : {Machine::Model::two_spot, Machine::Model::prism})
-            for (const auto detail : {Detail::motion, Detail::everything}) {
-                std::string name(word_of(kernel));
-                name += model == Machine::Model::prism ? "/prism" : "/two-spot";
-                name += detail == Detail::motion ? "/motion" : "/everything";
-                benchmark::RegisterBenchmark(name.c_str(), kernel_speed, kernel, model, detail)
-                    ->Iterations(100)
-                    ->UseManualTime()
-                    ->Unit(benchmark::kMillisecond);
-            }
+        for (const Precision precision : {Precision::float32, Precision::float64})
+            for (const auto model : {Machine::Model::two_spot, Machine::Model::prism})
+                for (const Detail detail : {Detail::motion, Detail::everything})
+                    register_kernel({.kernel = kernel, .precision = precision}, model, detail);
 }
 
 }  // namespace

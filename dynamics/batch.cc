@@ -28,12 +28,12 @@ Batch::Batch(std::span<const Machine> machines, std::span<const Motion> starts, 
 }
 
 /// work(group, members) for the machines that have not tilted, full groups first.
-template <class Work>
-void Batch::for_groups(bool everything, const Work& work) {
+template <class Number, class Work>
+void Batch::for_groups_of(bool everything, const Work& work) {
     std::vector<std::size_t> upright;
     for (std::size_t i = 0; i < lanes_.size(); ++i)
         if (!tilted_[i]) upright.push_back(i);
-    const auto capacity = static_cast<std::size_t>(LaneGroup::capacity(options_.kernel));
+    const auto capacity = static_cast<std::size_t>(LaneGroup<Number>::capacity(options_.kernel));
     const std::size_t n_groups = (upright.size() + capacity - 1) / capacity;
     in_parallel(n_groups, options_.n_threads, [&](std::size_t group) {
         const std::size_t first = group * capacity;
@@ -41,11 +41,19 @@ void Batch::for_groups(bool everything, const Work& work) {
             std::span(upright).subspan(first, std::min(capacity, upright.size() - first));
         std::vector<Lane*> lanes;
         for (const std::size_t machine : members) lanes.push_back(&lanes_[machine]);
-        LaneGroup lane_group(options_.kernel, lanes, everything);
+        LaneGroup<Number> lane_group(options_.kernel, lanes, everything);
         work(lane_group, members);
         lane_group.store();
         for (std::size_t i = 0; i < members.size(); ++i) tilted_[members[i]] = lane_group.tilted(i);
     });
+}
+
+template <class Work>
+void Batch::for_groups(bool everything, const Work& work) {
+    if (options_.precision == Precision::float32)
+        for_groups_of<float>(everything, work);
+    else
+        for_groups_of<double>(everything, work);
 }
 
 void Batch::advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> sums) {
@@ -53,7 +61,7 @@ void Batch::advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> 
         throw std::invalid_argument("not one sum for each machine");
     for (std::int64_t left = n_steps; left > 0; left -= steps_of_a_round)
         for_groups(detail == Detail::everything,
-                   [&](LaneGroup& group, std::span<const std::size_t> members) {
+                   [&](auto& group, std::span<const std::size_t> members) {
                        group.advance(std::min(left, steps_of_a_round));
                        if (sums.empty()) return;
                        for (std::size_t i = 0; i < members.size(); ++i)
@@ -62,7 +70,7 @@ void Batch::advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> 
 }
 
 void Batch::advance_recorded(std::int64_t n_steps, std::int64_t every, const Sink& sink) {
-    for_groups(false, [&](LaneGroup& group, std::span<const std::size_t> members) {
+    for_groups(false, [&](auto& group, std::span<const std::size_t> members) {
         for (std::int64_t left = n_steps; left > 0; left -= every) {
             group.advance(std::min(left, every));
             if (left < every) break;

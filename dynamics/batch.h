@@ -17,6 +17,7 @@ namespace tricontact::dynamics {
 
 struct BatchOptions {
     Kernel kernel = best_kernel();
+    Precision precision = Precision::float64;
     int n_threads = 1;
 };
 
@@ -60,6 +61,8 @@ class Batch {
     std::optional<double> tilted(std::size_t machine) const;
 
   private:
+    template <class Number, class Work>
+    void for_groups_of(bool everything, const Work& work);
     template <class Work>
     void for_groups(bool everything, const Work& work);
 

@@ -16,6 +16,15 @@ enum class Kernel {
 
 std::string_view word_of(Kernel kernel);  ///< "plain", "sse2", "avx2", "avx512"
 
+/// Numbers that a batch computes with.
+enum class Precision {
+    /// Twice as fast. Limit cycles and shares of a map are the same; a chaotic motion is another
+    /// one
+    /// of the same kind, and a machine may end in another one of its ways to go.
+    float32,
+    float64
+};
+
 /// Those that this processor has, the fastest one last.
 std::vector<Kernel> available_kernels();
 

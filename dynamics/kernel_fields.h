@@ -71,20 +71,27 @@ constexpr int n_state = end_of_state - n_constants;
 constexpr int n_sums = n_fields - end_of_state;
 
 /// Advances lanes: fields[f * n_lanes + i] is field f of lane i, on a boundary of 64 bytes.
-using AdvanceLanes = void(double* fields, std::int64_t n_steps);
+template <class Number>
+using AdvanceLanes = void(Number* fields, std::int64_t n_steps);
 
 /// The step compiled for one instruction set.
+template <class Number>
 struct LaneFunctions {
     int n_lanes;
-    AdvanceLanes* motion;      ///< sums up to max_rotation
-    AdvanceLanes* everything;  ///< all sums
-    AdvanceLanes* prism_motion;
-    AdvanceLanes* prism_everything;
+    AdvanceLanes<Number>* motion;      ///< sums up to max_rotation
+    AdvanceLanes<Number>* everything;  ///< all sums
+    AdvanceLanes<Number>* prism_motion;
+    AdvanceLanes<Number>* prism_everything;
 };
 
-LaneFunctions plain_lanes();
-LaneFunctions sse2_lanes();
-LaneFunctions avx2_lanes();
-LaneFunctions avx512_lanes();
+// Of float and double.
+template <class Number>
+LaneFunctions<Number> plain_lanes();
+template <class Number>
+LaneFunctions<Number> sse2_lanes();
+template <class Number>
+LaneFunctions<Number> avx2_lanes();
+template <class Number>
+LaneFunctions<Number> avx512_lanes();
 
 }  // namespace tricontact::dynamics::kernels

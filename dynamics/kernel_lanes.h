@@ -7,14 +7,15 @@
 namespace tricontact::dynamics::kernels {
 
 template <class Pack, int n_packs>
-PackFields<Pack> fields_of_pack(double* fields, int pack) {
+PackFields<Pack> fields_of_pack(typename Pack::Number* fields, int pack) {
     return {fields + pack * Pack::size, n_packs * Pack::size};
 }
 
 /// Several packs of lanes step by step side by side: one waits for its results while others
 /// compute.
 template <class Contact, class Sums, class Pack, int... i>
-void advance_packs(double* fields, std::int64_t n_steps, std::integer_sequence<int, i...>) {
+void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
+                   std::integer_sequence<int, i...>) {
     constexpr int n = sizeof...(i);
     PackState<Pack> states[n];
     PackStep<Pack> last[n];
@@ -35,12 +36,12 @@ void advance_packs(double* fields, std::int64_t n_steps, std::integer_sequence<i
 }
 
 template <class Contact, class Sums, class Pack, int n_packs>
-__attribute__((flatten)) void advance_lanes(double* fields, std::int64_t n_steps) {
+__attribute__((flatten)) void advance_lanes(typename Pack::Number* fields, std::int64_t n_steps) {
     advance_packs<Contact, Sums, Pack>(fields, n_steps, std::make_integer_sequence<int, n_packs>());
 }
 
 template <class Pack, int n_packs>
-LaneFunctions lane_functions() {
+LaneFunctions<typename Pack::Number> lane_functions() {
     using Flat = FlatContact<Pack>;
     using Prism = PrismContact<Pack>;
     return {n_packs * Pack::size, advance_lanes<Flat, MotionSums<Pack>, Pack, n_packs>,

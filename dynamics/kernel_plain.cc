@@ -3,56 +3,38 @@
 namespace tricontact::dynamics::kernels {
 namespace {
 
+template <class Value>
 struct Pack {
+    using Number = Value;
     static constexpr int size = 1;
-    double v;
 
-    static Pack load(const double* from) { return {*from}; }
-    static Pack all(double value) { return {value}; }
-    void store(double* to) const { *to = v; }
+    Number v;
+
+    static Pack load(const Number* from) { return {*from}; }
+    static Pack all(Number value) { return {value}; }
+    void store(Number* to) const { *to = v; }
+
+    Pack operator+(Pack b) const { return {v + b.v}; }
+    Pack operator-(Pack b) const { return {v - b.v}; }
+    Pack operator*(Pack b) const { return {v * b.v}; }
+    Pack operator/(Pack b) const { return {v / b.v}; }
+    friend Pack multiply_add(Pack a, Pack b, Pack c) { return a * b + c; }
+    friend Pack multiply_subtract(Pack a, Pack b, Pack c) { return a * b - c; }
+    friend Pack negative_multiply_add(Pack a, Pack b, Pack c) { return c - a * b; }
+    friend Pack min(Pack a, Pack b) { return {a.v < b.v ? a.v : b.v}; }
+    friend Pack max(Pack a, Pack b) { return {a.v > b.v ? a.v : b.v}; }
+    friend Pack clamp(Pack a, Pack bound) { return min(max(a, Pack{-bound.v}), bound); }
+    friend Pack square_root(Pack a) { return {static_cast<Number>(__builtin_sqrt(a.v))}; }
+    friend Pack count_zero(Pack count, Pack a) { return {a.v == 0 ? count.v + 1 : count.v}; }
 };
-
-inline Pack operator+(Pack a, Pack b) {
-    return {a.v + b.v};
-}
-inline Pack operator-(Pack a, Pack b) {
-    return {a.v - b.v};
-}
-inline Pack operator*(Pack a, Pack b) {
-    return {a.v * b.v};
-}
-inline Pack operator/(Pack a, Pack b) {
-    return {a.v / b.v};
-}
-inline Pack multiply_add(Pack a, Pack b, Pack c) {
-    return a * b + c;
-}
-inline Pack multiply_subtract(Pack a, Pack b, Pack c) {
-    return a * b - c;
-}
-inline Pack negative_multiply_add(Pack a, Pack b, Pack c) {
-    return c - a * b;
-}
-inline Pack min(Pack a, Pack b) {
-    return {a.v < b.v ? a.v : b.v};
-}
-inline Pack max(Pack a, Pack b) {
-    return {a.v > b.v ? a.v : b.v};
-}
-inline Pack square_root(Pack a) {
-    return {__builtin_sqrt(a.v)};
-}
-inline Pack clamp(Pack a, Pack bound) {
-    return min(max(a, Pack{-bound.v}), bound);
-}
-inline Pack count_zero(Pack count, Pack a) {
-    return {a.v == 0 ? count.v + 1 : count.v};
-}
 
 }  // namespace
 
-LaneFunctions plain_lanes() {
-    return lane_functions<Pack, 3>();
+template <class Number>
+LaneFunctions<Number> plain_lanes() {
+    return lane_functions<Pack<Number>, 3>();
 }
+template LaneFunctions<float> plain_lanes();
+template LaneFunctions<double> plain_lanes();
 
 }  // namespace tricontact::dynamics::kernels

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "dynamics/kernel_fields.h"
 
 // The step of a batch, once for all instruction sets. A unit that is compiled for one of them
@@ -12,7 +14,8 @@ namespace tricontact::dynamics::kernels {
 /// Fields of one pack of lanes.
 template <class Pack>
 struct PackFields {
-    double* first;
+    using Number = typename Pack::Number;
+    Number* first;
     int stride;
 
     Pack operator[](int field) const { return Pack::load(first + field * stride); }
@@ -93,9 +96,11 @@ struct PrismContact {
                    along = multiply_add(k[flank_reach], approach, spot.flank);
         const Pack length = square_root(multiply_add(x, x, along * along));
         // Where length and bound vanish, any factor below 1 will do.
-        const Pack factor = bound / max(max(length, bound), Pack::all(1e-300));
+        const Pack factor =
+            bound /
+            max(max(length, bound), Pack::all(std::numeric_limits<typename Pack::Number>::min()));
         spot = {factor * x, factor * along};
-        const Pack sqrt2 = Pack::all(1.4142135623730951);
+        const Pack sqrt2 = Pack::all(static_cast<typename Pack::Number>(1.4142135623730951));
         return {bound,
                 x - spot.u,
                 along - spot.flank,

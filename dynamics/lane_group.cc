@@ -13,30 +13,33 @@ namespace {
 
 constexpr std::align_val_t alignment{64};
 
-// A call of the kernel: short enough that sums in double stay exact to a few digits of the last and
-// a tilting machine is found early, long enough that the call itself takes no time.
+// A call of the kernel: short enough that its sums round little and a tilting machine is found
+// early, long enough that the call itself takes no time.
 constexpr std::int64_t steps_of_a_block = 1024;
 
-LaneFunctions functions_of(Kernel kernel) {
+template <class Number>
+LaneFunctions<Number> functions_of(Kernel kernel) {
     switch (kernel) {
         case Kernel::plain:
             break;
 #ifdef __x86_64__
         case Kernel::sse2:
-            return sse2_lanes();
+            return sse2_lanes<Number>();
         case Kernel::avx2:
-            return avx2_lanes();
+            return avx2_lanes<Number>();
         case Kernel::avx512:
-            return avx512_lanes();
+            return avx512_lanes<Number>();
 #else
         default:
             break;
 #endif
     }
-    return plain_lanes();
+    return plain_lanes<Number>();
 }
 
-AdvanceLanes* kernel_of(const LaneFunctions& functions, bool prism, bool everything) {
+template <class Number>
+AdvanceLanes<Number>* kernel_of(const LaneFunctions<Number>& functions, bool prism,
+                                bool everything) {
     if (prism) return everything ? functions.prism_everything : functions.prism_motion;
     return everything ? functions.everything : functions.motion;
 }
@@ -52,21 +55,24 @@ std::array<double, n_sums> no_sums() {
 
 }  // namespace
 
-int LaneGroup::capacity(Kernel kernel) {
-    return functions_of(kernel).n_lanes;
+template <class Number>
+int LaneGroup<Number>::capacity(Kernel kernel) {
+    return functions_of<Number>(kernel).n_lanes;
 }
 
-void LaneGroup::Free::operator()(double* fields) const {
+template <class Number>
+void LaneGroup<Number>::Free::operator()(Number* fields) const {
     ::operator delete[](fields, alignment);
 }
 
-LaneGroup::LaneGroup(Kernel kernel, std::span<Lane* const> lanes, bool everything)
+template <class Number>
+LaneGroup<Number>::LaneGroup(Kernel kernel, std::span<Lane* const> lanes, bool everything)
     : n_lanes_(capacity(kernel)),
-      kernel_(kernel_of(functions_of(kernel), lanes[0]->machine().model == Machine::Model::prism,
-                        everything)),
+      kernel_(kernel_of(functions_of<Number>(kernel),
+                        lanes[0]->machine().model == Machine::Model::prism, everything)),
       everything_(everything),
       lanes_(lanes.begin(), lanes.end()),
-      fields_(new (alignment) double[static_cast<std::size_t>(n_lanes_ * n_fields)]),
+      fields_(new (alignment) Number[static_cast<std::size_t>(n_lanes_ * n_fields)]),
       held_(lanes.size()),
       sums_(lanes.size(), no_sums()),
       n_steps_(lanes.size(), 0),
@@ -75,19 +81,23 @@ LaneGroup::LaneGroup(Kernel kernel, std::span<Lane* const> lanes, bool everythin
     // Places that are left over repeat the last machine.
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_lanes_); ++i)
         for (int field = 0; field < end_of_state; ++field)
-            at(field, i) = lanes_[std::min(i, lanes_.size() - 1)]->field(static_cast<Field>(field));
+            at(field, i) = static_cast<Number>(
+                lanes_[std::min(i, lanes_.size() - 1)]->field(static_cast<Field>(field)));
 }
 
-double& LaneGroup::at(int field, std::size_t lane) const {
+template <class Number>
+Number& LaneGroup<Number>::at(int field, std::size_t lane) const {
     return fields_[static_cast<std::size_t>(field * n_lanes_) + lane];
 }
 
-void LaneGroup::advance(std::int64_t n_steps) {
+template <class Number>
+void LaneGroup<Number>::advance(std::int64_t n_steps) {
     for (std::int64_t left = n_steps; left > 0; left -= steps_of_a_block)
         advance_block(std::min(left, steps_of_a_block));
 }
 
-void LaneGroup::advance_block(std::int64_t n_steps) {
+template <class Number>
+void LaneGroup<Number>::advance_block(std::int64_t n_steps) {
     for (std::size_t i = 0; i < lanes_.size(); ++i)
         if (!tilted_[i])
             for (int field = 0; field < n_state; ++field)
@@ -101,7 +111,8 @@ void LaneGroup::advance_block(std::int64_t n_steps) {
     }
 }
 
-bool LaneGroup::within_limit(std::size_t lane) const {
+template <class Number>
+bool LaneGroup<Number>::within_limit(std::size_t lane) const {
     const Machine& machine = lanes_[lane]->machine();
     const double limit = tilting_limit(machine) / (machine.kappas.kappa3 * machine.kappas.kappa3);
     // Extremes may miss what is not a number; the state does not.
@@ -110,7 +121,8 @@ bool LaneGroup::within_limit(std::size_t lane) const {
            std::isfinite(at(extension, lane));
 }
 
-void LaneGroup::add_sums(std::size_t lane) {
+template <class Number>
+void LaneGroup<Number>::add_sums(std::size_t lane) {
     std::array<double, n_sums>& sums = sums_[lane];
     const int n = everything_ ? n_sums : max_rotation + 1 - end_of_state;
     for (int i = 0; i < n; ++i) {
@@ -131,11 +143,13 @@ void LaneGroup::add_sums(std::size_t lane) {
     }
 }
 
-StretchSums LaneGroup::sums(std::size_t lane) const {
+template <class Number>
+StretchSums LaneGroup<Number>::sums(std::size_t lane) const {
     return lanes_[lane]->sums(sums_[lane], n_steps_[lane], everything_);
 }
 
-void LaneGroup::store() {
+template <class Number>
+void LaneGroup<Number>::store() {
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         if (!tilted_[i])
             for (int field = 0; field < n_state; ++field)
@@ -144,5 +158,8 @@ void LaneGroup::store() {
         n_stored_[i] = n_steps_[i];
     }
 }
+
+template class LaneGroup<float>;
+template class LaneGroup<double>;
 
 }  // namespace tricontact::dynamics

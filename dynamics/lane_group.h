@@ -13,7 +13,9 @@
 
 namespace tricontact::dynamics {
 
-/// Lanes that a kernel advances in one go: up to so many, all of one model.
+/// Lanes that a kernel advances in one go: up to so many, all of one model. Number: float or
+/// double.
+template <class Number>
 class LaneGroup {
   public:
     static int capacity(Kernel kernel);
@@ -34,21 +36,24 @@ class LaneGroup {
     void advance_block(std::int64_t n_steps);
     bool within_limit(std::size_t lane) const;
     void add_sums(std::size_t lane);
-    double& at(int field, std::size_t lane) const;
+    Number& at(int field, std::size_t lane) const;
 
     struct Free {
-        void operator()(double* fields) const;
+        void operator()(Number* fields) const;
     };
 
     int n_lanes_;
-    kernels::AdvanceLanes* kernel_;
+    kernels::AdvanceLanes<Number>* kernel_;
     bool everything_;
     std::vector<Lane*> lanes_;
-    std::unique_ptr<double[], Free> fields_;
+    std::unique_ptr<Number[], Free> fields_;
     std::vector<std::array<double, kernels::n_state>> held_;  // states before a block
     std::vector<std::array<double, kernels::n_sums>> sums_;
     std::vector<std::int64_t> n_steps_, n_stored_;
     std::vector<char> tilted_;
 };
+
+extern template class LaneGroup<float>;
+extern template class LaneGroup<double>;
 
 }  // namespace tricontact::dynamics

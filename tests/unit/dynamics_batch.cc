@@ -77,6 +77,25 @@ TEST_P(BatchOf, MovesEveryMachineAsVelocityVerletDoes) {
     }
 }
 
+TEST_P(BatchOf, SinglePrecisionIsOnlyRounding) {
+    for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
+        const std::vector<Machine> all = machines(model);
+        Batch one = batch_of(all, {.kernel = GetParam(), .precision = Precision::float32});
+        Batch two = batch_of(all, {.kernel = GetParam()});
+        std::vector<StretchSums> sums(all.size()), expected(all.size());
+        one.advance(5000, everything, sums);
+        two.advance(5000, everything, expected);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            // A step adds 1e-7 to numbers of 1e-4 at most: it rounds by 4e-5 of that.
+            EXPECT_LT(difference(all[i], one.motion(i), two.motion(i)), 1e-3) << i;
+            EXPECT_NEAR(sums[i].kinetic_energy, expected[i].kinetic_energy,
+                        1e-3 * expected[i].kinetic_energy);
+            EXPECT_NEAR(sums[i].spots[0].normal_squared, expected[i].spots[0].normal_squared,
+                        1e-3 * expected[i].spots[0].normal_squared);
+        }
+    }
+}
+
 TEST_P(BatchOf, MechanismsCanBeTakenAway) {
     for (const Mechanisms mechanisms :
          {Mechanisms{.vertical = false}, Mechanisms{.rotation = false}}) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include "../unit/dynamics_sets.h"
 #include "dynamics/batch.h"
@@ -11,7 +14,9 @@ namespace {
 
 constexpr double step = 1e-3;
 
-class WalkingBatch : public testing::TestWithParam<Kernel> {
+using Numbers = std::tuple<Kernel, Precision>;
+
+class WalkingBatch : public testing::TestWithParam<Numbers> {
   protected:
     /// Sums over the window of a run of the machine from each of these starts.
     static std::vector<StretchSums> run(const Machine& machine, const std::vector<Start>& starts,
@@ -19,15 +24,22 @@ class WalkingBatch : public testing::TestWithParam<Kernel> {
         std::vector<Motion> motions;
         for (const Start& start : starts) motions.push_back(motion_at_start(machine, start));
         const std::vector<Machine> machines(starts.size(), machine);
-        Batch batch(machines, motions, step, {.kernel = GetParam()});
+        const auto [kernel, precision] = GetParam();
+        Batch batch(machines, motions, step, {.kernel = kernel, .precision = precision});
         std::vector<StretchSums> sums(starts.size());
         batch.advance(std::llround(window_begin / step), Batch::Detail::motion, {});
         batch.advance(std::llround((end - window_begin) / step), Batch::Detail::everything, sums);
         return sums;
     }
 };
-INSTANTIATE_TEST_SUITE_P(Kernels, WalkingBatch, testing::ValuesIn(available_kernels()),
-                         [](const auto& kernel) { return std::string(word_of(kernel.param)); });
+std::string name_of(const testing::TestParamInfo<Numbers>& numbers) {
+    const auto [kernel, precision] = numbers.param;
+    return std::string(word_of(kernel)) + (precision == Precision::float32 ? "_float32" : "");
+}
+INSTANTIATE_TEST_SUITE_P(Kernels, WalkingBatch,
+                         testing::Combine(testing::ValuesIn(available_kernels()),
+                                          testing::Values(Precision::float32, Precision::float64)),
+                         name_of);
 
 double mu_e(const Machine& machine, const StretchSums& sums) {
     return sums.spring_force / static_cast<double>(sums.steps) /
@@ -64,6 +76,56 @@ TEST_P(WalkingBatch, SetBEndsInItsLimitCycle) {
         EXPECT_NEAR(sums.kinetic_energy / n / (machine.kappas.kappa4 * rest), 3.225, 5e-3);
         EXPECT_NEAR(sums.phi_min, -3.32e-5, 5e-8);
         EXPECT_NEAR(sums.phi_max, 3.12e-5, 5e-8);
+    }
+}
+
+/// Shares [%] of a map of kappa8 and mu.
+struct Shares {
+    double critical = 0, no_effect = 0, reduction = 0, below_half = 0, jumps = 0;
+};
+
+Shares shares_of_map(Precision precision) {
+    constexpr int n = 40;
+    std::vector<Machine> machines;
+    std::vector<Motion> starts;
+    for (int i = 0; i < n * n; ++i) {
+        Kappas kappas = set_b();
+        kappas.kappa5 = 0.1 + 1.9 / (n - 1) * (i % n);
+        kappas.kappa8 = 2. / (n - 1) * (i / n);
+        machines.push_back({.kappas = kappas});
+        starts.push_back(motion_at_start(machines.back()));
+    }
+    Batch batch(machines, starts, step, {.precision = precision, .n_threads = 2});
+    std::vector<StretchSums> sums(machines.size());
+    batch.advance(2'000'000, Batch::Detail::motion, {});
+    batch.advance(2'000'000, Batch::Detail::motion, sums);
+    Shares shares;
+    constexpr double share = 100. / (n * n);
+    for (std::size_t i = 0; i < machines.size(); ++i) {
+        if (batch.tilted(i) || std::max(sums[i].phi_max, -sums[i].phi_min) > 0.01) {
+            shares.critical += share;
+            continue;
+        }
+        const double mu = mu_e(machines[i], sums[i]);
+        shares.no_effect += mu > 0.99 ? share : 0;
+        shares.reduction += mu < 0.95 ? share : 0;
+        shares.below_half += mu < 0.5 ? share : 0;
+        shares.jumps += sums[i].z_min < 0 ? share : 0;
+    }
+    return shares;
+}
+
+// Wetter (2016), table 4.2.1, by an independent program. Cells at the edges of the regions and in
+// chaos fall this way or that.
+TEST(WalkingMap, SharesAreThoseOfTheTableInBothPrecisions) {
+    for (const Precision precision : {Precision::float32, Precision::float64}) {
+        const Shares shares = shares_of_map(precision);
+        constexpr double points = 1;
+        EXPECT_NEAR(shares.critical, 46.7, points);
+        EXPECT_NEAR(shares.no_effect, 26.5, points);
+        EXPECT_NEAR(shares.reduction, 25.6, points);
+        EXPECT_NEAR(shares.below_half, 10.0, points);
+        EXPECT_NEAR(shares.jumps, 31.2, points);
     }
 }
 
