@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "comparisons/format.h"
 #include "comparisons/walking/spot_statistics.h"
@@ -117,6 +118,23 @@ std::optional<Verdict> walking(const WalkReport& report) {
                   correlations + "."};
 }
 
+/// Chaos is what two nearby motions lose each other in.
+std::optional<Verdict> predictable(const WalkResult& result) {
+    if (!result.lyapunov) return std::nullopt;
+    const auto& [rate, error] = *result.lyapunov;
+    if (!std::isfinite(rate)) return std::nullopt;
+    std::string text =
+        fmt::format("Largest Lyapunov exponent {} √(k_x/m): ", with_error(rate, error));
+    if (rate > error)
+        text += fmt::format("nearby motions part tenfold in {}, chaos.",
+                            significant(std::numbers::ln10 / rate, 2));
+    else if (rate < -error)
+        text += "nearby motions meet.";
+    else
+        text += "nearby motions neither part nor meet.";
+    return Verdict{Standing::finding, text};
+}
+
 Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
     const auto& [frequency, error] = vibration.characteristic;
     std::string text = fmt::format("The spring force vibrates at {} cycles per √(m/k_x)",
@@ -147,6 +165,7 @@ std::vector<Verdict> walk_verdicts(const WalkReport& report,
         verdicts.push_back(jump(report));
         if (const auto verdict = walking(report)) verdicts.push_back(*verdict);
     }
+    if (const auto verdict = predictable(result)) verdicts.push_back(*verdict);
     if (vibration && std::isfinite(vibration->characteristic.frequency))
         verdicts.push_back(vibrates(report, *vibration));
     return verdicts;

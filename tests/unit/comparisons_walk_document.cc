@@ -9,6 +9,8 @@
 #include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_verdicts.h"
 #include "dynamics/linear_stability.h"
+#include "dynamics/steady_sliding.h"
+#include "dynamics/velocity_verlet.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {
@@ -44,13 +46,14 @@ const Figure& figure(const Document& document, const std::string& id) {
 // Numbers of set B: an independent program's, to their last digit.
 TEST(WalkDocument, TellsWhatALimitCycleIs) {
     const Document document = walk_document(walking_set_b());
-    ASSERT_EQ(document.verdicts.size(), 6u);
+    ASSERT_EQ(document.verdicts.size(), 7u);
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "limit cycle of period 4.29"));
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "95.6 % less friction"));
     EXPECT_TRUE(contains(document.verdicts[1].sentence, "jumps 0.4289 static"));
     EXPECT_TRUE(contains(document.verdicts[2].sentence, "r_1 = −0.759, r_2 = −0.727"));
-    EXPECT_TRUE(contains(document.verdicts[3].sentence, "0.2329"));
-    EXPECT_EQ(document.verdicts[4].standing, Standing::holds);
+    EXPECT_TRUE(contains(document.verdicts[3].sentence, "neither part nor meet"));
+    EXPECT_TRUE(contains(document.verdicts[4].sentence, "0.2329"));
+    EXPECT_EQ(document.verdicts[5].standing, Standing::holds);
     EXPECT_NO_THROW(document_html(document));
 }
 
@@ -95,6 +98,33 @@ TEST(WalkDocument, TellsWhetherSlidingIsStable) {
     EXPECT_TRUE(contains(stability_verdict({}, sliding_stability(ahead)).sentence, "neutral"));
     ahead.kappas.kappa5 = 1.1 * *onset;
     EXPECT_TRUE(contains(stability_verdict({}, sliding_stability(ahead)).sentence, "flutters"));
+}
+
+// In the prism of the rig, Wetter (2016), set 5, a small disturbance of steady sliding grows as its
+// leading eigenvalue says, from [40, 60] to [100, 120].
+TEST(WalkDocument, SlidingOfTheRigFluttersAsItsEigenvalueSays) {
+    const dynamics::Machine rig{.kappas = {2, 1.33, 1.51, 2e-4, 0.75, 1.6e-3, 1.77, -0.47},
+                                .model = dynamics::Machine::Model::prism};
+    const SlidingStability stability = sliding_stability(rig);
+    EXPECT_TRUE(contains(stability_verdict({}, stability).sentence, "flutters"));
+    dynamics::Motion disturbed = *steady_sliding(rig);
+    const double sliding = disturbed.z;
+    disturbed.z *= 1 + 1e-5;
+    dynamics::VelocityVerlet run(rig, disturbed, 1e-3);
+    const auto amplitude_until = [&](double end) {
+        double greatest = 0;
+        while (run.motion().time < end) {
+            run.advance();
+            greatest = std::max(greatest, std::abs(run.motion().z - sliding));
+        }
+        return greatest;
+    };
+    amplitude_until(40);
+    const double before = amplitude_until(60);
+    amplitude_until(100);
+    const double rate = std::log(amplitude_until(120) / before) / 60;
+    // The last extreme lies within half a swing of the end, 1.74: a growth of 0.075 times that.
+    EXPECT_NEAR(rate, stability.eigenvalues.front().real(), 0.13 / 60);
 }
 
 TEST(WalkDocument, DrawsWholePeriods) {
