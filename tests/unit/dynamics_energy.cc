@@ -100,12 +100,13 @@ TEST(VerletEnergy, BalancesExactlyThroughStickAndSlip) {
 // a factor of 1000 in this time, a step of 1e-4 is right to 1e-8 in each unit of it.
 TEST(VerletEnergy, AgreesWithTheReferenceInEveryWork) {
     Machine two_spot{.kappas = set_b()};
-    Machine excited = two_spot, prism = two_spot, spots = two_spot;
+    Machine excited = two_spot, prism = two_spot, spots = two_spot, rounded = two_spot;
+    rounded.bed = Bed{.radius = 0.5, .springs = 8};
     excited.excitation = {.moment = 1e-5, .force = 3e-5, .frequency = 1.3};
     prism.model = Machine::Model::prism;
     spots.model = Machine::Model::spots;
     spots.spots = {{-1, 0, 1}, {0.2, 1e-5, 1.5}, {0.5, 0, 0.3}, {1, 0, 0.9}};
-    for (const Machine& machine : {two_spot, excited, prism, spots}) {
+    for (const Machine& machine : {two_spot, excited, prism, spots, rounded}) {
         constexpr double error = 1e-4;
         const EnergyBalance exact = by_reference(machine, 40), close = by_verlet(machine, 1e-4, 40);
         const double unit = exact.base;
