@@ -69,19 +69,6 @@ void Batch::advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> 
                    });
 }
 
-void Batch::advance_recorded(std::int64_t n_steps, std::int64_t every, const Sink& sink) {
-    for_groups(false, [&](auto& group, std::span<const std::size_t> members) {
-        for (std::int64_t left = n_steps; left > 0; left -= every) {
-            group.advance(std::min(left, every));
-            if (left < every) break;
-            group.store();
-            for (std::size_t i = 0; i < members.size(); ++i)
-                if (const Lane& lane = lanes_[members[i]]; !group.tilted(i))
-                    sink(members[i], lane.motion(), lane.spot_steps());
-        }
-    });
-}
-
 std::optional<double> Batch::tilted(std::size_t machine) const {
     if (!tilted_[machine]) return std::nullopt;
     return motion(machine).time;

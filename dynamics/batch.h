@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "dynamics/contact_element.h"
 #include "dynamics/kernel.h"
 #include "dynamics/lane.h"
 #include "dynamics/machine.h"
@@ -46,14 +44,6 @@ class Batch {
     /// tilts (tilting_limit) stays where it was up to a thousand steps before, and adds nothing
     /// from there on.
     void advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> sums);
-
-    /// Takes the motion of a machine that has not tilted, and what its spots did in the last step.
-    using Sink = std::function<void(std::size_t machine, const Motion& motion,
-                                    const std::vector<SpotStep>& spot_steps)>;
-
-    /// Hands out the motions after every `every` steps. Those of one machine come in the order of
-    /// time; those of several may come from several threads at once.
-    void advance_recorded(std::int64_t n_steps, std::int64_t every, const Sink& sink);
 
     Motion motion(std::size_t machine) const { return lanes_[machine].motion(); }
 

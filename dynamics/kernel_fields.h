@@ -39,8 +39,6 @@ enum Field : int {
     flank_2,
     slip_1,  ///< increment of s = x + phi - u in the last step
     slip_2,
-    flank_slip_1,  ///< prism: increment of slip along the flank in the last step
-    flank_slip_2,
     end_of_state,
 
     // Sums and extremes over the steps of one call.

@@ -30,8 +30,6 @@ void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
     (states[i].store(of(i)), ...);
     (of(i).set(slip_1, last[i].left.slip), ...);
     (of(i).set(slip_2, last[i].right.slip), ...);
-    (of(i).set(flank_slip_1, last[i].left.flank_slip), ...);
-    (of(i).set(flank_slip_2, last[i].right.flank_slip), ...);
     (sums[i].store(of(i)), ...);
 }
 

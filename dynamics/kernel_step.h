@@ -60,7 +60,7 @@ struct PackState {
 template <class Pack>
 struct PackSpotStep {
     Pack bound;
-    Pack slip, flank_slip;
+    Pack slip;                // along the motion
     Pack slid;                // 0 where it sticks
     Pack normal, tangential;  // forces; the normal one times mu
 };
@@ -78,7 +78,7 @@ struct FlatContact {
         const Pack trial = spot.u + increment;
         spot.u = clamp(trial, bound);
         const Pack slip = trial - spot.u;
-        return {bound, slip, Pack::all(0), slip, bound, spot.u};
+        return {bound, slip, slip, bound, spot.u};
     }
 };
 
@@ -101,12 +101,8 @@ struct PrismContact {
             max(max(length, bound), Pack::all(std::numeric_limits<typename Pack::Number>::min()));
         spot = {factor * x, factor * along};
         const Pack sqrt2 = Pack::all(static_cast<typename Pack::Number>(1.4142135623730951));
-        return {bound,
-                x - spot.u,
-                along - spot.flank,
-                Pack::all(1) - factor,
-                multiply_add(k[flank_force], spot.flank, sqrt2 * bound),
-                spot.u + spot.u};
+        return {bound, x - spot.u, Pack::all(1) - factor,
+                multiply_add(k[flank_force], spot.flank, sqrt2 * bound), spot.u + spot.u};
     }
 };
 

@@ -116,15 +116,6 @@ Motion Lane::motion() const {
     return motion;
 }
 
-std::vector<SpotStep> Lane::spot_steps() const {
-    std::vector<SpotStep> steps;
-    for (int i = 0; i < 2; ++i) {
-        const double slip = fields_[slip_1 + i], flank_slip = fields_[flank_slip_1 + i];
-        steps.push_back({slip == 0 && flank_slip == 0, slip, flank_slip});
-    }
-    return steps;
-}
-
 StretchSums Lane::sums(const std::array<double, n_sums>& sums, std::int64_t n_steps,
                        bool everything) const {
     const auto of = [&](int field) { return sums[static_cast<std::size_t>(field - end_of_state)]; };

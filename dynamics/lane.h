@@ -2,9 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
-#include "dynamics/contact_element.h"
 #include "dynamics/kernel_fields.h"
 #include "dynamics/machine.h"
 #include "dynamics/motion.h"
@@ -30,8 +28,6 @@ class Lane {
     void set_state(const std::array<double, kernels::n_state>& state, std::int64_t n_steps);
 
     Motion motion() const;
-    /// What the spots did in the last step.
-    std::vector<SpotStep> spot_steps() const;
     /// Of the sums over a call of so many steps.
     StretchSums sums(const std::array<double, kernels::n_sums>& sums, std::int64_t n_steps,
                      bool everything) const;

@@ -76,7 +76,6 @@ LaneGroup<Number>::LaneGroup(Kernel kernel, std::span<Lane* const> lanes, bool e
       held_(lanes.size()),
       sums_(lanes.size(), no_sums()),
       n_steps_(lanes.size(), 0),
-      n_stored_(lanes.size(), 0),
       tilted_(lanes.size(), false) {
     // Places that are left over repeat the last machine.
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_lanes_); ++i)
@@ -154,8 +153,7 @@ void LaneGroup<Number>::store() {
         if (!tilted_[i])
             for (int field = 0; field < n_state; ++field)
                 held_[i][static_cast<std::size_t>(field)] = at(n_constants + field, i);
-        lanes_[i]->set_state(held_[i], n_steps_[i] - n_stored_[i]);
-        n_stored_[i] = n_steps_[i];
+        lanes_[i]->set_state(held_[i], n_steps_[i]);
     }
 }
 

@@ -29,7 +29,7 @@ class LaneGroup {
     bool tilted(std::size_t lane) const { return tilted_[lane]; }
     /// Of all steps so far.
     StretchSums sums(std::size_t lane) const;
-    /// Writes the states back to the lanes.
+    /// Writes the states back to the lanes, once at the end.
     void store();
 
   private:
@@ -49,7 +49,7 @@ class LaneGroup {
     std::unique_ptr<Number[], Free> fields_;
     std::vector<std::array<double, kernels::n_state>> held_;  // states before a block
     std::vector<std::array<double, kernels::n_sums>> sums_;
-    std::vector<std::int64_t> n_steps_, n_stored_;
+    std::vector<std::int64_t> n_steps_;
     std::vector<char> tilted_;
 };
 

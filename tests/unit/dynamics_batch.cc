@@ -194,37 +194,6 @@ TEST_P(BatchOf, AMachineThatTiltsTroublesNobody) {
     }
 }
 
-TEST_P(BatchOf, HandsOutMotionsAndSlipInOrder) {
-    const std::vector<Machine> all = machines(Machine::Model::prism);
-    constexpr int every = 100, n_records = 20;
-    struct Record {
-        Motion motion;
-        std::vector<SpotStep> spots;
-    };
-    std::vector<std::vector<Record>> records(all.size());  // each filled by one thread
-    Batch batch = batch_of(all, {.kernel = GetParam(), .n_threads = 2});
-    batch.advance_recorded(n_records * every + 50, every,
-                           [&](std::size_t i, const Motion& motion, const auto& spots) {
-                               records[i].push_back({motion, spots});
-                           });
-    EXPECT_NEAR(batch.motion(3).time, (n_records * every + 50) * step, 1e-12);
-    for (std::size_t i = 0; i < all.size(); i += 7) {
-        ASSERT_EQ(records[i].size(), static_cast<std::size_t>(n_records));
-        const double rest = static_displacement(all[i]);
-        VelocityVerlet one(all[i], starts_of(all)[i], step);
-        for (const Record& record : records[i]) {
-            for (int n = 0; n < every; ++n) one.advance();
-            EXPECT_LT(difference(all[i], record.motion, one.motion()), rounding) << i;
-            for (std::size_t k = 0; k < 2; ++k) {
-                const SpotStep &spot = record.spots[k], &expected = one.spot_steps()[k];
-                EXPECT_EQ(spot.sticks, expected.sticks);
-                EXPECT_NEAR(spot.slip, expected.slip, rounding * rest);
-                EXPECT_NEAR(spot.flank_slip, expected.flank_slip, rounding * rest);
-            }
-        }
-    }
-}
-
 TEST(Batch, VectorsWithFusedMultiplyAddAgreeToTheBitAndSoDoThoseWithout) {
     for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
         const std::vector<Machine> all = machines(model);
