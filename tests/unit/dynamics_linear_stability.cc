@@ -179,7 +179,7 @@ TEST(LinearStability, TellsHowRunsFlutter) {
     expect_in_runs(machine, 1e-8, 9 / rate);
 }
 
-// In the prism slip on the flanks turns, which damps: sliding is stable. The other modes of set B
+// In the prism slip on the flanks turns, which damps set B's modes: sliding is stable. The others
 // with this friction decay three times as fast as the leading one.
 TEST(LinearStability, TellsHowRunsDecayInThePrism) {
     Machine machine{.kappas = set_b(), .model = Machine::Model::prism};

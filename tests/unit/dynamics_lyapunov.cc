@@ -45,6 +45,26 @@ TEST(Lyapunov, IsTheDecayRateOfStableSliding) {
     EXPECT_NEAR(found.value / leading.real(), 1, 0.01);
 }
 
+// The rig of Wetter (2016), set 5, on both sides of the height of its spring where the leading
+// eigenvalue changes its sign: disturbances decay with the spring low, grow with it higher up.
+TEST(Lyapunov, ChangesItsSignWhereTheRigBeginsToFlutter) {
+    for (const double kappa8 : {-0.85, -0.80}) {
+        const Machine rig{.kappas = {2, 1.33, 1.51, 2e-4, 0.75, 3e-4, 1.77, kappa8},
+                          .model = Machine::Model::prism};
+        const auto steady = steady_sliding(rig);
+        ASSERT_TRUE(steady);
+        const std::complex<double> leading = leading_eigenvalue(rig, *steady);
+        EXPECT_EQ(leading.real() > 0, kappa8 > -0.825);
+        const double half_turn = std::numbers::pi / leading.imag();
+        const Mean found = lyapunov_exponent(rig, *steady,
+                                             {.step = half_turn / 1000,
+                                              .interval = half_turn,
+                                              .alignment = 300 * half_turn,
+                                              .duration = 20 * half_turn});
+        EXPECT_NEAR(found.value / leading.real(), 1, 0.02);
+    }
+}
+
 // Set A: the spring swings on undamped. What is a bounded oscillation of the distance contributes
 // the logarithm of its range over the time, below 3/500.
 TEST(Lyapunov, IsZeroWhereVibrationsPersist) {
