@@ -151,6 +151,17 @@ struct ExperimentOptions {
 /// NotConverged.
 void experiment_command(const ExperimentOptions& options);
 
+struct WalkOptions {
+    std::string case_file;
+    std::string output;                  ///< empty: results/<name of the case file>
+    std::vector<std::string> overrides;  ///< key=value
+    bool quiet = false;
+    bool report = true;  ///< write report.html
+};
+/// Runs a case of the micro-walking machine and judges it: case.toml, summary.json, windows.csv,
+/// motion.csv, files for ParaView, report.html, and a table on standard output. Throws InputError.
+void walk_command(const WalkOptions& options);
+
 struct RigOptions {
     std::string rig_file;
     std::string output;  ///< empty: results/<name of the rig file>

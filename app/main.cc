@@ -60,6 +60,15 @@ const CLI::App* add_limit(CLI::App& app, tricontact::app::LimitOptions& options)
     return limit;
 }
 
+const CLI::App* add_walk(CLI::App& app, tricontact::app::WalkOptions& options) {
+    auto* walk = app.add_subcommand("walk", "Run a micro-walking machine and judge its motion");
+    add_case_arguments(*walk, options.case_file, options.overrides);
+    walk->add_option("--output", options.output, "Folder (results/<case>)")->type_name("DIR");
+    walk->add_flag("--quiet", options.quiet, "No table, no closing line");
+    walk->add_flag("!--no-report", options.report, "Leave out report.html");
+    return walk;
+}
+
 const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options) {
     auto* sweep = app.add_subcommand("sweep", "Run the points of a study side by side; resumable");
     sweep->add_option("study", options.study_file, "Study file (TOML)")
@@ -221,6 +230,8 @@ int run_program(int argc, char** argv) {
     verify->add_option("--output", verify_options.output, "Folder for verification.md and .json")
         ->type_name("DIR");
     verify->add_flag("--quiet", verify_options.quiet, "No progress");
+    tricontact::app::WalkOptions walk_options;
+    const auto* walk = add_walk(app, walk_options);
     tricontact::app::SweepOptions sweep_options;
     sweep_options.jobs = options.threads;
     const auto* sweep = add_sweep(app, sweep_options);
@@ -263,6 +274,7 @@ int run_program(int argc, char** argv) {
     if (*influence) tricontact::app::influence_command(influence_options);
     if (*limit) tricontact::app::limit_command(limit_options);
     if (*verify && !tricontact::app::verify_command(verify_options)) return exit_failed;
+    if (*walk) tricontact::app::walk_command(walk_options);
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*deviation) tricontact::app::deviation_command(deviation_options);

@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "app/case_json.h"
 #include "app/commands.h"
 #include "app/relaxation_study.h"
 #include "app/run_model.h"
@@ -43,13 +42,6 @@ void remove_old_results(const std::string& output, const std::vector<std::string
             std::filesystem::remove(output + "/" + model + "/" + name, ignored);
 }
 
-nlohmann::ordered_json as_json(const std::string& toml_text) {
-    std::ostringstream text;
-    const toml::table table = toml::parse(toml_text);
-    text << toml::json_formatter{table};
-    return nlohmann::ordered_json::parse(text.str());
-}
-
 }  // namespace
 
 void run_command(const RunOptions& given) {
@@ -81,7 +73,7 @@ void run_command(const RunOptions& given) {
     io::write_file(
         options.output + "/summary.json",
         comparisons::summary_json(
-            version, as_json(resolved), summaries,
+            version, case_json(resolved), summaries,
             {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
              {"loading_variants", comparisons::loading_json(extras.study.variants)},
              {"relaxation",

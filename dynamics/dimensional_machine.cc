@@ -8,6 +8,10 @@ double characteristic_time(const DimensionalMachine& machine) {
     return std::sqrt(machine.mass / machine.tangential_stiffness);
 }
 
+double force_unit(const DimensionalMachine& machine) {
+    return machine.tangential_stiffness * machine.half_width;
+}
+
 Kappas kappas_of(const DimensionalMachine& machine) {
     const auto& [m, a, b, theta, k_s, k_z, k_x, mu, v_0, h, g] = machine;
     return {.kappa1 = k_s / k_x,

@@ -22,6 +22,9 @@ struct DimensionalMachine {
 /// sqrt(m/k_x) [s], the unit of time.
 double characteristic_time(const DimensionalMachine& machine);
 
+/// k_x b [N], the unit of forces.
+double force_unit(const DimensionalMachine& machine);
+
 /// Dimensionless parameters of a machine: Wetter (2016), table 4.1.1.
 Kappas kappas_of(const DimensionalMachine& machine);
 

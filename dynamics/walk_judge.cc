@@ -73,20 +73,6 @@ std::optional<std::size_t> first_steady(const Machine& machine,
     return first;
 }
 
-/// Whatever is but a mean or an extreme over the steps.
-void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result) {
-    const double n = static_cast<double>(sums.steps), rest = static_displacement(machine);
-    result.mu_e = sums.spring_force / n / unit_force(machine);
-    result.z_min_ratio = sums.z_min / rest;
-    result.z_max_ratio = sums.z_max / rest;
-    result.phi_min = sums.phi_min;
-    result.phi_max = sums.phi_max;
-    result.kinetic_energy = sums.kinetic_energy / n / (machine.kappas.kappa4 * rest);
-    for (const SpotSums& spot : sums.spots)
-        result.spots.push_back(
-            {static_cast<double>(spot.sticking) / n, correlation(spot, sums.steps)});
-}
-
 WalkResult judge_windows(const Machine& machine, std::span<const WalkWindow> windows, Regime regime,
                          std::size_t first) {
     const auto judged = windows.subspan(first);
@@ -182,6 +168,19 @@ WalkResult judge_tilting(const Machine& machine, const WalkEvidence& evidence) {
 }
 
 }  // namespace
+
+void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result) {
+    const double n = static_cast<double>(sums.steps), rest = static_displacement(machine);
+    result.mu_e = sums.spring_force / n / unit_force(machine);
+    result.z_min_ratio = sums.z_min / rest;
+    result.z_max_ratio = sums.z_max / rest;
+    result.phi_min = sums.phi_min;
+    result.phi_max = sums.phi_max;
+    result.kinetic_energy = sums.kinetic_energy / n / (machine.kappas.kappa4 * rest);
+    for (const SpotSums& spot : sums.spots)
+        result.spots.push_back(
+            {static_cast<double>(spot.sticking) / n, correlation(spot, sums.steps)});
+}
 
 double judged_time() {
     return 200;

@@ -28,6 +28,9 @@ std::int64_t window_steps(std::int64_t n_steps, double step);
 /// returns.
 bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows);
 
+/// Fills in whatever is but a mean or an extreme over the steps of a stretch.
+void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult& result);
+
 /// Regime and statistics of a run of at least one window.
 WalkResult judge(const Machine& machine, const WalkEvidence& evidence);
 

@@ -6,7 +6,6 @@
 
 #include "io/atomic_file.h"
 #include "io/messages.h"
-#include "io/vtk_files.h"
 
 namespace tricontact::io {
 
@@ -32,21 +31,19 @@ std::string xml_attribute(std::string_view text) {
 VtkSeries::VtkSeries(std::string folder, std::string name, Provenance provenance)
     : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
 
-template <class State>
-void VtkSeries::add_state(double phase, const State& state) {
-    const VtkFile file = vtk_file(phase, state, provenance_);
+void VtkSeries::add(double time, const VtkFile& file) {
     std::array<char, 24> number{};
     std::snprintf(number.data(), number.size(), "_%06zu", entries_.size());
     const std::string name = name_ + number.data() + std::string(file.extension);
     write_file((std::filesystem::path(folder_) / name).string(), file.bytes);
-    entries_.push_back({phase, name});
+    entries_.push_back({time, name});
 }
 
 void VtkSeries::add(double phase, const contact::Surface& surface) {
-    add_state(phase, surface);
+    add(phase, vtk_file(phase, surface, provenance_));
 }
 void VtkSeries::add(double phase, const contact::Interior& interior) {
-    add_state(phase, interior);
+    add(phase, vtk_file(phase, interior, provenance_));
 }
 
 void VtkSeries::finish() const {
@@ -55,7 +52,7 @@ void VtkSeries::finish() const {
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
     for (const Entry& entry : entries_)
-        out += "    <DataSet timestep=\"" + shortest(entry.phase) +
+        out += "    <DataSet timestep=\"" + shortest(entry.time) +
                "\" group=\"\" part=\"0\" file=\"" + xml_attribute(entry.file) + "\"/>\n";
     out += "  </Collection>\n</VTKFile>\n";
     write_file((std::filesystem::path(folder_) / (name_ + ".pvd")).string(), out);

@@ -6,6 +6,7 @@
 #include "contact/interior.h"
 #include "contact/surface.h"
 #include "io/provenance.h"
+#include "io/vtk_files.h"
 
 namespace tricontact::io {
 
@@ -20,17 +21,16 @@ class VtkSeries {
     /// Writes the next file of the series. Throws contact::InputError if that fails.
     void add(double phase, const contact::Surface& surface);
     void add(double phase, const contact::Interior& interior);
+    /// The same for a file that is made already, and any time.
+    void add(double time, const VtkFile& file);
     /// Writes the collection of all files so far. Throws contact::InputError if that fails.
     void finish() const;
 
   private:
     struct Entry {
-        double phase;
+        double time;
         std::string file;
     };
-
-    template <class State>
-    void add_state(double phase, const State& state);
 
     std::string folder_, name_;
     Provenance provenance_;

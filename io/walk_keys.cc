@@ -204,6 +204,16 @@ void add_start(std::vector<WalkKey>& keys) {
                [](WalkCase& c) -> Field { return &c.start.phi_velocity; });
 }
 
+void add_output(std::vector<WalkKey>& keys) {
+    keys.push_back({{.path = "output.frames",
+                     .kind = Kind::integer,
+                     .range = {0, 10000},
+                     .default_value = "100",
+                     .example = "100",
+                     .text = "of the animation for ParaView; 0: none"},
+                    [](WalkCase& c) -> Field { return &c.output.frames; }});
+}
+
 const std::vector<WalkKey>& declared_keys() {
     static const std::vector<WalkKey> keys = [] {
         std::vector<WalkKey> all;
@@ -221,6 +231,7 @@ const std::vector<WalkKey>& declared_keys() {
         add_excitation(all);
         add_time(all);
         add_start(all);
+        add_output(all);
         return all;
     }();
     return keys;

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "app/case_json.h"
+#include "app/commands.h"
+#include "app/run_model.h"
+#include "app/walk_text.h"
+#include "comparisons/walking/walk_csv.h"
+#include "comparisons/walking/walk_document.h"
+#include "comparisons/walking/walk_json.h"
+#include "io/atomic_file.h"
+#include "io/walk_animation.h"
+#include "io/walk_reader.h"
+#include "io/walk_writer.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::walking::report_recording;
+using comparisons::walking::WalkReport;
+using dynamics::Snapshot;
+using dynamics::Walk;
+using dynamics::WalkCase;
+
+const std::string command = std::string("tricontact walk ") + resolved_case_name;
+
+/// Results of an earlier run must not stand beside a new case as if they were its own.
+void remove_old_results(const std::string& output) {
+    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
+    for (const char* name : {"summary.json", "report.html", "windows.csv", "motion.csv"})
+        std::filesystem::remove(output + "/" + name, ignored);
+    std::filesystem::remove_all(output + "/animation", ignored);
+}
+
+std::string summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk) {
+    nlohmann::ordered_json json{{"version", TRICONTACT_VERSION}, {"case", case_json(resolved)}};
+    json.update(comparisons::walking::walk_json(walk_case, walk));
+    return json.dump(2) + '\n';
+}
+
+/// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
+/// at equal intervals.
+std::vector<Snapshot> frames_of(const Walk& walk, std::size_t most) {
+    constexpr double swings = 20;
+    const double shown = walk.result.period.value_or(swings) / report_recording.interval;
+    const std::size_t n =
+        std::min(walk.tail.size(), static_cast<std::size_t>(std::ceil(shown)) + 1);
+    if (most == 0) return {};
+    const std::size_t stride = (n + most - 1) / most;
+    std::vector<Snapshot> frames;
+    for (std::size_t i = walk.tail.size() - n; i < walk.tail.size(); i += stride)
+        frames.push_back(walk.tail[i]);
+    return frames;
+}
+
+void write_animation(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+    const auto frames = frames_of(walk, static_cast<std::size_t>(walk_case.output.frames));
+    if (frames.empty()) return;
+    const std::string folder = output + "/animation";
+    io::make_output_folder(folder);
+    io::write_walk_animation(folder, walk_case, frames, {TRICONTACT_VERSION, command});
+}
+
+void write_report(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+    WalkReport report{.walk_case = walk_case,
+                      .walk = walk,
+                      .files = {{"all numbers", "summary.json"},
+                                {"means of the run, window by window", "windows.csv"},
+                                {"motion and forces at its end", "motion.csv"},
+                                {"the case, resolved", resolved_case_name}},
+                      .command = command,
+                      .version = TRICONTACT_VERSION};
+    if (walk_case.output.frames > 0)
+        report.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
+    io::write_file(output + "/report.html",
+                   comparisons::document_html(comparisons::walking::walk_document(report)));
+}
+
+}  // namespace
+
+void walk_command(const WalkOptions& options) {
+    const WalkCase walk_case = io::read_walk_case(options.case_file, options.overrides);
+    const std::string output =
+        options.output.empty()
+            ? "results/" + std::filesystem::path(options.case_file).stem().string()
+            : options.output;
+    io::make_output_folder(output);
+    remove_old_results(output);
+    const std::string resolved = io::write_walk_case(walk_case);
+    io::write_file(output + "/" + resolved_case_name, resolved);
+
+    const Walk walk = dynamics::walk(walk_case, report_recording);
+    io::write_file(output + "/summary.json", summary(walk_case, resolved, walk));
+    io::write_file(output + "/windows.csv", comparisons::walking::windows_csv(walk_case, walk));
+    io::write_file(output + "/motion.csv", comparisons::walking::motion_csv(walk_case, walk));
+    write_animation(output, walk_case, walk);
+    if (options.report) write_report(output, walk_case, walk);
+    if (options.quiet) return;
+    std::cout << walk_text(walk_case, walk);
+    std::cerr << "results in " << output << (options.report ? " (open report.html)" : "") << '\n';
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,92 @@
+#include "app/walk_text.h"
+
+#include <fmt/format.h>
+
+#include "comparisons/format.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::significant;
+using comparisons::with_error;
+using dynamics::WalkCase;
+using dynamics::WalkResult;
+
+std::string line(const char* name, const std::string& value, const std::string& meaning) {
+    // The width counts code points, which all have one column here.
+    return fmt::format("{:<14} {:<22} {}\n", name, value, meaning);
+}
+
+// A time in its unit, and in seconds where there are some.
+std::string with_seconds(const WalkCase& walk_case, double time) {
+    if (!walk_case.dimensional) return "in sqrt(m/k_x)";
+    const double tau = characteristic_time(*walk_case.dimensional);
+    return "in sqrt(m/k_x): " + comparisons::quantity(time * tau, "s");
+}
+
+std::string tilting_text(const WalkCase& walk_case, const WalkResult& result) {
+    const double time = result.tilting_time.value_or(0);
+    return line("regime", std::string(word_of(result.regime)), "small rotations no longer") +
+           line("tilting time", significant(time), with_seconds(walk_case, time)) +
+           line("mu_c", significant(critical_friction(walk_case.machine)),
+                "tilts above, sliding steadily");
+}
+
+std::string period_text(const WalkCase& walk_case, const WalkResult& result) {
+    if (!result.period) return {};
+    std::string text = line("period", with_error(*result.period, result.period_error, 6),
+                            with_seconds(walk_case, *result.period));
+    if (walk_case.dimensional) {
+        const double tau = characteristic_time(*walk_case.dimensional);
+        text += line("frequency", comparisons::quantity(1 / (*result.period * tau), "Hz"), "");
+    }
+    return text;
+}
+
+std::string drift_text(const WalkResult& result) {
+    if (!result.drift) return {};
+    return line("drift", with_error(result.drift->per_period, result.drift->error),
+                "shift of the base per period, over mu kappa2 z_stat");
+}
+
+std::string spots_text(const WalkResult& result) {
+    std::string text;
+    for (std::size_t i = 0; i < result.spots.size(); ++i)
+        text += line(fmt::format("spot {}", i + 1).c_str(),
+                     "sticks " + significant(result.spots[i].stick_time) + ", r " +
+                         significant(result.spots[i].correlation),
+                     "share of time, correlation of velocity and load");
+    return text;
+}
+
+}  // namespace
+
+std::string walk_text(const WalkCase& walk_case, const dynamics::Walk& walk) {
+    const WalkResult& result = walk.result;
+    if (result.regime == dynamics::Regime::tilting) return tilting_text(walk_case, result);
+    std::string text =
+        line("regime", std::string(word_of(result.regime)),
+             result.transient_over ? "from t = " + significant(result.transient) + " on"
+                                   : "as far as the run goes");
+    text += period_text(walk_case, result);
+    text += line("mu_e", with_error(result.mu_e, result.mu_e_error),
+                 "<f_s> over that of sliding, 95 % interval");
+    text += drift_text(result);
+    text += line("z_min, z_max",
+                 significant(result.z_min_ratio) + ", " + significant(result.z_max_ratio),
+                 "over the static displacement");
+    text += line("phi", significant(result.phi_min, 3) + ", " + significant(result.phi_max, 3),
+                 "extremes");
+    text += spots_text(result);
+    text += line("kinetic energy", significant(result.kinetic_energy),
+                 "mean over m g times the static displacement");
+    if (result.lyapunov)
+        text += line("lyapunov", with_error(result.lyapunov->value, result.lyapunov->error),
+                     "largest exponent; above 0: chaos");
+    if (!result.transient_over)
+        text += "the transient is not over at the end of the run: take a later time.end\n";
+    return text;
+}
+
+}  // namespace tricontact::app
