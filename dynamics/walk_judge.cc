@@ -89,13 +89,17 @@ WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> wind
                         std::size_t first) {
     WalkResult result = judge_windows(machine, windows, Regime::steady, first);
     const auto judged = windows.subspan(first);
+    // A window's own deviation would not do: about a period long, it averages over the swing, and
+    // what is left adds up over many.
     const double mean = result.mu_e * unit_force(machine);
-    double greatest = 0;
-    for (const WalkWindow& window : judged)
-        greatest =
-            std::max(greatest, std::abs(mean_force(window) - mean) * (window.end - window.begin));
+    double integral = 0, least = 0, greatest = 0;
+    for (const WalkWindow& window : judged) {
+        integral += (mean_force(window) - mean) * (window.end - window.begin);
+        least = std::min(least, integral);
+        greatest = std::max(greatest, integral);
+    }
     result.mu_e_error =
-        judged.size() > 1 ? greatest / result.observed / unit_force(machine) : nothing;
+        judged.size() > 1 ? (greatest - least) / result.observed / unit_force(machine) : nothing;
     // Flutter begins small: a vibration that still grows is not what the run ends in.
     const std::size_t half = judged.size() / 2;
     const double before = greatest_vibration(judged.first(half)),

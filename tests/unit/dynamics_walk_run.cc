@@ -59,6 +59,16 @@ TEST(WalkRun, RestsOnItsSpots) {
     EXPECT_TRUE(std::isnan(result.spots[0].correlation));
 }
 
+// A fast and light machine: f_s swings 160 times as far as friction reaches, with a period that
+// windows are nearly as long as. Its momentum is bounded, so that friction is mu kappa4 in the end.
+TEST(WalkRun, TheErrorOfSlidingCoversSlowBeats) {
+    Kappas kappas{0.1, 1.2, 0.5, 1e-4, 0.2, 0.01, 1.5, 0};
+    const WalkResult result = walk(case_of(kappas, 4000)).result;
+    EXPECT_EQ(result.regime, Regime::steady);
+    EXPECT_NEAR(result.mu_e, 1, result.mu_e_error);
+    EXPECT_GT(result.mu_e_error, 0.1);
+}
+
 // An independent program's statistics of the cycle of set B, to the digits printed. Chaos of mean
 // life 1450 comes before it, different with any other rounding: one in thirty is not over by then.
 TEST(WalkRun, SetBWalksOnItsLimitCycle) {
