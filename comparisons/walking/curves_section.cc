@@ -54,6 +54,30 @@ Figure figure_over(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
     return figure;
 }
 
+constexpr std::size_t most_rows = 300;
+
+DocumentTable group_table(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
+                          const std::vector<WalkGroup>& groups) {
+    DocumentTable table{.id = "groups",
+                        .title = "Effective friction",
+                        .note = "Of the runs that do not tilt; none if at least half do.",
+                        .columns = {},
+                        .rows = {}};
+    for (const std::size_t axis : axes) table.columns.push_back({label_of(sweep, axis)});
+    for (const char* heading : {"μ_e", "runs", "tilting"}) table.columns.push_back({heading});
+    for (const WalkGroup& group : groups) {
+        std::vector<Cell>& row = table.rows.emplace_back();
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            row.push_back(std::holds_alternative<double>(group.values[k])
+                              ? Cell(shown_value(sweep, axes[k], group.values[k]))
+                              : group.values[k]);
+        row.emplace_back(group.mu_e());
+        row.emplace_back(static_cast<double>(group.points.size()));
+        row.emplace_back(static_cast<double>(group.n_tilted()));
+    }
+    return table;
+}
+
 bool is_number(const std::vector<WalkGroup>& groups, std::size_t place) {
     for (const WalkGroup& group : groups)
         if (!std::holds_alternative<double>(group.values[place])) return false;
@@ -73,6 +97,8 @@ std::optional<WalkSection> curves_section(const WalkSweep& sweep,
             result.section.figures.push_back(figure);
     }
     if (result.section.figures.empty()) return {};
+    if (groups.size() <= most_rows)
+        result.section.tables.push_back(group_table(sweep, axes, groups));
     return result;
 }
 

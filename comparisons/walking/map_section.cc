@@ -5,6 +5,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/walking/walk_sections.h"
+#include "dynamics/linear_stability.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -52,18 +53,37 @@ const std::vector<Quantity>& quantities() {
     return all;
 }
 
-/// The critical friction over x, if friction is what y is.
-std::vector<Curve> critical_curve(const WalkSweep& sweep, const WalkGrid& grid) {
-    if (label_of(sweep, grid.y_axis) != "μ") return {};
-    Curve curve{.name = "μ_c", .x = {}, .y = {}, .theory = true};
+/// Least friction at which steady sliding flutters, over x; NaN: it does not below mu_c.
+std::vector<double> flutter_over_x(const WalkGrid& grid) {
+    std::vector<double> friction;
+    for (std::size_t i = 0; i < grid.x.size(); ++i) {
+        const WalkGroup* cell = grid.cells[i];
+        friction.push_back(
+            cell ? dynamics::flutter_friction(cell->points.front()->machine, grid.y.back())
+                       .value_or(NAN)
+                 : NAN);
+    }
+    return friction;
+}
+
+bool is_over_friction(const WalkSweep& sweep, const WalkGrid& grid) {
+    return label_of(sweep, grid.y_axis) == "μ";
+}
+
+/// Where theory has sliding end, if friction is what y is.
+std::vector<Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& grid) {
+    if (!is_over_friction(sweep, grid)) return {};
+    Curve tilting{.name = "μ_c: tilts", .x = {}, .y = {}, .theory = true};
     for (std::size_t i = 0; i < grid.x.size(); ++i) {
         if (!grid.cells[i]) continue;
         const double friction = critical_friction(grid.cells[i]->kappas());
         if (friction < grid.y.front() || friction > grid.y.back()) continue;
-        curve.x.push_back(grid.x[i]);
-        curve.y.push_back(friction);
+        tilting.x.push_back(grid.x[i]);
+        tilting.y.push_back(friction);
     }
-    return {curve};
+    Curve flutter{
+        .name = "flutters", .x = grid.x, .y = flutter_over_x(grid), .theory = true, .colour = 3};
+    return {tilting, flutter};
 }
 
 Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const Quantity& quantity) {
@@ -72,7 +92,7 @@ Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const Quantity& 
             .caption = std::string(quantity.caption) + " White: the machine tilts.",
             .x = {label_of(sweep, grid.x_axis)},
             .y = {label_of(sweep, grid.y_axis)},
-            .curves = critical_curve(sweep, grid),
+            .curves = limit_curves(sweep, grid),
             .map = ContourMap{.label = quantity.label,
                               .x = grid.x,
                               .y = grid.y,
@@ -112,8 +132,8 @@ Figure regime_figure(const WalkSweep& sweep, const WalkGrid& grid) {
         }
         if (!curve.x.empty()) figure.curves.push_back(curve);
     }
-    const auto critical = critical_curve(sweep, grid);
-    figure.curves.insert(figure.curves.end(), critical.begin(), critical.end());
+    const auto limits = limit_curves(sweep, grid);
+    figure.curves.insert(figure.curves.end(), limits.begin(), limits.end());
     return figure;
 }
 
@@ -138,6 +158,9 @@ DocumentTable region_table(const WalkGrid& grid) {
 /// 99 %: cells that the boundary crosses cannot all agree.
 constexpr double enough_agreement = 0.99;
 
+/// An error of mu_e, 95 %, below which it counts as known.
+constexpr double known_friction = 0.05;
+
 Verdict agreement_verdict(const WalkGrid& grid) {
     const TiltingAgreement agreement = tilting_agreement(grid);
     return {
@@ -147,19 +170,43 @@ Verdict agreement_verdict(const WalkGrid& grid) {
                     agreement.n_agreeing, agreement.n_cells, 100 * agreement.share())};
 }
 
+/// Of the machines that do not tilt, how many slide steadily exactly where that is stable.
+Verdict flutter_verdict(const WalkGrid& grid) {
+    const std::vector<double> flutter = flutter_over_x(grid);
+    int n = 0, n_agreeing = 0, n_steady_above = 0;
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+        const WalkGroup* cell = grid.cells[i];
+        if (!cell || cell->tilts()) continue;
+        const double limit = flutter[i % grid.x.size()];
+        const bool stable = std::isnan(limit) || grid.y[i / grid.x.size()] < limit;
+        const bool steady = regime_of(*cell) == Regime::steady;
+        ++n;
+        n_agreeing += stable == steady;
+        n_steady_above += !stable && steady;
+    }
+    return {Verdict::Standing::finding,
+            fmt::format("Linear stability tells of {} of {} machines that do not tilt whether they "
+                        "slide steadily; {} slide though sliding flutters, {} do not though it is "
+                        "stable.",
+                        n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
+}
+
 Verdict least_friction_verdict(const WalkSweep& sweep, const WalkGrid& grid) {
     const WalkGroup* least = nullptr;
     for (const WalkGroup* cell : grid.cells)
-        if (cell && !cell->tilts() && (!least || cell->mu_e().value < least->mu_e().value))
+        if (cell && cell->mu_e().error < known_friction &&
+            (!least || cell->mu_e().value < least->mu_e().value))
             least = cell;
-    if (!least) return {Verdict::Standing::finding, "Every machine tilts."};
+    if (!least) return {Verdict::Standing::finding, "No machine's friction is known."};
     const WithError friction = least->mu_e();
-    return {Verdict::Standing::finding,
-            fmt::format("The least friction is μ_e = {} at {} = {}, {} = {}.",
-                        with_error(friction.value, friction.error), label_of(sweep, grid.x_axis),
-                        significant(shown_value(sweep, grid.x_axis, least->values[0])),
-                        label_of(sweep, grid.y_axis),
-                        significant(shown_value(sweep, grid.y_axis, least->values[1])))};
+    return {
+        Verdict::Standing::finding,
+        fmt::format("The least friction, of those known to {}, is μ_e = {} at {} = {}, {} = {}.",
+                    known_friction, with_error(friction.value, friction.error),
+                    label_of(sweep, grid.x_axis),
+                    significant(shown_value(sweep, grid.x_axis, least->values[0])),
+                    label_of(sweep, grid.y_axis),
+                    significant(shown_value(sweep, grid.y_axis, least->values[1])))};
 }
 
 }  // namespace
@@ -169,6 +216,7 @@ WalkSection map_section(const WalkSweep& sweep, const WalkGrid& grid) {
     const auto some_tilt = [](const WalkGroup* cell) { return cell && cell->tilts(); };
     if (std::any_of(grid.cells.begin(), grid.cells.end(), some_tilt))
         result.verdicts.push_back(agreement_verdict(grid));
+    if (is_over_friction(sweep, grid)) result.verdicts.push_back(flutter_verdict(grid));
     result.verdicts.push_back(least_friction_verdict(sweep, grid));
     for (const Quantity& quantity : quantities())
         result.section.figures.push_back(map_figure(sweep, grid, quantity));

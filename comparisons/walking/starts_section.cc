@@ -95,6 +95,8 @@ Figure arrival_figure(const Arrivals& arrivals) {
 /// Least and largest of the limit cycles.
 struct Span {
     double least = std::numeric_limits<double>::infinity(), largest = -least;
+    double middle() const { return (least + largest) / 2; }
+    double half() const { return (largest - least) / 2; }
 };
 Span span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
     Span span;
@@ -114,11 +116,11 @@ void add_arrivals(const WalkSweep& sweep, WalkSection& result) {
     const WithError life = arrivals.mean_life();
     result.verdicts.push_back(
         {Verdict::Standing::finding,
-         fmt::format("{} of {} starts end on a limit cycle: periods from {} to {}, μ_e from {} to "
-                     "{}. The mean life of the transient is {}.",
-                     arrivals.times.size(), arrivals.n(), significant(period.least, 6),
-                     significant(period.largest, 6), significant(friction.least),
-                     significant(friction.largest), with_error(life.value, life.error))});
+         fmt::format("{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e "
+                     "within {} ± {}. The mean life of the transient is {}.",
+                     arrivals.times.size(), arrivals.n(), significant(period.middle(), 6),
+                     significant(period.half(), 2), significant(friction.middle()),
+                     significant(friction.half(), 2), with_error(life.value, life.error))});
     result.section.figures.push_back(arrival_figure(arrivals));
     result.section.tables.push_back(arrival_table(arrivals));
 }

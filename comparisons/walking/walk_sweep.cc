@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "comparisons/csv.h"
 #include "comparisons/format.h"
@@ -25,6 +26,20 @@ std::string text_of(const Cell& value) {
     return number ? csv_field(*number) : std::get<std::string>(value);
 }
 
+constexpr std::pair<const char*, const char*> symbols[] = {
+    {"machine.kappa5", "μ"},
+    {"machine.friction_coefficient", "μ"},
+    {"machine.height_ratio", "κ_8"},
+    {"machine.base_velocity", "v_0"},
+    {"start.x", "x(0)"},
+    {"start.z", "z(0)"},
+    {"start.phi", "φ(0)"},
+    {"start.base", "x_s(0)"},
+    {"start.x_velocity", "x'(0)"},
+    {"start.z_velocity", "z'(0)"},
+    {"start.phi_velocity", "φ'(0)"},
+};
+
 /// Largest magnitude of an axis, for its unit.
 double magnitude(const WalkSweep& sweep, std::size_t axis) {
     double largest = 0;
@@ -41,9 +56,12 @@ Unit unit_of(const WalkSweep& sweep, std::size_t axis) {
 
 }  // namespace
 
+std::size_t WalkGroup::n_tilted() const {
+    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), tilted));
+}
+
 bool WalkGroup::tilts() const {
-    const auto n_tilted = std::count_if(points.begin(), points.end(), tilted);
-    return n_tilted > 0 && 2 * n_tilted >= static_cast<std::ptrdiff_t>(points.size());
+    return n_tilted() > 0 && 2 * n_tilted() >= points.size();
 }
 
 double WalkGroup::mean(double (*value)(const WalkOutcome& outcome)) const {
@@ -99,10 +117,11 @@ std::vector<WalkGroup> groups_of(const WalkSweep& sweep) {
 std::string label_of(const WalkSweep& sweep, std::size_t axis) {
     const std::string& key = sweep.axes[axis].key;
     const std::string name = key.substr(key.find('.') + 1);
-    if (name == "kappa5") return "μ";
-    if (name.starts_with("kappa")) return "κ_" + name.substr(5);
+    std::string label = name.starts_with("kappa") ? "κ_" + name.substr(5) : name;
+    for (const auto& [full, symbol] : symbols)
+        if (key == full) label = symbol;
     const Unit unit = unit_of(sweep, axis);
-    return unit.symbol.empty() ? name : name + " [" + unit.symbol + "]";
+    return unit.symbol.empty() ? label : label + " [" + unit.symbol + "]";
 }
 
 double shown_value(const WalkSweep& sweep, std::size_t axis, const Cell& value) {

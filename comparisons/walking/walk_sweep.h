@@ -32,6 +32,7 @@ struct WalkGroup {
     std::vector<const WalkSweep::Point*> points;
 
     const dynamics::Kappas& kappas() const { return points.front()->machine.kappas; }
+    std::size_t n_tilted() const;
     /// Whether at least half of the computed ones tilt.
     bool tilts() const;
     /// Mean over those that do not tilt; NaN if the group does, or none was computed.
@@ -47,7 +48,7 @@ std::vector<std::size_t> machine_axes(const WalkSweep& sweep);
 /// In the order of the study. The sweep outlives them.
 std::vector<WalkGroup> groups_of(const WalkSweep& sweep);
 
-/// "κ_8", "μ", "base_velocity [mm/s]": how figures and tables name an axis.
+/// "κ_8", "μ", "v_0 [mm/s]": how figures and tables name an axis.
 std::string label_of(const WalkSweep& sweep, std::size_t axis);
 /// A value of it in the unit of that label.
 double shown_value(const WalkSweep& sweep, std::size_t axis, const Cell& value);

@@ -108,7 +108,7 @@ TEST(WalkSweep, StartsAreRepetitions) {
     const Document document = walk_sweep_document(sweep);
     ASSERT_EQ(document.sections.front().id, "curves");
     const Figure& figure = document.sections.front().figures.front();
-    EXPECT_EQ(figure.x.label, "base_velocity [mm/s]");
+    EXPECT_EQ(figure.x.label, "v_0 [mm/s]");
     EXPECT_EQ(figure.curves.front().x, (std::vector<double>{10, 20}));
     EXPECT_FALSE(walk_map_of(sweep));
 }
