@@ -46,7 +46,8 @@ TEST(Lyapunov, IsTheDecayRateOfStableSliding) {
 }
 
 // The rig of Wetter (2016), set 5, on both sides of the height of its spring where the leading
-// eigenvalue changes its sign: disturbances decay with the spring low, grow with it higher up.
+// eigenvalue changes its sign, whatever the velocity: disturbances decay with the spring low, grow
+// with it higher up.
 TEST(Lyapunov, ChangesItsSignWhereTheRigBeginsToFlutter) {
     for (const double kappa8 : {-0.85, -0.80}) {
         const Machine rig{.kappas = {2, 1.33, 1.51, 2e-4, 0.75, 3e-4, 1.77, kappa8},
@@ -55,6 +56,11 @@ TEST(Lyapunov, ChangesItsSignWhereTheRigBeginsToFlutter) {
         ASSERT_TRUE(steady);
         const std::complex<double> leading = leading_eigenvalue(rig, *steady);
         EXPECT_EQ(leading.real() > 0, kappa8 > -0.825);
+        Machine faster = rig;
+        faster.kappas.kappa6 *= 10;
+        const auto faster_sliding = steady_sliding(faster);
+        ASSERT_TRUE(faster_sliding);
+        EXPECT_EQ(leading_eigenvalue(faster, *faster_sliding).real() > 0, kappa8 > -0.825);
         const double half_turn = std::numbers::pi / leading.imag();
         const Mean found = lyapunov_exponent(rig, *steady,
                                              {.step = half_turn / 1000,
