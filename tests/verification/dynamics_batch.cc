@@ -79,6 +79,29 @@ TEST_P(WalkingBatch, SetBEndsInItsLimitCycle) {
     }
 }
 
+/// Way of a spot: its velocity is s', Wetter (2016), eq. 4.2.16.
+double path(const Motion& motion, std::size_t spot) {
+    return motion.x + motion.phi - motion.spots[spot].tangential;
+}
+
+TEST(BatchSums, VelocitiesOfTheSpotsAddUpToTheirWaysOverTenMillionSteps) {
+    const Machine machine{.kappas = set_b()};
+    const Motion start = motion_at_start(machine);
+    Batch batch(std::span(&machine, 1), std::span(&start, 1), step);
+    StretchSums sums;
+    constexpr std::int64_t n = 10'000'000;
+    batch.advance(n - 1, Batch::Detail::everything, std::span(&sums, 1));
+    const Motion before = batch.motion(0);
+    batch.advance(1, Batch::Detail::everything, std::span(&sums, 1));
+    ASSERT_EQ(sums.steps, n);
+    for (std::size_t i = 0; i < 2; ++i) {
+        // Central differences: each end but the first is counted by half.
+        const double way = (path(before, i) + path(batch.motion(0), i)) / 2 - path(start, i);
+        // 1e7 steps that round by 1e-16 at random.
+        EXPECT_NEAR(sums.spots[i].velocity * step / way, 1, 1e-12);
+    }
+}
+
 /// Shares [%] of a map of kappa8 and mu.
 struct Shares {
     double critical = 0, no_effect = 0, reduction = 0, below_half = 0, jumps = 0;
