@@ -35,12 +35,14 @@ Verdict energy_verdict(const WalkReport& report, const EnergyStretch& energy) {
     constexpr double bound = 1e-6;
     const double lost = std::abs(energy.balance.residual()) / energy.scale;
     const bool holds = lost <= bound;
-    return {
-        holds ? Verdict::Standing::holds : Verdict::Standing::fails,
-        fmt::format("Energy over {}: work of the base = dissipation + change of stored energy, to "
-                    "{} of the greatest of them{}.",
-                    report.walk.result.period ? "a period" : significant(energy.length, 3),
-                    significant(lost, 2), holds ? "" : "; a smaller [time] step makes it less")};
+    return {holds ? Verdict::Standing::holds : Verdict::Standing::fails,
+            fmt::format("Energy over {}: work of {} and geometric work = dissipation + change of "
+                        "stored energy, to {} of the greatest of them{}. The geometric work, of "
+                        "moments without potential in the model's equations, is {} of it.",
+                        report.walk.result.period ? "a period" : significant(energy.length, 3),
+                        energy.balance.excitation != 0 ? "base, excitation" : "the base",
+                        significant(lost, 2), holds ? "" : "; a smaller [time] step makes it less",
+                        significant(std::abs(energy.balance.geometric) / energy.scale, 2))};
 }
 
 DocumentSection energy_section(const EnergyStretch& energy) {
