@@ -49,12 +49,12 @@ double upper_root(const Function& f, double a, double b, double fa, double fb) {
 
 }  // namespace
 
-EventDriven::EventDriven(Machine machine, Motion start, double tolerance)
-    : flow_(std::move(machine), tolerance * static_displacement(machine)),
-      tolerance_(tolerance * static_displacement(flow_.machine())),
+EventDriven::EventDriven(const Machine& machine, const Motion& start, double tolerance)
+    : flow_(machine, tolerance * static_displacement(machine)),
+      tolerance_(tolerance * static_displacement(machine)),
       start_time_(start.time),
       start_base_(start.base),
-      longest_step_(share_of_period * shortest_period(flow_.machine())),
+      longest_step_(share_of_period * shortest_period(machine)),
       next_step_(share_after_event * longest_step_),
       time_(start.time) {
     if (!(tolerance >= 1e-14 && tolerance <= 1e-4))

@@ -11,14 +11,14 @@
 namespace tricontact::dynamics {
 
 /// Reference integrator: Runge-Kutta-Fehlberg 7(8) with error control between events (landing,
-/// lift-off, onsets of slip and of stick), whose times it finds to rounding. Slow, and exact to its
-/// tolerance: for checking other integrators, not for statistics.
+/// lift-off, onsets of slip and of stick), whose times it finds to rounding: for checking other
+/// integrators, which step over events.
 class EventDriven {
   public:
     /// `tolerance`: error of a step over the static displacement, 1e-14 to 1e-4. `start` has the
     /// spots of the machine, none deflected beyond its friction bound. Throws
     /// std::invalid_argument otherwise.
-    EventDriven(Machine machine, Motion start, double tolerance);
+    EventDriven(const Machine& machine, const Motion& start, double tolerance);
 
     /// Throws contact::NotConverged if the steps shrink to nothing or the spots change their
     /// states without end at one time.
@@ -38,7 +38,7 @@ class EventDriven {
   private:
     struct Crossing {
         std::size_t guard;
-        double after;  // the step's start
+        double after;  // time since the step's start
     };
 
     auto equations() const;
