@@ -13,4 +13,5 @@ trap 'rm -rf "$work"' EXIT
 # New inputs go to the first folder; what crashes stays in build/fuzz.
 "$root/build/fuzz/tests/fuzz/case_reader_fuzz" -dict="$root/tests/fuzz/case_reader.dict" \
     -max_len=3000 -max_total_time="$seconds" -artifact_prefix="$root/build/fuzz/" \
-    -print_final_stats=1 -print_funcs=0 -verbosity=0 "$work" "$root/cases" "$root/tests/cli/bad"
+    -print_final_stats=1 -print_funcs=0 -verbosity=0 "$work" "$root/cases" "$root/tests/cli/bad" \
+    "$root/tests/cli/bad_walk"

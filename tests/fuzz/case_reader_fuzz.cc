@@ -1,5 +1,5 @@
-// libFuzzer target: any text is either refused with an InputError or resolved to a case whose
-// written form reads back to the same text.
+// libFuzzer target: any text is either refused with an InputError or resolved to a case, of a
+// contact or of the walking machine, whose written form reads back to the same text.
 
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +10,20 @@
 #include "contact/error.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "io/walk_reader.h"
+#include "io/walk_writer.h"
+
+namespace {
+
+std::string resolved_text(std::string_view text, const std::string& name,
+                          const std::vector<std::string>& overrides = {}) {
+    using namespace tricontact::io;
+    if (is_walk_case(parse_document(text, name)))
+        return write_walk_case(parse_walk_case(text, name, overrides));
+    return write_case(parse_case(text, name, overrides));
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace tricontact;
@@ -24,14 +38,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     std::string resolved;
     try {
-        resolved = io::write_case(io::parse_case(text, "fuzz.toml", overrides));
+        resolved = resolved_text(text, "fuzz.toml", overrides);
     } catch (const contact::InputError& error) {
         // A message is one line.
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
         return 0;
     }
     // Anything thrown from here on is a bug: what was resolved must be acceptable.
-    const std::string again = io::write_case(io::parse_case(resolved, "resolved.toml"));
+    const std::string again = resolved_text(resolved, "resolved.toml");
     if (again != resolved) std::abort();
     return 0;
 }
