@@ -34,6 +34,7 @@ struct Walk {
     std::vector<SectionReturn> returns;  ///< of the end of the run, in the order of time
     std::vector<ExcitedPeriod> periods;  ///< of an excitation while the base stands still
     std::vector<Snapshot> start, tail;   ///< first and last stretch, densely
+    Motion last;                         ///< at the end, spring by spring; of a run alone
     std::optional<WalkPhases> phases;    ///< of the limit cycle, if it is one
     std::int64_t lane_steps = 0;         ///< steps of one machine
     double cpu_s = 0;                    ///< processor time of the run [s]

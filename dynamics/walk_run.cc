@@ -46,6 +46,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     walk.windows = recorder.windows();
     walk.returns = recorder.returns();
     walk.periods = recorder.periods();
+    walk.last = run.motion();
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
     conclude(walk_case, recording, run.motion(), tilting_time, snapshots, walk);
     walk.cpu_s = processor_time() - began;

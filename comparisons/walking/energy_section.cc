@@ -14,9 +14,8 @@ namespace tricontact::comparisons::walking {
 std::optional<EnergyStretch> energy_of(const WalkReport& report) {
     constexpr double without_period = 100;
     const dynamics::Walk& walk = report.walk;
-    if (walk.result.regime == dynamics::Regime::tilting || walk.tail.empty()) return std::nullopt;
-    dynamics::VelocityVerlet run(report.walk_case.machine, walk.tail.back().motion,
-                                 report.walk_case.time.step);
+    if (walk.result.regime == dynamics::Regime::tilting) return std::nullopt;
+    dynamics::VelocityVerlet run(report.walk_case.machine, walk.last, report.walk_case.time.step);
     dynamics::VerletEnergy energy(run);
     const double wanted = walk.result.period.value_or(without_period);
     const auto n_steps = std::max(1LL, std::llround(wanted / run.step()));

@@ -94,7 +94,15 @@ head -n 1 rig/motion.csv | grep -q time_s,spring_force_N || complain "rig: no SI
 awk -F, -v tau="$tau" 'END { exit !($10/tau - $1 < 1e-3 && $1 - $10/tau < 1e-3) }' rig/motion.csv ||
     complain "rig: time_s is not tau times time"
 
-# 6. An earlier run's files do not stand beside a new one's.
+# 6. Any spots, rounded tips: a number for each, a report.
+walk spots walking_set_b --set machine.model=spots --set "spots.positions=[-1, 0, 1]" \
+    --set time.end=200
+near spots stick_time_3 0.5 0.5
+walk tips walking_set_b --set bed.radius=0.5 --set bed.springs=10 --set time.end=30
+near tips stick_time_2 0.5 0.5
+[ -s tips/report.html ] || complain "no report of rounded tips"
+
+# 7. An earlier run's files do not stand beside a new one's.
 "$program" walk "$cases/walking_set_b.toml" --output b --quiet --no-report --set time.end=50 \
     --set output.frames=0 || complain "b again"
 [ -e b/report.html ] || [ -e b/animation ] && complain "files of the run before"

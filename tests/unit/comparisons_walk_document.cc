@@ -57,6 +57,16 @@ TEST(WalkDocument, TellsWhatALimitCycleIs) {
     EXPECT_NO_THROW(document_html(document));
 }
 
+// Springs of a bed go on from where each of them is, not from where their spot is.
+TEST(WalkDocument, BalancesTheEnergyOfRoundedTips) {
+    dynamics::Machine machine{.kappas = dynamics::set_b()};
+    machine.bed = dynamics::Bed{.radius = 0.5, .springs = 10};
+    const auto energy = energy_of(run_of(machine, 60));
+    ASSERT_TRUE(energy);
+    EXPECT_GT(energy->balance.dissipation, 0);
+    EXPECT_LT(std::abs(energy->balance.residual()) / energy->scale, 1e-6);
+}
+
 // What a period on the limit cycle takes from the base is <f_s> kappa6 T; nothing is stored.
 TEST(WalkDocument, BalancesTheEnergyOfAPeriod) {
     const auto energy = energy_of(walking_set_b());
