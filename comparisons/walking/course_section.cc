@@ -32,8 +32,7 @@ void mark_transient(Figure& figure, const dynamics::WalkResult& result) {
 
 Figure force_figure(const WalkReport& report) {
     const dynamics::Machine& machine = report.walk_case.machine;
-    const double sliding =
-        normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+    const double sliding = sliding_force(machine);
     Curve mean{.name = "mean f_s", .x = {}, .y = {}};
     for (const WalkWindow& window : report.walk.windows) {
         mean.x.push_back((window.begin + window.end) / 2);

@@ -57,7 +57,7 @@ std::vector<std::string> map_readings(const WalkMap& map, double kappa8, const W
 double critical_friction(const WalkMap& map, double kappa8) {
     dynamics::Machine machine{.kappas = map.kappas, .model = map.model};
     machine.kappas.kappa8 = kappa8;
-    return dynamics::critical_friction(machine.kappas) / normal_load_factor(machine);
+    return dynamics::critical_friction(machine);
 }
 
 }  // namespace tricontact::comparisons::walking

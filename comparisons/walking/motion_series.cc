@@ -12,7 +12,7 @@ MotionSeries motion_series(const dynamics::Machine& machine,
                            std::span<const dynamics::Snapshot> snapshots) {
     MotionSeries series;
     const double load = machine.kappas.kappa5 * machine.kappas.kappa4;
-    const double rest = static_displacement(machine), sliding = normal_load_factor(machine) * load;
+    const double rest = static_displacement(machine), sliding = sliding_force(machine);
     for (const dynamics::Snapshot& snapshot : snapshots) {
         const dynamics::Motion& motion = snapshot.motion;
         series.time.push_back(motion.time - snapshots.front().motion.time);

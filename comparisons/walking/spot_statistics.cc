@@ -21,8 +21,8 @@ double error_of(const dynamics::Walk& walk, std::size_t spot, Value value) {
     std::vector<double> values;
     for (const WalkWindow& window : walk.windows) {
         if (window.begin < walk.result.transient || spot >= window.sums.spots.size()) continue;
-        values.push_back(value(window.sums.spots[spot], window.sums.steps));
-        if (!std::isfinite(values.back())) return nan;
+        const double each = value(window.sums.spots[spot], window.sums.steps);
+        if (std::isfinite(each)) values.push_back(each);  // else the spot never touched
     }
     return values.size() > 1 ? dynamics::block_bootstrap_mean(values).error : nan;
 }

@@ -34,8 +34,7 @@ void add_machine(const Machine& machine, Settings& settings) {
                     as_given(k4), as_given(k5), as_given(k6), as_given(k7), as_given(k8)));
     settings.emplace_back("z_stat, static displacement",
                           significant(static_displacement(machine)) + " b");
-    settings.emplace_back("μ_c, critical friction", significant(critical_friction(machine.kappas) /
-                                                                normal_load_factor(machine)));
+    settings.emplace_back("μ_c, critical friction", significant(critical_friction(machine)));
     std::string without;
     const auto add = [&](bool on, const char* name) {
         if (!on) without += (without.empty() ? "" : ", ") + std::string(name);

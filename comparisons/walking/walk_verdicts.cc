@@ -37,7 +37,7 @@ Verdict fall(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     const dynamics::Machine& machine = report.walk_case.machine;
     const double mu = machine.kappas.kappa5;
-    const double limit = critical_friction(machine.kappas) / normal_load_factor(machine);
+    const double limit = critical_friction(machine);
     return {
         Standing::finding,
         fmt::format("Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which "
