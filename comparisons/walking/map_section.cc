@@ -66,6 +66,10 @@ std::vector<double> flutter_over_x(const WalkGrid& grid) {
     return friction;
 }
 
+bool is_nowhere(const std::vector<double>& friction) {
+    return std::all_of(friction.begin(), friction.end(), [](double mu) { return std::isnan(mu); });
+}
+
 bool is_over_friction(const WalkSweep& sweep, const WalkGrid& grid) {
     return label_of(sweep, grid.y_axis) == "μ";
 }
@@ -81,9 +85,9 @@ std::vector<Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& grid) {
         tilting.x.push_back(grid.x[i]);
         tilting.y.push_back(friction);
     }
-    Curve flutter{
-        .name = "flutters", .x = grid.x, .y = flutter_over_x(grid), .theory = true, .colour = 3};
-    return {tilting, flutter};
+    const std::vector<double> flutter = flutter_over_x(grid);
+    if (is_nowhere(flutter)) return {tilting};
+    return {tilting, {.name = "flutters", .x = grid.x, .y = flutter, .theory = true, .colour = 3}};
 }
 
 Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const Quantity& quantity) {
@@ -184,6 +188,12 @@ Verdict flutter_verdict(const WalkGrid& grid) {
         n_agreeing += stable == steady;
         n_steady_above += !stable && steady;
     }
+    if (is_nowhere(flutter))
+        return {Verdict::Standing::finding,
+                fmt::format("Steady sliding flutters nowhere below μ_c, and yet {} of {} machines "
+                            "that do not tilt do not slide steadily: their vibration does not grow "
+                            "from small disturbances.",
+                            n - n_agreeing, n)};
     return {Verdict::Standing::finding,
             fmt::format("Linear stability tells of {} of {} machines that do not tilt whether they "
                         "slide steadily; {} slide though sliding flutters, {} do not though it is "
