@@ -31,9 +31,9 @@ const std::string command = std::string("tricontact walk ") + resolved_case_name
 /// Results of an earlier run must not stand beside a new case as if they were its own.
 void remove_old_results(const std::string& output) {
     std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    for (const char* name : {"summary.json", "report.html", "windows.csv", "motion.csv"})
+    for (const char* name :
+         {"summary.json", "report.html", "windows.csv", "motion.csv", "animation/machine.pvd"})
         std::filesystem::remove(output + "/" + name, ignored);
-    std::filesystem::remove_all(output + "/animation", ignored);
 }
 
 std::string summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk) {

@@ -105,7 +105,7 @@ near tips stick_time_2 0.5 0.5
 # 7. An earlier run's files do not stand beside a new one's.
 "$program" walk "$cases/walking_set_b.toml" --output b --quiet --no-report --set time.end=50 \
     --set output.frames=0 || complain "b again"
-[ -e b/report.html ] || [ -e b/animation ] && complain "files of the run before"
+[ -e b/report.html ] || [ -e b/animation/machine.pvd ] && complain "files of the run before"
 
 # refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
 refused() {
