@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/images from a run of the demo; needs chromium besides.
+# Makes the pictures of docs/images from a run of the demo and a map of walking machines; needs
+# chromium besides.
 # usage: images.sh
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -8,5 +9,12 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 results=$root/results/rig_sphere_layer_all
 cp "$results/plots/shift.png" "$results/plots/traction_x.png" "$results/plots/zones_fem.png" \
     "$root/docs/images/"
-chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1100,920 \
-    --screenshot="$root/docs/images/report.png" "file://$results/report.html" 2>/dev/null
+"$root/build/release/app/tricontact" sweep "$root/studies/walking_map.toml" \
+    --output "$root/results/walking_map_full" --quiet
+# picture NAME SIZE FILE: of the upper end of a page.
+picture() {
+    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="$2" \
+        --virtual-time-budget=8000 --screenshot="$root/docs/images/$1" "file://$3" 2>/dev/null
+}
+picture report.png 1100,920 "$results/report.html"
+picture walking_map.png 1200,940 "$root/results/walking_map_full/map.html"

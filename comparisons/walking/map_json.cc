@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
 
 #include "comparisons/chart_json.h"
 #include "comparisons/format.h"
@@ -130,13 +131,18 @@ Json cells(const WalkMap& map) {
     return list;
 }
 
-/// The machine of least friction: the first that a reader sees.
-std::size_t best(const Quantity& friction) {
-    std::size_t found = 0;
-    for (std::size_t i = 1; i < friction.values.size(); ++i)
-        if (friction.values[i] < friction.values[found] || std::isnan(friction.values[found]))
-            found = i;
-    return found;
+/// The machine of least friction among those whose runs were long enough to tell, if there are
+/// any: the first that a reader sees.
+std::size_t best(const WalkMap& map) {
+    const auto rank = [](const WalkMapCell& cell) {
+        const WalkResult& r = cell.result;
+        const bool known = r.regime != Regime::tilting && !std::isnan(r.mu_e);
+        return std::tuple(!known, !r.transient_over, known ? r.mu_e : 0);
+    };
+    const auto found = std::min_element(
+        map.cells.begin(), map.cells.end(),
+        [&](const WalkMapCell& a, const WalkMapCell& b) { return rank(a) < rank(b); });
+    return static_cast<std::size_t>(found - map.cells.begin());
 }
 
 }  // namespace
@@ -157,7 +163,7 @@ Json map_json(const WalkMap& map) {
             {"limit", limit(map)},
             {"curves", curves},
             {"cells", cells(map)},
-            {"start", best(list.front())}};
+            {"start", best(map)}};
 }
 
 }  // namespace tricontact::comparisons::walking
