@@ -65,6 +65,9 @@ TEST(MapJson, BeginsAtTheLeastFriction) {
     WalkMap other = map();
     other.cells.front() = fallen();  // has no friction to compare
     EXPECT_EQ(map_json(other)["start"], 1);
+    other = map();
+    other.cells[1].result.transient_over = false;  // may come to any friction yet
+    EXPECT_EQ(map_json(other)["start"], 2);
 }
 
 TEST(MapJson, BlanksMachinesThatFellOver) {
