@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,10 @@ enum class Regime {
     ratcheting,  ///< shifts in every period, its spots on the ground
     walking      ///< spots leave the ground
 };
+
+inline constexpr std::array all_regimes = {Regime::steady,  Regime::limit_cycle, Regime::chaotic,
+                                           Regime::tilting, Regime::shakedown,   Regime::ratcheting,
+                                           Regime::walking};
 
 /// "steady", "limit-cycle", "chaotic", "tilting", "shakedown", "ratcheting", "walking"
 std::string_view word_of(Regime regime);

@@ -17,6 +17,7 @@ namespace tricontact::comparisons::walking {
 namespace {
 
 using dynamics::Regime;
+using Drift = dynamics::WalkResult::Drift;
 using json = nlohmann::ordered_json;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
@@ -119,8 +120,7 @@ std::optional<double> optional_in(const json& value) {
 }
 
 Regime regime_of(const std::string& word) {
-    for (const Regime regime :
-         {Regime::steady, Regime::limit_cycle, Regime::chaotic, Regime::tilting})
+    for (const Regime regime : dynamics::all_regimes)
         if (dynamics::word_of(regime) == word) return regime;
     throw std::invalid_argument("no regime is called " + word);
 }
@@ -129,7 +129,7 @@ Regime regime_of(const std::string& word) {
 
 double initial_energy(const dynamics::Machine& machine, const dynamics::Start& start) {
     const dynamics::StoredEnergy energy = dynamics::stored_energy(
-        machine, dynamics::spots_of(machine), dynamics::motion_at_start(machine, start));
+        machine, dynamics::springs_of(machine), dynamics::motion_at_start(machine, start));
     return energy.total() / (machine.kappas.kappa4 * dynamics::static_displacement(machine));
 }
 
@@ -145,7 +145,8 @@ const std::vector<std::string>& walk_result_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all{"regime"};
         for (const Number& number : numbers_of_result) all.emplace_back(number.name);
-        all.insert(all.end(), {"period", "section_points", "transient_over", "tilting_time"});
+        all.insert(all.end(), {"period", "section_points", "transient_over", "tilting_time",
+                               "shift_per_period", "shift_per_period_error", "airborne"});
         return all;
     }();
     return names;
@@ -160,6 +161,10 @@ json walk_results(const WalkOutcome& outcome) {
     results["section_points"] = outcome.result.section_points;
     results["transient_over"] = outcome.result.transient_over;
     results["tilting_time"] = number(outcome.result.tilting_time);
+    const auto drift = outcome.result.drift.value_or(Drift{undefined, undefined, undefined});
+    results["shift_per_period"] = number(drift.per_period);
+    results["shift_per_period_error"] = number(drift.error);
+    results["airborne"] = number(drift.airborne);
     if (outcome.samples.interval > 0) results["samples"] = samples_json(outcome.samples);
     return results;
 }
@@ -174,6 +179,10 @@ WalkOutcome read_walk_results(const json& results) {
     outcome.result.section_points = results.at("section_points").get<int>();
     outcome.result.transient_over = results.at("transient_over").get<bool>();
     outcome.result.tilting_time = optional_in(results.at("tilting_time"));
+    if (!results.at("shift_per_period").is_null())
+        outcome.result.drift = Drift{number_in(results.at("shift_per_period")),
+                                     number_in(results.at("shift_per_period_error")),
+                                     number_in(results.at("airborne"))};
     if (const auto samples = results.find("samples"); samples != results.end()) {
         outcome.samples.interval = samples->at("interval").get<double>();
         for (const auto& [name, member] : lists_of_samples)

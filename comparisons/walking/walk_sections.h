@@ -29,6 +29,10 @@ std::optional<WalkSection> effects_section(const WalkSweep& sweep,
 /// unless the study varies nothing but starts.
 std::optional<WalkSection> starts_section(const WalkSweep& sweep);
 
+/// Shakedown, ratcheting and walking as an excitation grows: figure 6.1 of Wetter (2016). Empty
+/// unless the study varies its moment or its force, with the base at rest.
+std::optional<WalkSection> scenarios_section(const WalkSweep& sweep);
+
 /// Friction over each axis of numbers, a curve per combination of the others: figure 4.26 of Wetter
 /// (2016). Empty if there is none, or are too many curves.
 std::optional<WalkSection> curves_section(const WalkSweep& sweep,

@@ -27,7 +27,7 @@ Verdict count_verdict(const WalkSweep& sweep) {
 }
 
 Verdict regime_verdict(const WalkSweep& sweep) {
-    std::size_t n[4] = {}, n_short = 0;
+    std::size_t n[dynamics::all_regimes.size()] = {}, n_short = 0;
     for (const WalkSweep::Point& point : sweep.points) {
         if (!point.outcome) continue;
         const dynamics::WalkResult& result = point.outcome->result;
@@ -35,6 +35,13 @@ Verdict regime_verdict(const WalkSweep& sweep) {
         n_short += result.regime != Regime::tilting && !result.transient_over;
     }
     const auto count = [&](Regime regime) { return n[static_cast<std::size_t>(regime)]; };
+    const std::size_t n_driven =
+        count(Regime::steady) + count(Regime::limit_cycle) + count(Regime::chaotic);
+    if (n_driven == 0)
+        return {Verdict::Standing::finding,
+                fmt::format("{} runs shake down, {} ratchet, {} walk, {} tilt.",
+                            count(Regime::shakedown), count(Regime::ratcheting),
+                            count(Regime::walking), count(Regime::tilting))};
     return {Verdict::Standing::finding,
             fmt::format("{} runs slide steadily, {} walk in a limit cycle, {} are chaotic to their "
                         "end, {} tilt. Of those that do not tilt, {} are too short to tell whether "
@@ -100,6 +107,7 @@ DocumentSection runs_section(const WalkSweep& sweep) {
 std::vector<WalkSection> sections_of(const WalkSweep& sweep) {
     const std::vector<WalkGroup> groups = groups_of(sweep);
     if (groups.empty()) return {};
+    if (auto scenarios = scenarios_section(sweep)) return {*scenarios};
     if (auto starts = starts_section(sweep)) return {*starts};
     if (const auto grid = grid_of(sweep, groups)) return {map_section(sweep, *grid)};
     std::vector<WalkSection> sections;
@@ -136,7 +144,7 @@ std::optional<WalkMap> walk_map_of(const WalkSweep& sweep) {
                 .cells = {},
                 .settings = sweep.settings};
     for (const WalkGroup* cell : grid->cells) {
-        if (!cell) return {};
+        if (!cell || cell->points.front()->outcome->result.drift) return {};
         const WalkOutcome& outcome = *cell->points.front()->outcome;
         map.cells.push_back({outcome.result, outcome.samples});
     }

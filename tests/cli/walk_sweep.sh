@@ -107,7 +107,21 @@ study bad.toml 'machine.kappa5 = [0.5]'
 refused "--vtk: studies of walking machines write no files for ParaView" sweep ../bad.toml --vtk
 refused "is a study of walking machines" fit ../bad.toml
 
-# 6. The studies of the thesis are refused by nothing but their size.
+# 6. A machine on rounded tips shakes down, or ratchets, as it is rocked: its limit is m = 0.5.
+cat >rocking.toml <<END
+case = "$source_dir/cases/walking_rocking.toml"
+[set]
+bed.springs = 24
+time.end = 2513.3
+[vary]
+excitation.moment = [3e-5, 7e-5]
+END
+"$program" sweep rocking.toml --output rocking --quiet >/dev/null || complain "rocking"
+grep -q '^3e-05,shakedown,' rocking/results.csv || complain "0.3 does not shake down"
+grep -q '^7e-05,ratcheting,' rocking/results.csv || complain "0.7 does not ratchet"
+grep -q 'Quasi-static, it shakes down up to' rocking/report.html || complain "no limit in the report"
+
+# 7. The studies of the thesis are refused by nothing but their size.
 for file in "$source_dir"/studies/walking_*.toml; do
     "$program" sweep "$file" --output example --shard 1/100000 --quiet || complain "$file"
     rm -rf example
