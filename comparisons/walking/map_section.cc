@@ -106,7 +106,7 @@ Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const Quantity& 
 
 /// What most of a group's runs came to.
 Regime regime_of(const WalkGroup& group) {
-    int n[4] = {};
+    int n[dynamics::all_regimes.size()] = {};
     for (const auto* point : group.points)
         ++n[static_cast<std::size_t>(point->outcome->result.regime)];
     return static_cast<Regime>(std::max_element(std::begin(n), std::end(n)) - std::begin(n));

@@ -8,6 +8,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/walking/spot_statistics.h"
+#include "dynamics/drift.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -46,9 +47,35 @@ Verdict fall(const WalkReport& report) {
                     as_given(mu), mu > limit ? "above" : "below", significant(limit))};
 }
 
+/// A machine that is excited while its base stands still.
+Verdict excited(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    const dynamics::Machine& machine = report.walk_case.machine;
+    const std::string ways = result.regime == Regime::shakedown    ? "shakes down"
+                             : result.regime == Regime::ratcheting ? "ratchets"
+                                                                   : "walks";
+    std::string text = fmt::format(
+        "Pulled by f = {} of its friction, it {}: its shift per period of the excitation is {} "
+        "U_max, a spot is in the air for {} of the time.",
+        significant(result.mu_e, 3), ways,
+        with_error(result.drift->per_period, result.drift->error),
+        percents(result.drift->airborne));
+    const auto& [moment, force, frequency] = machine.excitation;
+    if (machine.model != dynamics::Machine::Model::two_spot || (moment > 0 && force > 0))
+        return {Standing::finding, text};
+    const dynamics::DriftLimits limits = drift_limits(machine, result.mu_e);
+    text += fmt::format(
+        " The excitation is m = {} of the weight; quasi-static, the machine shakes down up to {} "
+        "and a spot leaves the ground above {}.",
+        as_given(std::max(moment, force) / machine.kappas.kappa4),
+        significant(limits.ratcheting, 3), significant(limits.lift_off, 3));
+    return {Standing::finding, text};
+}
+
 Verdict outcome(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     if (result.regime == Regime::tilting) return fall(report);
+    if (result.drift) return excited(report);
     if (report.walk_case.machine.kappas.kappa5 == 0)
         return {Standing::finding, "Without friction, μ = 0, there is none to reduce."};
     if (!result.transient_over)
@@ -160,7 +187,7 @@ std::vector<Verdict> walk_verdicts(const WalkReport& report,
                                    const std::optional<Vibration>& vibration) {
     const WalkResult& result = report.walk.result;
     std::vector<Verdict> verdicts{outcome(report)};
-    if (result.regime == Regime::tilting) return verdicts;
+    if (result.regime == Regime::tilting || result.drift) return verdicts;
     if (result.regime != Regime::steady && result.transient_over) {
         verdicts.push_back(jump(report));
         if (const auto verdict = walking(report)) verdicts.push_back(*verdict);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_sweep_document.h"
+#include "comparisons/walking/walk_verdicts.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {
@@ -74,6 +76,30 @@ TEST(WalkScenarios, AreKeptInTheStore) {
     WalkOutcome dragged = outcome;
     dragged.result.drift.reset();
     EXPECT_FALSE(read_walk_results(walk_results(dragged)).result.drift);
+}
+
+TEST(WalkScenarios, OfOneRunComeFirstInItsReport) {
+    WalkReport report;
+    dynamics::Machine& machine = report.walk_case.machine;
+    machine = {.kappas = dynamics::set_b(), .bed = dynamics::Bed{.radius = 0.05, .springs = 24}};
+    machine.kappas.kappa1 = 1e-5;
+    machine.kappas.kappa6 = 0;
+    machine.kappas.kappa8 = -1;
+    machine.excitation = {.moment = 0.7 * machine.kappas.kappa4, .frequency = 0.1};
+    report.walk_case.start.base = 0.5 * machine.kappas.kappa5 * machine.kappas.kappa4 /
+                                  machine.kappas.kappa1 / static_displacement(machine);
+    report.walk_case.time = {.step = 0.04, .end = 1000};  // 15 periods
+    report.walk = dynamics::walk(report.walk_case, report_recording);
+    const std::vector<Verdict> verdicts = walk_verdicts(report, {});
+    ASSERT_EQ(verdicts.size(), 1u);
+    EXPECT_TRUE(
+        verdicts[0].sentence.starts_with("Pulled by f = 0.500 of its friction, it ratchets"))
+        << verdicts[0].sentence;
+    EXPECT_NE(verdicts[0].sentence.find("m = 0.7 of the weight; quasi-static, the machine shakes "
+                                        "down up to 0.500"),
+              std::string::npos)
+        << verdicts[0].sentence;
+    EXPECT_FALSE(document_html(walk_document(report)).empty());
 }
 
 }  // namespace
