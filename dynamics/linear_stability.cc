@@ -42,7 +42,7 @@ Eigen::Matrix3d jacobian(const Machine& machine, const Motion& motion) {
     const Row turn(0, 0, 1), pull(-k.kappa1, 0, k.kappa1 * k.kappa8);
     Row x = pull, z = Row::Zero();
     Row moment = -pull * (square * k.kappa8 + phi) - spring_force(machine, motion) * turn;
-    const std::vector<Spot> spots = spots_of(machine);
+    const std::vector<Spot> spots = springs_of(machine);
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Spot& spot = spots[i];
         const auto [normal, tangential] = spot_force(machine, spot, motion.spots[i]);
@@ -74,7 +74,7 @@ std::vector<Eigen::Index> freedoms(const Machine& machine) {
 Eigen::MatrixXd system_matrix(const Machine& machine, const Motion& motion) {
     const Kappas& k = machine.kappas;
     const std::vector<Eigen::Index> free = freedoms(machine);
-    const std::vector<Spot> spots = spots_of(machine);
+    const std::vector<Spot> spots = springs_of(machine);
     std::vector<std::size_t> turning;
     if (machine.model == Machine::Model::prism)
         for (std::size_t i = 0; i < spots.size(); ++i)

@@ -21,7 +21,7 @@ double root(const Function& f, double a, double b) {
 }
 
 Acceleration sliding_acceleration(const Machine& machine, double z, double phi) {
-    return acceleration(machine, spots_of(machine), sliding_motion(machine, z, phi));
+    return acceleration(machine, springs_of(machine), sliding_motion(machine, z, phi));
 }
 
 // Normal forces grow with z: there is one z at which they carry the weight.
@@ -43,7 +43,7 @@ Motion sliding_motion(const Machine& machine, double z, double phi) {
     const double slope = prism ? 1 / std::numbers::sqrt2 : 1;
     const double rest = static_displacement(machine);
     Motion motion{.z = z, .phi = phi, .x_velocity = k.kappa6};
-    const std::vector<Spot> spots = spots_of(machine);
+    const std::vector<Spot> spots = springs_of(machine);
     double friction = 0;
     for (const Spot& spot : spots) {
         const double near = std::max(0., approach(spot, z, phi / k.kappa3));
