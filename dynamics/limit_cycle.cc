@@ -85,7 +85,8 @@ std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
     const double size = std::sqrt(2 * sums.kinetic_energy / static_cast<double>(sums.steps));
     // Where contacts change between two steps, Verlet errs by the order of step^2; measured on the
     // cycles of the map of kappa8 and mu, returns repeat to 2.5 step^2 at worst.
-    const double tolerance = std::max(100 * step * step, 1e-9) * size;
+    // Coarse steps may not make anything look alike: above 0.01 a motion does not repeat.
+    const double tolerance = std::clamp(100 * step * step, 1e-9, 0.01) * size;
     for (std::size_t points = 1; points <= std::min(longest, end.size() / 3); ++points)
         if (repetition(machine, end, points) <= tolerance)
             return mean_cycle(machine, end, static_cast<int>(points), step);

@@ -96,6 +96,13 @@ TEST(WalkRun, SetBWalksOnItsLimitCycle) {
 
 // Wetter (2016), figure 4.19: the spots stick about the turning point, then let go, then the body
 // jumps.
+// Near the stable step, 0.68, set B is chaos of the integration: no step is too coarse to see that.
+TEST(WalkRun, ACoarseStepMakesNoLimitCycle) {
+    WalkCase walk_case = case_of(set_b(), 5000);
+    walk_case.time.step = 0.5;
+    EXPECT_EQ(walk(walk_case).result.regime, Regime::chaotic);
+}
+
 TEST(WalkRun, SetBHasTheFourPhases) {
     ASSERT_TRUE(run_of_set_b().phases.has_value());
     const WalkPhases& phases = *run_of_set_b().phases;
