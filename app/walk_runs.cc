@@ -29,8 +29,8 @@ using Places = std::vector<std::size_t>;
 /// ends after some ten seconds.
 constexpr std::size_t lot_size = 128;
 
-/// For the page that shows histories: some periods.
-constexpr dynamics::Recording recording{.tail = 12, .interval = 0.1};
+/// Enough of the end for the frequency of a chaotic one.
+constexpr dynamics::Recording recording{.tail = 200, .interval = 0.1};
 
 Places missing(const std::vector<WalkPoint>& points, const io::ResultStore& store,
                bool retry_failed) {

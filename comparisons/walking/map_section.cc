@@ -80,7 +80,7 @@ std::vector<Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& grid) {
     Curve tilting{.name = "μ_c: tilts", .x = {}, .y = {}, .theory = true};
     for (std::size_t i = 0; i < grid.x.size(); ++i) {
         if (!grid.cells[i]) continue;
-        const double friction = critical_friction(grid.cells[i]->kappas());
+        const double friction = critical_friction(grid.cells[i]->machine());
         if (friction < grid.y.front() || friction > grid.y.back()) continue;
         tilting.x.push_back(grid.x[i]);
         tilting.y.push_back(friction);
@@ -167,11 +167,12 @@ constexpr double known_friction = 0.05;
 
 Verdict agreement_verdict(const WalkGrid& grid) {
     const TiltingAgreement agreement = tilting_agreement(grid);
-    return {
-        agreement.share() >= enough_agreement ? Verdict::Standing::holds : Verdict::Standing::fails,
-        fmt::format("Machines tilt where μ > μ_c = 1/(κ_3 (1 + κ_8)), and only there, in {} of "
-                    "{} cells ({:.1f} %).",
-                    agreement.n_agreeing, agreement.n_cells, 100 * agreement.share())};
+    const bool holds = agreement.share() >= enough_agreement;
+    return {holds ? Verdict::Standing::holds : Verdict::Standing::finding,
+            fmt::format("Machines tilt where μ > μ_c, so that they cannot slide steadily, and only "
+                        "there, in {} of {} cells ({:.1f} %).{}",
+                        agreement.n_agreeing, agreement.n_cells, 100 * agreement.share(),
+                        holds ? "" : " What vibrates may stay upright above it or fall below.")};
 }
 
 /// Of the machines that do not tilt, how many slide steadily exactly where that is stable.

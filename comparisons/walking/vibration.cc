@@ -31,25 +31,27 @@ void find_instability(const std::vector<double>& forces, Vibration& vibration) {
     if (length >= 2 && length < static_cast<double>(forces.size()))
         vibration.variances = dynamics::running_variance(forces, static_cast<std::size_t>(length));
     vibration.instability = dynamics::share_above(vibration.variances, instability_threshold);
-    const std::vector<double> places = above(vibration.variances);
-    vibration.instability_error =
-        places.size() < 2 ? std::nan("") : dynamics::block_bootstrap_mean(places).error;
 }
 
 }  // namespace
 
-std::optional<Vibration> vibration_of(const WalkReport& report) {
-    if (report.walk.tail.size() < fewest) return std::nullopt;
-    const dynamics::Machine& machine = report.walk_case.machine;
-    const std::vector<double> forces = motion_series(machine, report.walk.tail).force;
+std::optional<Vibration> vibration_of(const dynamics::Machine& machine,
+                                      const dynamics::Walk& walk) {
+    if (walk.tail.size() < fewest) return std::nullopt;
+    const std::vector<double> forces = motion_series(machine, walk.tail).force;
     Vibration vibration;
-    vibration.interval = sampling_interval(report.walk);
+    vibration.interval = sampling_interval(walk);
     vibration.spectrum = dynamics::mean_spectrum(forces, vibration.interval, n_parts);
     vibration.characteristic =
         dynamics::characteristic_frequency(forces, vibration.interval, n_parts);
     vibration.free_flight = dynamics::free_flight_frequency(machine.kappas);
     find_instability(forces, vibration);
     return vibration;
+}
+
+double instability_error(const Vibration& vibration) {
+    const std::vector<double> places = above(vibration.variances);
+    return places.size() < 2 ? std::nan("") : dynamics::block_bootstrap_mean(places).error;
 }
 
 }  // namespace tricontact::comparisons::walking

@@ -3,8 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "comparisons/walking/walk_report.h"
+#include "dynamics/machine.h"
 #include "dynamics/spectrum.h"
+#include "dynamics/walk_record.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -18,13 +19,15 @@ struct Vibration {
     std::vector<double> variances;  ///< one per place of the window; empty if it does not fit
     double interval = 0;            ///< between two places
     double instability = 0;         ///< share of them above the threshold; NaN for none
-    double instability_error = 0;   ///< half width of its 95 % interval
 };
 
 /// Variance above which Wetter (2016), section 4.3.1, takes the motion as unstable.
 inline constexpr double instability_threshold = 0.1;
 
 /// From the recorded end of the run; nothing where that is too short.
-std::optional<Vibration> vibration_of(const WalkReport& report);
+std::optional<Vibration> vibration_of(const dynamics::Machine& machine, const dynamics::Walk& walk);
+
+/// Half width of the 95 % interval of the instability, by block bootstrap; NaN if it has none.
+double instability_error(const Vibration& vibration);
 
 }  // namespace tricontact::comparisons::walking

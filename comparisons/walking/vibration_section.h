@@ -2,6 +2,7 @@
 
 #include "comparisons/document.h"
 #include "comparisons/walking/vibration.h"
+#include "comparisons/walking/walk_report.h"
 
 namespace tricontact::comparisons::walking {
 

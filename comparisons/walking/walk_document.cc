@@ -15,7 +15,7 @@
 namespace tricontact::comparisons::walking {
 
 Document walk_document(const WalkReport& report) {
-    const auto vibration = vibration_of(report);
+    const auto vibration = vibration_of(report.walk_case.machine, report.walk);
     Document document{
         .kind = "Micro-walking machine",
         .title =

@@ -125,8 +125,9 @@ TiltingAgreement tilting_agreement(const WalkGrid& grid) {
     for (const WalkGroup* cell : grid.cells) {
         if (!cell) continue;
         ++agreement.n_cells;
-        const dynamics::Kappas& kappas = cell->kappas();
-        agreement.n_agreeing += cell->tilts() == (kappas.kappa5 > critical_friction(kappas));
+        const dynamics::Machine& machine = cell->machine();
+        agreement.n_agreeing +=
+            cell->tilts() == (machine.kappas.kappa5 > critical_friction(machine));
     }
     return agreement;
 }

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "comparisons/json_number.h"
+#include "comparisons/walking/vibration.h"
 #include "dynamics/energy.h"
 #include "dynamics/forces.h"
 #include "dynamics/machine.h"
@@ -42,11 +45,24 @@ double largest_phi(const dynamics::Walk& walk) {
     return largest;
 }
 
+WalkOutcome::Vibration vibration(const dynamics::Machine& machine, const dynamics::Walk& walk) {
+    if (walk.result.tilting_time) return {undefined, undefined, undefined};
+    if (walk.result.regime == Regime::steady) return {undefined, undefined, 0};
+    const auto found = vibration_of(machine, walk);
+    if (!found) return {undefined, undefined, undefined};
+    return {found->characteristic.frequency, found->characteristic.error, found->instability};
+}
+
+// What the page of a map shows of each machine: some swings.
+constexpr double sampled_time = 12;
+
 MotionSamples samples_of(const dynamics::Machine& machine, const dynamics::Walk& walk) {
     MotionSamples samples;
     if (walk.tail.size() < 2 || walk.result.tilting_time) return samples;
     samples.interval = walk.tail[1].motion.time - walk.tail[0].motion.time;
-    for (const dynamics::Snapshot& snapshot : walk.tail) {
+    const auto n = static_cast<std::size_t>(std::lround(sampled_time / samples.interval)) + 1;
+    for (const dynamics::Snapshot& snapshot :
+         std::span(walk.tail).last(std::min(n, walk.tail.size()))) {
         const dynamics::Motion& motion = snapshot.motion;
         samples.displacement.push_back(static_cast<float>(motion.x - motion.base));
         samples.z.push_back(static_cast<float>(motion.z));
@@ -81,6 +97,9 @@ constexpr Number numbers_of_result[] = {
      [](WalkOutcome& o) -> double& { return o.second_half.z_min_ratio; }},
     {"z_max_ratio_second_half",
      [](WalkOutcome& o) -> double& { return o.second_half.z_max_ratio; }},
+    {"frequency", [](WalkOutcome& o) -> double& { return o.vibration.frequency; }},
+    {"frequency_error", [](WalkOutcome& o) -> double& { return o.vibration.frequency_error; }},
+    {"instability", [](WalkOutcome& o) -> double& { return o.vibration.instability; }},
     {"largest_phi", [](WalkOutcome& o) -> double& { return o.largest_phi; }},
     {"initial_energy", [](WalkOutcome& o) -> double& { return o.initial_energy; }},
 };
@@ -136,6 +155,7 @@ double initial_energy(const dynamics::Machine& machine, const dynamics::Start& s
 WalkOutcome outcome_of(const dynamics::WalkCase& walk_case, const dynamics::Walk& walk) {
     return {.result = walk.result,
             .second_half = second_half(walk_case.machine, walk),
+            .vibration = vibration(walk_case.machine, walk),
             .largest_phi = largest_phi(walk),
             .initial_energy = initial_energy(walk_case.machine, walk_case.start),
             .samples = samples_of(walk_case.machine, walk)};

@@ -19,8 +19,17 @@ struct WalkOutcome {
         double mu_e = 0, z_min_ratio = 0, z_max_ratio = 0;
     };
 
+    /// Of the spring force at the end of the run: figures 4.22, 4.25 and 5.27 of Wetter (2016). A
+    /// steady run has no frequency and is not unstable, though its spring may swing on undamped.
+    struct Vibration {
+        double frequency = 0;        ///< characteristic, in cycles per sqrt(m/k_x)
+        double frequency_error = 0;  ///< half width of its 95 % interval
+        double instability = 0;      ///< share of time of instability, by running variance
+    };
+
     dynamics::WalkResult result;
     SecondHalf second_half = {};
+    Vibration vibration = {};
     double largest_phi = 0;     ///< max |phi| of the whole run
     double initial_energy = 0;  ///< mechanical, over kappa4 z_stat: see initial_energy()
     MotionSamples samples = {};

@@ -33,8 +33,9 @@ std::optional<WalkSection> starts_section(const WalkSweep& sweep);
 /// unless the study varies its moment or its force, with the base at rest.
 std::optional<WalkSection> scenarios_section(const WalkSweep& sweep);
 
-/// Friction over each axis of numbers, a curve per combination of the others: figure 4.26 of Wetter
-/// (2016). Empty if there is none, or are too many curves.
+/// Friction, frequency, instability and the growth of disturbances over each axis of numbers, a
+/// curve per combination of the others: figures 4.22, 4.25, 4.26 and 5.27 of Wetter (2016). Empty
+/// if there is none, or are too many curves.
 std::optional<WalkSection> curves_section(const WalkSweep& sweep,
                                           const std::vector<WalkGroup>& groups);
 

@@ -31,7 +31,8 @@ struct WalkGroup {
     std::vector<Cell> values;  ///< of machine_axes
     std::vector<const WalkSweep::Point*> points;
 
-    const dynamics::Kappas& kappas() const { return points.front()->machine.kappas; }
+    const dynamics::Machine& machine() const { return points.front()->machine; }
+    const dynamics::Kappas& kappas() const { return machine().kappas; }
     std::size_t n_tilted() const;
     /// Whether at least half of the computed ones tilt.
     bool tilts() const;

@@ -177,7 +177,7 @@ Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
         text += fmt::format(
             " Unstable, variance above {}: {} % of the recorded end.",
             as_given(instability_threshold),
-            with_error(100 * vibration.instability, 100 * vibration.instability_error, 3));
+            with_error(100 * vibration.instability, 100 * instability_error(vibration), 3));
     return {Standing::finding, text};
 }
 

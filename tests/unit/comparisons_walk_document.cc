@@ -169,7 +169,7 @@ TEST(WalkDocument, ForcesOfTheSpotsBalanceTheWeight) {
 }
 
 TEST(WalkDocument, FindsTheLimitCyclesFrequencyInTheSpectrum) {
-    const auto vibration = vibration_of(walking_set_b());
+    const auto vibration = vibration_of(walking_set_b().walk_case.machine, walking_set_b().walk);
     ASSERT_TRUE(vibration);
     const double frequency = 1 / *walking_set_b().walk.result.period;
     EXPECT_NEAR(vibration->characteristic.frequency / frequency, 1, 1e-4);

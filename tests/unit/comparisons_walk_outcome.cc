@@ -65,6 +65,23 @@ TEST(WalkOutcome, SecondHalfIsThatOfTheWindows) {
     EXPECT_NEAR(outcome.samples.interval, 0.1, 1e-9);
 }
 
+// The spring force repeats with the limit cycle, and its running variance is far above 0.1; steady
+// sliding leaves the spring swinging (linearly neutral), which is no instability.
+TEST(WalkOutcome, VibrationOfALimitCycleAndOfSteadySliding) {
+    dynamics::WalkCase walk_case = set_b_case(1500);
+    const dynamics::Recording recording{.tail = 200, .interval = 0.1};
+    const WalkOutcome walking = outcome_of(walk_case, dynamics::walk(walk_case, recording));
+    ASSERT_EQ(walking.result.regime, Regime::limit_cycle);
+    EXPECT_NEAR(walking.vibration.frequency * *walking.result.period, 1, 1e-3);
+    EXPECT_EQ(walking.vibration.instability, 1);
+    EXPECT_EQ(walking.samples.z.size(), 121u);  // 12 units of time for the page of a map
+    walk_case.machine.kappas = dynamics::set_a();
+    const WalkOutcome sliding = outcome_of(walk_case, dynamics::walk(walk_case, recording));
+    EXPECT_EQ(sliding.result.regime, Regime::steady);
+    EXPECT_TRUE(std::isnan(sliding.vibration.frequency));
+    EXPECT_EQ(sliding.vibration.instability, 0);
+}
+
 TEST(WalkOutcome, ReadsBackWhatItWrites) {
     WalkOutcome outcome;
     outcome.result.regime = Regime::limit_cycle;
@@ -73,6 +90,7 @@ TEST(WalkOutcome, ReadsBackWhatItWrites) {
     outcome.result.period = 4.293;
     outcome.result.spots = {{0.4265, -0.759}, {0.4931, -0.727}};
     outcome.result.transient_over = true;
+    outcome.vibration.frequency = 0.2329;
     outcome.largest_phi = 3.32e-5;
     outcome.samples = {.interval = 0.1,
                        .displacement = {1, 2},
@@ -90,6 +108,7 @@ TEST(WalkOutcome, ReadsBackWhatItWrites) {
     EXPECT_EQ(read.result.period, 4.293);
     EXPECT_FALSE(read.result.tilting_time);
     EXPECT_EQ(read.result.spots[1].stick_time, 0.4931);
+    EXPECT_EQ(read.vibration.frequency, 0.2329);
     EXPECT_EQ(read.samples.displacement, outcome.samples.displacement);
     EXPECT_NEAR(read.samples.spring_force[1], 8.1235, 1e-6);  // five digits
     EXPECT_EQ(walk_results(read), written);
