@@ -13,6 +13,28 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
+# refused EXPECTED ARGUMENTS...: exit code 2, an error of one line that holds EXPECTED, nothing written.
+refused() {
+    local expected=$1 message code
+    shift
+    mkdir empty
+    message=$(cd empty && "$program" "$@" 2>&1)
+    code=$?
+    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
+    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
+        complain "$*: expected $expected, got $message"
+    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
+    rm -rf empty
+}
+
+# rows FOLDER: how many points the table of a sweep has.
+rows() { echo $(($(wc -l <"$1/results.csv") - 1)); }
+# column NAME FILE: its values.
+column() {
+    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; next }
+        { print $k }' "$2"
+}
+
 # The last line of a test: how often it complained, as text and exit code.
 finish() {
     printf '%d failures\n' "$failures"

@@ -21,12 +21,6 @@ bem.cells_per_radius = 6
 EOF
     printf '%s\n' "$@" >>"$file"
 }
-rows() { echo $(($(wc -l <"$1/results.csv") - 1)); }
-# column NAME FILE: its values.
-column() {
-    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; next }
-        { print $k }' "$2"
-}
 
 # 1. All combinations in their order; the numbers of `run`.
 study a.toml 'load.tangential_ratio = [0.1, 0.3]' \
@@ -122,19 +116,6 @@ message=$("$program" sweep failing.toml --output failing --quiet 2>&1)
 [ "$(tail -n 1 failing/results.csv | grep -c 'reaches the friction limit')" -eq 1 ] || complain "no error in the table"
 grep -q '2 of 4 points failed' failing/report.html || complain "failures in the report"
 
-# refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
-refused() {
-    local expected=$1 message code
-    shift
-    mkdir empty
-    message=$(cd empty && "$program" "$@" 2>&1)
-    code=$?
-    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
-    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
-        complain "$*: expected $expected, got $message"
-    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
-    rm -rf empty
-}
 study bad.toml 'rolling.amplitude_ratio = [0.1]' 'load.tangential_force = ["1 N", "4000 N"]'
 refused "bad.toml: point rolling.amplitude_ratio = 0.1, load.tangential_force_N = 4000, mdr, level 0: ../bad.toml:10" \
     sweep ../bad.toml

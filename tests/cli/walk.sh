@@ -107,19 +107,6 @@ near tips stick_time_2 0.5 0.5
     --set output.frames=0 || complain "b again"
 [ -e b/report.html ] || [ -e b/animation/machine.pvd ] && complain "files of the run before"
 
-# refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
-refused() {
-    local expected=$1 message code
-    shift
-    mkdir empty
-    message=$(cd empty && "$program" "$@" 2>&1)
-    code=$?
-    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
-    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
-        complain "$*: expected $expected, got $message"
-    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
-    rm -rf empty
-}
 refused "tricontact run computes this case" walk "$cases/rig_sphere_parallel.toml"
 refused "tricontact walk computes it" run "$cases/walking_set_b.toml"
 refused "exceeds the stable limit 0.6828" walk "$cases/walking_set_b.toml" --set time.step=0.7

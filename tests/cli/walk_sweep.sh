@@ -17,12 +17,6 @@ time.end = 60
 EOF
     printf '%s\n' "$@" >>"$file"
 }
-rows() { echo $(($(wc -l <"$1/results.csv") - 1)); }
-# column NAME FILE: its values.
-column() {
-    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) k = i; next }
-        { print $k }' "$2"
-}
 
 # 1. A map of more machines than a lot holds; its reports.
 study map.toml 'machine.kappa8 = {from = 0, to = 2, points = 17}' \
@@ -80,19 +74,6 @@ study starts.toml 'start.x = [-1, 0, 1]' 'start.phi_velocity = [-1, 0, 1]'
 "$program" sweep starts.toml --output starts --quiet || complain "starts"
 grep -q 'id="figure_effects_on_kinetic_energy"' starts/report.html || complain "no energies"
 
-# refused EXPECTED ARGUMENTS...: exit code 2, one line, nothing written.
-refused() {
-    local expected=$1 message code
-    shift
-    mkdir empty
-    message=$(cd empty && "$program" "$@" 2>&1)
-    code=$?
-    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
-    [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
-        complain "$*: expected $expected, got $message"
-    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
-    rm -rf empty
-}
 study bad.toml 'machine.kappa5 = [0.5, -0.1]'
 refused "../bad.toml:5:18: machine.kappa5 = -0.1: must be" sweep ../bad.toml
 study bad.toml 'machine.kapa5 = [0.5]'
