@@ -1,6 +1,7 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -24,7 +25,10 @@ constexpr int exit_bad_input = 2;
 bool told_by_another = false;  // errors, by the first of processes that work together
 
 int fail(int code, const char* message) {
-    if (!told_by_another) std::fprintf(stderr, "error: %s\n", message);
+    if (told_by_another)  // mpirun ends all as soon as one has failed: it has time to tell
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+    else
+        std::fprintf(stderr, "error: %s\n", message);
     return code;
 }
 
