@@ -29,8 +29,12 @@ using Places = std::vector<std::size_t>;
 /// ends after some ten seconds.
 constexpr std::size_t lot_size = 128;
 
-/// Enough of the end for the frequency of a chaotic one.
-constexpr dynamics::Recording recording{.tail = 200, .interval = 0.1};
+/// Enough of the end for the frequency of a chaotic one; of short runs, of which it would be the
+/// greater part of the time of computing, just what pages show.
+dynamics::Recording recording_of(const dynamics::WalkCase& walk_case) {
+    constexpr double long_run = 10000;
+    return {.tail = walk_case.time.end >= long_run ? 200. : 12., .interval = 0.1};
+}
 
 Places missing(const std::vector<WalkPoint>& points, const io::ResultStore& store,
                bool retry_failed) {
@@ -64,6 +68,7 @@ std::vector<Places> lots_of(const std::vector<WalkPoint>& points, const Places& 
 }
 
 std::vector<dynamics::Walk> walks_of(std::span<const dynamics::WalkCase> cases) {
+    const dynamics::Recording recording = recording_of(cases.front());
     if (dynamics::fits_lane(cases.front().machine)) return dynamics::walk_batch(cases, recording);
     return {dynamics::walk(cases.front(), recording)};
 }
