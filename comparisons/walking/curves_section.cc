@@ -142,8 +142,9 @@ std::optional<WalkSection> curves_section(const WalkSweep& sweep,
         if (!is_number(groups, over)) continue;
         for (const Quantity& quantity : quantities) {
             const Figure figure = figure_over(sweep, axes, over, groups, quantity);
-            if (figure.curves.size() <= most_curves && figure.curves.front().x.size() > 1)
-                result.section.figures.push_back(figure);
+            if (figure.curves.size() > most_curves || figure.curves.front().x.size() < 2)
+                break;  // the others have as many curves
+            result.section.figures.push_back(figure);
         }
     }
     if (result.section.figures.empty()) return {};

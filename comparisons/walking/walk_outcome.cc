@@ -30,8 +30,7 @@ WalkOutcome::SecondHalf second_half(const dynamics::Machine& machine, const dyna
     dynamics::StretchSums sums;
     for (std::size_t i = walk.windows.size() / 2; i < walk.windows.size(); ++i)
         sums.add(walk.windows[i].sums);
-    const double sliding =
-        dynamics::normal_load_factor(machine) * machine.kappas.kappa5 * machine.kappas.kappa4;
+    const double sliding = dynamics::sliding_force(machine);
     const double rest = dynamics::static_displacement(machine);
     return {sums.spring_force / static_cast<double>(sums.steps) / sliding, sums.z_min / rest,
             sums.z_max / rest};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <complex>
 #include <numbers>
 
 #include "dynamics/linear_stability.h"
@@ -11,8 +12,19 @@
 namespace tricontact::dynamics {
 namespace {
 
-// Steady sliding that flutters: disturbances grow as its leading eigenvalue says. Over half turns
-// of that mode the distance grows by the rate alone, whatever the form of its orbit.
+/// Exponent of small disturbances of steady sliding over half turns of its leading mode: the
+/// distance then grows by the rate alone, whatever the form of the orbit.
+Mean exponent_of(const Machine& machine, const Motion& steady, std::complex<double> leading,
+                 int half_turns_before, int half_turns) {
+    const double half_turn = std::numbers::pi / leading.imag();
+    return lyapunov_exponent(machine, steady,
+                             {.step = half_turn / 1000,
+                              .interval = half_turn,
+                              .alignment = half_turns_before * half_turn,
+                              .duration = half_turns * half_turn});
+}
+
+// Steady sliding that flutters: disturbances grow as its leading eigenvalue says.
 TEST(Lyapunov, IsTheGrowthRateOfAFlutteringMachine) {
     Machine machine{
         .kappas = set_b(), .model = Machine::Model::spots, .spots = {{-0.7, 0, 1}, {1.3, 0, 0.9}}};
@@ -20,12 +32,7 @@ TEST(Lyapunov, IsTheGrowthRateOfAFlutteringMachine) {
     const auto steady = steady_sliding(machine);
     ASSERT_TRUE(steady);
     const std::complex<double> leading = leading_eigenvalue(machine, *steady);
-    const double half_turn = std::numbers::pi / leading.imag();
-    const Mean found = lyapunov_exponent(machine, *steady,
-                                         {.step = half_turn / 1000,
-                                          .interval = half_turn,
-                                          .alignment = 30 * half_turn,
-                                          .duration = 10 * half_turn});
+    const Mean found = exponent_of(machine, *steady, leading, 30, 10);
     EXPECT_NEAR(found.value / leading.real(), 1, 0.01);
 }
 
@@ -36,12 +43,7 @@ TEST(Lyapunov, IsTheDecayRateOfStableSliding) {
     const auto steady = steady_sliding(machine);
     ASSERT_TRUE(steady);
     const std::complex<double> leading = leading_eigenvalue(machine, *steady);
-    const double half_turn = std::numbers::pi / leading.imag();
-    const Mean found = lyapunov_exponent(machine, *steady,
-                                         {.step = half_turn / 1000,
-                                          .interval = half_turn,
-                                          .alignment = 60 * half_turn,
-                                          .duration = 10 * half_turn});
+    const Mean found = exponent_of(machine, *steady, leading, 60, 10);
     EXPECT_NEAR(found.value / leading.real(), 1, 0.01);
 }
 
@@ -61,12 +63,7 @@ TEST(Lyapunov, ChangesItsSignWhereTheRigBeginsToFlutter) {
         const auto faster_sliding = steady_sliding(faster);
         ASSERT_TRUE(faster_sliding);
         EXPECT_EQ(leading_eigenvalue(faster, *faster_sliding).real() > 0, kappa8 > -0.825);
-        const double half_turn = std::numbers::pi / leading.imag();
-        const Mean found = lyapunov_exponent(rig, *steady,
-                                             {.step = half_turn / 1000,
-                                              .interval = half_turn,
-                                              .alignment = 300 * half_turn,
-                                              .duration = 20 * half_turn});
+        const Mean found = exponent_of(rig, *steady, leading, 300, 20);
         EXPECT_NEAR(found.value / leading.real(), 1, 0.02);
     }
 }
