@@ -19,7 +19,7 @@ namespace tricontact::app {
 namespace {
 
 std::string derived_values(const contact::Case& c) {
-    const contact::HertzScales hertz = hertz_scales(c);
+    const contact::HalfSpaceScales hertz = half_space_scales(c);
     const contact::MaterialPair materials = c.materials();
     std::string text = "# What follows from it (Hertz; Cattaneo and Mindlin)\n";
     auto line = [&](const char* name, double value, const char* unit, const char* meaning) {

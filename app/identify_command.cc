@@ -181,7 +181,7 @@ IdentificationStudy study_of(const io::IdentificationInput& input, const Identif
     if (input.rig.layer.thickness) {
         const contact::Case rig = rig_with(input, reference_model(study).found.best);
         study.thickness_ratio =
-            *rig.layer.thickness / (2 * contact::hertz_scales(rig).contact_radius);
+            *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
     }
     return study;
 }

@@ -34,7 +34,7 @@ void press(contact::Model& model, const Case& c) {
 }
 
 std::vector<double> half_space_shifts(const Case& rig, const std::vector<double>& forces) {
-    const contact::HertzScales hertz = contact::hertz_scales(rig);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(rig);
     const double limit = rig.friction_coefficient * hertz.normal_force;
     std::vector<double> shifts;
     for (const double force : forces)  // rounding may make the largest one reach the limit
@@ -76,13 +76,13 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
 }
 
 Pressed half_space_press(const Case& rig, const NormalControl& control) {
-    const contact::HertzScales hertz = contact::hertz_scales(pressed(rig, control));
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(pressed(rig, control));
     return {hertz.normal_force, hertz.contact_radius};
 }
 
 Pressed exact_press(const Case& rig, const NormalControl& control) {
-    const auto layer =
-        theory::solve_layer_contact(comparisons::elastic_layer(rig), *rig.make_indenter(), control);
+    const auto layer = theory::solve_layer_contact(comparisons::elastic_layer(rig),
+                                                   *rig.make_axisymmetric_indenter(), control);
     return {layer.normal_force, layer.contact_radius};
 }
 

@@ -47,8 +47,9 @@ Block block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) 
 
 double start_size(const Case& c, const RefineOptions& options, const Say& say) {
     if (options.model == "bem")
-        return c.bem.spacing ? *c.bem.spacing
-                             : contact::hertz_scales(c).contact_radius / *c.bem.cells_per_radius;
+        return c.bem.spacing
+                   ? *c.bem.spacing
+                   : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
     if (c.fem.mesh)
         throw contact::InputError(
             fmt::format("{}: fem.mesh = {}: a mesh from a file cannot be refined; give fem.size or "

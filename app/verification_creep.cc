@@ -43,7 +43,8 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
     const Case base = rubber();
     // d^(3/2) follows the creep function 1 - g/(1+g) exp(-t/((1+g) tau)).
     const double crept = 1 - ratio / (1 + ratio) * std::exp(-time / ((1 + ratio) * relaxes_in));
-    const double exact = contact::hertz_scales(base).indentation * std::pow(crept, 2. / 3) * 1e3;
+    const double exact =
+        contact::half_space_scales(base).indentation * std::pow(crept, 2. / 3) * 1e3;
     const int steps = brief ? 3 : 8, coarser = brief ? 8 : 1;
     for (const char* const model : {"mdr", "bem"}) {
         comparisons::VerificationRow row{.problem = "Creep under F_N",

@@ -40,7 +40,7 @@ struct HalfSpaceTolerances {
 
 void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, Verification& all) {
     const Case c = rolling_case(amplitude, force);
-    const contact::HertzScales hertz = contact::hertz_scales(c);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.22 to 4.24 (Hertz)";
     Rows rows(levels, all);
     rows.add("Hertz", "a, mm", johnson, hertz.contact_radius * 1e3, allowed.radius, radius_mm);
@@ -87,7 +87,7 @@ void add_cycle(const std::string& model, const SetLevel& set_level, const Size& 
     const double exact =
         theory::cycle_dissipation({base.friction_coefficient, *base.load.normal_force,
                                    base.materials().effective_shear_modulus(),
-                                   contact::hertz_scales(base).contact_radius, f});
+                                   contact::half_space_scales(base).contact_radius, f});
     comparisons::VerificationRow row{
         .problem = "Oscillating F_T",
         .quantity = "work dissipated in a cycle, mJ, f_T = 0.6",

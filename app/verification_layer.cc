@@ -59,7 +59,8 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
     add_pressed(levels, allowed, all);
     const Case c = layer_case();
     const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
-    const double amplitude = *c.rolling->amplitude_ratio * contact::hertz_scales(c).contact_radius;
+    const double amplitude =
+        *c.rolling->amplitude_ratio * contact::half_space_scales(c).contact_radius;
     Rows(levels, all)
         .add("Layer b = 1.8 a, limit of shakedown", "f_T,lim", "line load of that equation",
              theory::shakedown_limit(exact, amplitude / exact.contact_radius), allowed.limit,
@@ -84,7 +85,7 @@ void verify_fem_layer(const Say& say, Verification& all) {
     Case base = layer_case();
     base.rolling.reset();
     base.fem.cache = "none";
-    const double hertz_radius = contact::hertz_scales(base).contact_radius;
+    const double hertz_radius = contact::half_space_scales(base).contact_radius;
     const Levels levels = run_levels(
         "fem", base, [](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
         [&](const Case& c) { return *c.fem.size / hertz_radius; }, say);
@@ -105,7 +106,7 @@ void verify_fem(const Say& say, Verification& all) {
 
 void verify_layer(bool brief, const Say& say, Verification& all) {
     verify_mdr_layer(say, all);
-    const double hertz_radius = contact::hertz_scales(layer_case()).contact_radius;
+    const double hertz_radius = contact::half_space_scales(layer_case()).contact_radius;
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
     const auto set_spacing = [&](Case& c, int factor) {
         c.bem.spacing = hertz_radius / (cells * factor);

@@ -28,7 +28,7 @@ Case rig_case(double f) {
 }
 
 double cell_size(const Case& c) {
-    return *c.bem.spacing / contact::hertz_scales(c).contact_radius;
+    return *c.bem.spacing / contact::half_space_scales(c).contact_radius;
 }
 
 void verify_half_space_shifts(const Say& say, Verification& all) {

@@ -102,7 +102,7 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
                                         const MakeCompliance& make) {
-    const contact::HertzScales hertz = hertz_scales(c);
+    const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2): the root covers both controls.
     const double radius = hertz.contact_radius * std::sqrt(hardest_factor(c));
     for (double margin = first_margin;; margin *= enlargement) {
@@ -165,7 +165,7 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body) {
-    const double spacing = spacing_of(c, hertz_scales(c).contact_radius);
+    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body));
     if (body == Body::half_space)
         throw contact::InputError(
@@ -179,14 +179,14 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
-    const double spacing = spacing_of(c, hertz_scales(c).contact_radius);
+    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     return fitting(c, spacing, single_cells(c, n_threads, body))->influence();
 }
 
 void check_influence_file(const contact::Case& c) {
     if (c.bem.influence)
         check_spacing(read_influence(*c.bem.influence), *c.bem.influence,
-                      spacing_of(c, hertz_scales(c).contact_radius));
+                      spacing_of(c, half_space_scales(c).contact_radius));
 }
 
 }  // namespace tricontact::bem

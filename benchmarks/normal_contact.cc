@@ -14,7 +14,7 @@ namespace {
 
 contact::ContactPoints grid_of(int n) {
     // 0.9 of the grid's width is in contact.
-    const double spacing = 2 * hertz_scales(rig(0, 0)).contact_radius / (0.9 * n);
+    const double spacing = 2 * half_space_scales(rig(0, 0)).contact_radius / (0.9 * n);
     return contact::ContactPoints::grid(n, n, {-(n - 1) * spacing / 2, -(n - 1) * spacing / 2},
                                         {spacing, spacing});
 }

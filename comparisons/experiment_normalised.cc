@@ -14,7 +14,7 @@ using theory::Uncertain;
 double tangential_ratio(const Case& c) {
     if (c.load.tangential_ratio) return *c.load.tangential_ratio;
     return *c.load.tangential_force /
-           (c.friction_coefficient * contact::hertz_scales(c).normal_force);
+           (c.friction_coefficient * contact::half_space_scales(c).normal_force);
 }
 
 Uncertain uncertain(const Estimate& e) {
@@ -60,17 +60,18 @@ void normalise(ExperimentEvaluation& e, const Case& c,
                const std::vector<CaseQuantity>& quantities) {
     const Propagation propagated(c, quantities);
     const auto over_unit = [](const Case& k, double shift) {
-        return shift / contact::hertz_scales(k).unit_shift;
+        return shift / contact::half_space_scales(k).unit_shift;
     };
     const auto over_radius = [](const Case& k, double amplitude) {
-        return amplitude / contact::hertz_scales(k).contact_radius;
+        return amplitude / contact::half_space_scales(k).contact_radius;
     };
     const bool limit = e.limit_amplitude.has_value();
     NormalisedResults r;
     r.tangential_ratio = propagated(tangential_ratio);
     r.amplitude_ratio = propagated(over_radius, limit ? uncertain(e.limit_amplitude->at_confidence)
                                                       : Uncertain{e.amplitude, 0});
-    r.unit_shift = propagated([](const Case& k) { return contact::hertz_scales(k).unit_shift; });
+    r.unit_shift =
+        propagated([](const Case& k) { return contact::half_space_scales(k).unit_shift; });
     r.static_ratio = propagated(over_unit, uncertain(e.static_shift.at_confidence));
     Estimate last = e.final_shift.at_confidence;
     if (limit) last = e.limit_shift->at_confidence;

@@ -110,7 +110,7 @@ DeviationContact deviation_contact(const Case& c) {
     if (!layer->exact) refuse(layer->why_not);
     const double modulus = c.substrate.young / (1 - c.substrate.poisson * c.substrate.poisson);
     DeviationContact contact{
-        .indenter = c.make_indenter(),
+        .indenter = c.make_axisymmetric_indenter(),
         .normal_force = c.load.normal_force.value_or(layer->exact->normal_force),
         .effective_modulus = modulus};
     contact.hertz_diameter =
@@ -125,7 +125,7 @@ DeviationContact deviation_contact(const Case& c) {
         const bool model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
         contact.amplitude_ratio =
             rolling_amplitude(*c.rolling,
-                              model ? radius : contact::hertz_scales(c).contact_radius) /
+                              model ? radius : contact::half_space_scales(c).contact_radius) /
             radius;
     }
     if (contact.amplitude_ratio >= 1)

@@ -22,7 +22,7 @@ using contact::NormalControl;
 constexpr double negligible_compliance = 1e-3;
 
 theory::LayerContact solve(const Case& c) {
-    return theory::solve_layer_contact(elastic_layer(c), *c.make_indenter(),
+    return theory::solve_layer_contact(elastic_layer(c), *c.make_axisymmetric_indenter(),
                                        contact::press_step(c).normal);
 }
 
@@ -120,7 +120,7 @@ const std::vector<PressedQuantity>& pressed_quantities() {
 }
 
 PressedValues hertz_values(const Case& c) {
-    const contact::HertzScales h = contact::hertz_scales(c);
+    const contact::HalfSpaceScales h = contact::half_space_scales(c);
     return {h.contact_radius, h.indentation,
             h.normal_force,   h.peak_pressure,
             h.unit_shift,     2 * c.materials().effective_modulus() * h.contact_radius};

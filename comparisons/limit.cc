@@ -40,7 +40,7 @@ std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
     const double reference_radius =
         c.rolling->amplitude_reference == Case::AmplitudeReference::model
             ? radius
-            : contact::hertz_scales(c).contact_radius;
+            : contact::half_space_scales(c).contact_radius;
     if (variable == LimitVariable::load) {
         const double w = contact::rolling_amplitude(*c.rolling, reference_radius) / radius;
         return in_unit_range(w) ? std::optional(theory::shakedown_limit(*exact, w)) : std::nullopt;

@@ -132,8 +132,8 @@ class Search {
                 "{}: rolling by {:.4g} mm leaves no point in contact all the time: no load shakes "
                 "down; lower rolling.amplitude or rolling.amplitude_ratio",
                 found_.model,
-                1e3 * contact::rolling_amplitude(*case_.rolling,
-                                                 contact::hertz_scales(case_).contact_radius)));
+                1e3 * contact::rolling_amplitude(
+                          *case_.rolling, contact::half_space_scales(case_).contact_radius)));
         }
         const double least = 0.1 * tolerance_;
         std::uintmax_t evaluations = 60;

@@ -23,7 +23,7 @@ double amplitude_ratio(const contact::History& history) {
 
 Reference reference(const contact::Case& c) {
     Reference r;
-    r.hertz = contact::hertz_scales(c);
+    r.hertz = contact::half_space_scales(c);
     const double friction_limit = c.friction_coefficient * r.hertz.normal_force;
     r.tangential_ratio = c.load.tangential_ratio
                              ? *c.load.tangential_ratio

@@ -21,7 +21,7 @@ double amplitude_ratio(const contact::History& history);
 /// What the closed forms say of a case: Hertz, Cattaneo-Mindlin, and the exact solution of the
 /// method of dimensionality reduction (MDR) for oscillating rolling. Ratios are dimensionless.
 struct Reference {
-    contact::HertzScales hertz{};
+    contact::HalfSpaceScales hertz{};
     double tangential_ratio = 0;    ///< f_T
     double amplitude_ratio = 0;     ///< w over the Hertz radius
     double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range

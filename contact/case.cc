@@ -5,11 +5,6 @@
 
 namespace tricontact::contact {
 
-std::unique_ptr<AxisymmetricIndenter> Case::make_indenter() const {
-    if (indenter.shape == Shape::sphere) return std::make_unique<Sphere>(indenter.radius);
-    return std::make_unique<Paraboloid>(indenter.radius);
-}
-
 double Case::Layer::total_thickness() const {
     double sum = *thickness;
     for (const Lower& one : lower) sum += one.thickness;
@@ -17,7 +12,7 @@ double Case::Layer::total_thickness() const {
 }
 
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
-HertzScales hertz_scales(const Case& c) {
+HalfSpaceScales half_space_scales(const Case& c) {
     const MaterialPair materials = c.materials();
     const double e_star = materials.effective_modulus();
     const double radius = c.indenter.radius;

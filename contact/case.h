@@ -9,13 +9,26 @@
 #include "contact/indenter.h"
 #include "contact/material.h"
 #include "contact/relaxation.h"
+#include "contact/roughness.h"
 
 namespace tricontact::contact {
 
 /// What a case file says, in SI units, as the user said it: where a quantity may be given as a
 /// value or as a ratio, exactly one of the two is set.
 struct Case {
-    enum class Shape { paraboloid, sphere };
+    enum class Shape {
+        paraboloid,
+        sphere,
+        cylinder,
+        roller,
+        cone,
+        power_law,
+        rounded_punch,
+        ellipsoid,
+        profile,
+        flat,
+        height_map
+    };
     enum class AmplitudeReference { hertz, model };
     enum class Steps { increment, per_quarter, turning_points };
     enum class VtkOutput { none, quarters, all };
@@ -25,10 +38,19 @@ struct Case {
     enum class Press { friction, frictionless };
     enum class Kinematics { linear, deformed };
 
+    /// Lengths that a shape has not are 0.
     struct IndenterData {
         Shape shape = Shape::paraboloid;
-        double radius = 0;                 ///< R [m]
-        std::optional<Material> material;  ///< empty: rigid
+        double radius = 0;                ///< R of curvature [m]; of an ellipsoid in the x-z plane
+        double radius_y = 0;              ///< of an ellipsoid in the y-z plane [m]
+        double length = 0;                ///< L along y of cylinder and roller [m]
+        double chamfer = 0;               ///< radius of the rounded ends of a roller [m]; 0: sharp
+        double angle = 0;                 ///< of a cone's flank to the surface [rad]
+        double exponent = 0;              ///< n of the power law h = r^n / (n R^(n-1)) [-]
+        double flat_radius = 0;           ///< of a rounded punch's flat part [m]
+        std::optional<std::string> file;  ///< of a profile or a height map
+        std::optional<Roughness> roughness;  ///< upon the shape
+        std::optional<Material> material;    ///< empty: rigid
     };
 
     /// The substrate's finite size; half-space models do not see it.
@@ -105,6 +127,15 @@ struct Case {
         double speed = 0;           ///< v of the drive [m/s]; 0: infinitely slow
     };
 
+    /// Rolling on in x, after pressing: each of the two directions is driven by its force or by its
+    /// creepage. F_T of the load acts in x where the longitudinal creepage is not given.
+    struct TractiveRolling {
+        std::optional<double> longitudinal_creepage;  ///< xi, slid over rolled way [-]
+        std::optional<double> lateral_creepage;       ///< eta [-]; empty: no lateral force
+        double spin = 0;      ///< phi, rotation about z per rolled way [1/m]
+        double distance = 0;  ///< rolled from rest, over the contact's half length a [-]
+    };
+
     struct Bem {
         std::optional<double> spacing;           ///< cell size h [m]
         std::optional<double> cells_per_radius;  ///< Hertz radius / h, instead
@@ -131,6 +162,7 @@ struct Case {
     struct Output {
         VtkOutput vtk = VtkOutput::quarters;
         VolumeOutput volume = VolumeOutput::none;
+        std::optional<double> volume_depth;  ///< of half-space models [m]; empty: 3 a
     };
 
     std::string title;
@@ -145,25 +177,29 @@ struct Case {
     double friction_coefficient = 0;
     Contact contact;
     Load load;
-    std::optional<Rolling> rolling;  ///< empty: static loading only
+    std::optional<Rolling> rolling;                   ///< empty: static loading only
+    std::optional<TractiveRolling> tractive_rolling;  ///< instead of `rolling`
     Bem bem;
     Mdr mdr;
     Fem fem;
     Output output;
 
     MaterialPair materials() const { return {indenter.material, substrate}; }
-    std::unique_ptr<AxisymmetricIndenter> make_indenter() const;
+    std::unique_ptr<Indenter> make_indenter() const;
+    /// Throws InputError for a shape that is no body of revolution.
+    std::unique_ptr<AxisymmetricIndenter> make_axisymmetric_indenter() const;
 };
 
-/// Hertz' solution of a case's paraboloid (R of a sphere): what ratios refer to. SI units.
-struct HertzScales {
+/// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
+/// solution for paraboloid and sphere. SI units.
+struct HalfSpaceScales {
     double contact_radius;  ///< a [m]
     double indentation;     ///< d [m]
     double normal_force;    ///< F_N [N]
     double peak_pressure;   ///< p0 [Pa]
     double unit_shift;      ///< U_max = mu (E*/G*) d [m]
 };
-HertzScales hertz_scales(const Case& c);
+HalfSpaceScales half_space_scales(const Case& c);
 
 /// W [m] of the case, `reference_radius` being the contact radius that a ratio refers to [m].
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius);

@@ -44,7 +44,7 @@ NormalControl mean_normal_control(const Case& c) {
 double amplitude_reference(const Case& c, double model_radius) {
     return c.rolling->amplitude_reference == Case::AmplitudeReference::model
                ? model_radius
-               : hertz_scales(c).contact_radius;
+               : half_space_scales(c).contact_radius;
 }
 
 /// With friction, or in time, step by step.

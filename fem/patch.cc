@@ -22,8 +22,8 @@ constexpr double probe_tolerance = 1e-4;
 Vector2 path_extent(const Case& c, double contact_radius) {
     if (!c.rolling) return {0, 0};
     const bool of_model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
-    const double reach =
-        rolling_amplitude(*c.rolling, of_model ? contact_radius : hertz_scales(c).contact_radius);
+    const double reach = rolling_amplitude(
+        *c.rolling, of_model ? contact_radius : half_space_scales(c).contact_radius);
     return {std::abs(reach * std::cos(c.rolling->angle)),
             is_symmetric(c) ? 0 : std::abs(reach * std::sin(c.rolling->angle))};
 }
@@ -88,7 +88,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
 double probe_radius(const Case& c, const contact::NormalControl& control, Workshop& workshop) {
     Case still = c;  // pressed only
     still.rolling.reset();
-    double guess = hertz_scales(c).contact_radius *
+    double guess = half_space_scales(c).contact_radius *
                    std::sqrt(control.value / contact::press_step(c).normal.value);
     for (;; guess *= enlargement) {
         const double size = guess / probe_elements;

@@ -75,7 +75,7 @@ void check_cells(const Case& c, const Document& document) {
 void check_path(const Case& c, const Document& document) {
     if (!c.rolling) return;
     const double path =
-        contact::rolling_amplitude(*c.rolling, contact::hertz_scales(c).contact_radius);
+        contact::rolling_amplitude(*c.rolling, contact::half_space_scales(c).contact_radius);
     if (2 * path < *c.bem.period) return;
     refuse(document, "bem.period",
            "is not longer than the rolling path of " + rounded(2 * path) +

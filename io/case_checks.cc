@@ -16,7 +16,7 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
-using contact::HertzScales;
+using contact::HalfSpaceScales;
 using contact::triangle_wave;
 
 // Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
@@ -28,7 +28,7 @@ constexpr double most_cells = 4096;           // along one side of the grid: 16.
 constexpr double most_steps = 1e6;
 constexpr double most_point_steps = 1e11;  // days of computing
 
-void check_scales(const HertzScales& s, const Document& document) {
+void check_scales(const HalfSpaceScales& s, const Document& document) {
     for (const double scale :
          {s.contact_radius, s.indentation, s.normal_force, s.peak_pressure, s.unit_shift})
         if (!(scale > 0) || !std::isfinite(scale))
@@ -37,7 +37,7 @@ void check_scales(const HertzScales& s, const Document& document) {
                    "check the units of radius, moduli and load");
 }
 
-void check_sphere(const Case& c, const HertzScales& s, const Document& document) {
+void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& document) {
     if (c.indenter.shape != Case::Shape::sphere) return;
     const std::string load = used(document, "load.normal_force", "load.indentation");
     // A force presses less deep into a layer than into a half-space.
@@ -128,7 +128,7 @@ void check_oscillation(const Case& c, const Document& document) {
     }
 }
 
-double rolling_amplitude(const Case& c, const HertzScales& s) {
+double rolling_amplitude(const Case& c, const HalfSpaceScales& s) {
     return c.rolling ? contact::rolling_amplitude(*c.rolling, s.contact_radius) : 0;
 }
 
@@ -138,7 +138,7 @@ double steps_per_period(const Case::Rolling& rolling, double amplitude) {
     return 4 * std::max(1., std::ceil(amplitude / rolling.increment));
 }
 
-double check_steps(const Case& c, const HertzScales& s, const Document& document) {
+double check_steps(const Case& c, const HalfSpaceScales& s, const Document& document) {
     if (!c.rolling) return 2;
     const double amplitude = rolling_amplitude(c, s);
     const bool increment = c.rolling->steps == Case::Steps::increment;
@@ -158,12 +158,12 @@ double check_steps(const Case& c, const HertzScales& s, const Document& document
     return steps;
 }
 
-double largest_contact_radius(const Case& c, const HertzScales& s) {
+double largest_contact_radius(const Case& c, const HalfSpaceScales& s) {
     const double growth = 1 + c.load.normal_amplitude_ratio;
     return s.contact_radius * (c.load.normal_force ? std::cbrt(growth) : std::sqrt(growth));
 }
 
-void check_bem(const Case& c, const HertzScales& s, double steps, const Document& document) {
+void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
     const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
     if (s.contact_radius < fewest_cells * h)
@@ -187,7 +187,7 @@ void check_bem(const Case& c, const HertzScales& s, double steps, const Document
                "use larger cells, fewer periods or larger steps");
 }
 
-void check_mdr(const Case& c, const HertzScales& s, double steps, const Document& document) {
+void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const double a = s.contact_radius;
     const double in_contact = c.mdr.springs * a / (a + rolling_amplitude(c, s));
     if (in_contact < fewest_springs)
@@ -204,7 +204,7 @@ void check_mdr(const Case& c, const HertzScales& s, double steps, const Document
 }  // namespace
 
 void check_case(const Case& c, const Document& document) {
-    const HertzScales scales = contact::hertz_scales(c);
+    const HalfSpaceScales scales = contact::half_space_scales(c);
     check_scales(scales, document);
     check_coupling(c, document);
     check_sphere(c, scales, document);

@@ -27,40 +27,6 @@ void add_top(std::vector<CaseKey>& keys) {
                     [](Case& c) -> Field { return &c.models; }});
 }
 
-void add_indenter(std::vector<CaseKey>& keys) {
-    keys.push_back({{.path = "indenter.shape",
-                     .kind = Kind::choice,
-                     .choices = {choice("paraboloid", Case::Shape::paraboloid),
-                                 choice("sphere", Case::Shape::sphere)},
-                     .default_value = R"("paraboloid")",
-                     .example = R"("paraboloid")",
-                     .text = "paraboloid r^2/(2R), or the exact sphere"},
-                    [](Case& c) -> Field { return &c.indenter.shape; }});
-    keys.push_back({{.path = "indenter.radius",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .required = true,
-                     .example = R"("40 mm")",
-                     .text = "radius R of curvature"},
-                    [](Case& c) -> Field { return &c.indenter.radius; }});
-    keys.push_back({{.path = "indenter.young",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::pressure,
-                     .range = above_zero(1e15),
-                     .needs = "indenter.poisson",
-                     .example = R"("206 GPa")",
-                     .text = "Young's modulus; without it the indenter is rigid"},
-                    [](Case& c) { return in(c.indenter.material, &contact::Material::young); }});
-    keys.push_back({{.path = "indenter.poisson",
-                     .kind = Kind::number,
-                     .range = {-1, 0.5, false, true},
-                     .needs = "indenter.young",
-                     .example = "0.3",
-                     .text = "Poisson's ratio; 0.5 is incompressible"},
-                    [](Case& c) { return in(c.indenter.material, &contact::Material::poisson); }});
-}
-
 void add_substrate(std::vector<CaseKey>& keys) {
     keys.push_back({{.path = "substrate.young",
                      .kind = Kind::quantity,
@@ -166,7 +132,7 @@ const std::vector<CaseKey>& declared_keys() {
     static const std::vector<CaseKey> keys = [] {
         std::vector<CaseKey> all;
         add_top(all);
-        add_indenter(all);
+        add_indenter_keys(all);
         add_substrate(all);
         add_layer_keys(all);
         add_relaxation_keys(all);

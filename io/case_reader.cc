@@ -4,6 +4,7 @@
 
 #include "io/case_checks.h"
 #include "io/case_keys.h"
+#include "io/indenter_keys.h"
 #include "io/input_file.h"
 #include "io/key_checks.h"
 #include "io/layer_checks.h"
@@ -62,6 +63,9 @@ Case resolve(const Document& document) {
     check_known(document, keys);
     Case c;
     make_optional_parts(c, document);
+    const CaseKey& shape = *find_key("indenter.shape");  // other keys depend on it
+    read_or_default(shape, shape.field(c), document, keys);
+    check_indenter_keys(c, document);
     for (const CaseKey& key : case_keys()) read_or_default(key, key.field(c), document, keys);
     make_paths_absolute(c, document);
     resolve_lower_layers(c, document);

@@ -41,7 +41,7 @@ struct Patch {
 Patch patch_of(const Case& c, double contact_radius) {
     if (!c.rolling) return {contact_radius, contact_radius};
     const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
-    const double reference = own ? contact_radius : contact::hertz_scales(c).contact_radius;
+    const double reference = own ? contact_radius : contact::half_space_scales(c).contact_radius;
     const double w = contact::rolling_amplitude(*c.rolling, reference);
     return {contact_radius + w * std::abs(std::cos(c.rolling->angle)),
             contact_radius + w * std::abs(std::sin(c.rolling->angle))};
@@ -140,7 +140,7 @@ double growth_at_crest(const Case& c) {
 }  // namespace
 
 RadiusBounds contact_radius_bounds(const Case& c) {
-    const double hertz = contact::hertz_scales(c).contact_radius * growth_at_crest(c);
+    const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
     const double b = *c.layer.thickness;
     double softer = 0;
     for (const auto& below : c.layer.lower)

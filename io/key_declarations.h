@@ -18,6 +18,8 @@ enum KeyGroup {
     relaxation
 };
 
+/// Declarations of the section [indenter].
+void add_indenter_keys(std::vector<CaseKey>& keys);
 /// Declarations of the sections [load] and [rolling].
 void add_loading_keys(std::vector<CaseKey>& keys);
 /// Declarations of the substrate's finite size, in [substrate], [lower_layer] and [ground].

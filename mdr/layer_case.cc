@@ -59,7 +59,7 @@ struct HalfWidths {
 };
 
 HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
-    const double radius = contact::hertz_scales(c).contact_radius;
+    const double radius = contact::half_space_scales(c).contact_radius;
     const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
     const double spacing =
         std::min(radius / probe_elements, LayerSprings::longest_element * *c.layer.thickness);
@@ -79,15 +79,15 @@ std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int ele
     held_layers_of(c);  // throws before anything else does
     // On a layer the contact is at most some sqrt(2) times as wide as Hertz' at the same depth.
     const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
-    const double table = 3 * std::sqrt(crest) * contact::hertz_scales(c).contact_radius;
+    const double table = 3 * std::sqrt(crest) * contact::half_space_scales(c).contact_radius;
     LayerData data;
-    data.profile = make_plane_profile(*c.make_indenter(), table);
+    data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
     const HalfWidths a = probe(c, *data.profile);
     double path = 0;
     if (c.rolling) {
         const bool own = c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
         path = std::abs(contact::rolling_amplitude(
-            *c.rolling, own ? a.mean : contact::hertz_scales(c).contact_radius));
+            *c.rolling, own ? a.mean : contact::half_space_scales(c).contact_radius));
     }
     const double spacing =
         std::min(a.mean / elements_per_radius, LayerSprings::longest_element * *c.layer.thickness);

@@ -23,7 +23,8 @@ double amplitude(const contact::Case& c, const PlaneProfile& profile) {
     const bool of_model =
         c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
     return contact::rolling_amplitude(
-        *c.rolling, of_model ? half_width(c, profile, 1) : contact::hertz_scales(c).contact_radius);
+        *c.rolling,
+        of_model ? half_width(c, profile, 1) : contact::half_space_scales(c).contact_radius);
 }
 
 }  // namespace
@@ -31,9 +32,9 @@ double amplitude(const contact::Case& c, const PlaneProfile& profile) {
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     // A table of the profile over twice the Hertz radius; a flatter indenter meets the rim.
     const double peak_factor = 1 + std::abs(c.load.normal_amplitude_ratio);
-    const double table = 2 * std::sqrt(peak_factor) * contact::hertz_scales(c).contact_radius;
+    const double table = 2 * std::sqrt(peak_factor) * contact::half_space_scales(c).contact_radius;
     BedData data;
-    data.profile = make_plane_profile(*c.make_indenter(), table);
+    data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
     data.effective_modulus = c.materials().effective_modulus();
     data.effective_shear_modulus = c.materials().effective_shear_modulus();
     data.friction_coefficient = c.friction_coefficient;

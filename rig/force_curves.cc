@@ -13,7 +13,7 @@ ForceCurves force_curves(const contact::RollingRig& rig) {
     for (int i = 0; i < n_points; ++i) {
         const double force = rig.normal_force.value * 1.5 * (i + 1) / n_points;
         loaded.normal_force = {force};
-        const contact::HertzScales hertz = hertz_of(values_of(hertz_given(loaded)));
+        const contact::HalfSpaceScales hertz = hertz_of(values_of(hertz_given(loaded)));
         const theory::LayerContact layer = layer_of(values_of(layer_given(loaded)));
         curves.force.push_back(force);
         curves.hertz_diameter.push_back(2 * hertz.contact_radius);

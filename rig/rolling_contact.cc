@@ -11,7 +11,7 @@ namespace tricontact::rig {
 
 namespace {
 
-using contact::HertzScales;
+using contact::HalfSpaceScales;
 using contact::RollingRig;
 using theory::LayerContact;
 
@@ -24,25 +24,25 @@ struct Quantity {
     const char* symbol;
     const char* unit;
     const char* hertz_formula;
-    double (*hertz)(const HertzScales&, const contact::MaterialPair&);
+    double (*hertz)(const HalfSpaceScales&, const contact::MaterialPair&);
     double (*layer)(const LayerContact&);
 };
 
 const Quantity quantities[] = {
     {"contact_radius", "a", "m", "(3 F_N R/(4 E*))^(1/3), 1/E* = sum (1 - nu_i^2)/E_i",
-     [](const HertzScales& h, const contact::MaterialPair&) { return h.contact_radius; },
+     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.contact_radius; },
      [](const LayerContact& l) { return l.contact_radius; }},
     {"indentation", "d", "m", "a^2/R",
-     [](const HertzScales& h, const contact::MaterialPair&) { return h.indentation; },
+     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.indentation; },
      [](const LayerContact& l) { return l.indentation; }},
     {"peak_pressure", "p_0", "Pa", "3 F_N/(2 pi a^2)",
-     [](const HertzScales& h, const contact::MaterialPair&) { return h.peak_pressure; },
+     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.peak_pressure; },
      [](const LayerContact& l) { return l.centre_pressure; }},
     {"unit_shift", "U_max", "m", "mu d E*/G* at mu = 1",
-     [](const HertzScales& h, const contact::MaterialPair&) { return h.unit_shift; },
+     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.unit_shift; },
      [](const LayerContact& l) { return *l.unit_shift; }},
     {"normal_stiffness", "k_N", "N/m", "2 E* a",
-     [](const HertzScales& h, const contact::MaterialPair& m) {
+     [](const HalfSpaceScales& h, const contact::MaterialPair& m) {
          return 2 * m.effective_modulus() * h.contact_radius;
      },
      [](const LayerContact& l) { return l.normal_stiffness; }},

@@ -41,13 +41,14 @@ contact::MaterialPair materials_of(const std::vector<double>& x) {
     return {contact::Material{x[2], x[3]}, contact::Material{x[4], x[5]}};
 }
 
-contact::HertzScales hertz_of(const std::vector<double>& x) {
+contact::HalfSpaceScales hertz_of(const std::vector<double>& x) {
     contact::Case c;
-    c.indenter = {contact::Case::Shape::paraboloid, x[0], contact::Material{x[2], x[3]}};
+    c.indenter.radius = x[0];
+    c.indenter.material = contact::Material{x[2], x[3]};
     c.load.normal_force = x[1];
     c.substrate = {x[4], x[5]};
     c.friction_coefficient = 1;
-    return contact::hertz_scales(c);
+    return contact::half_space_scales(c);
 }
 
 double line_half_width_of(const std::vector<double>& x) {

@@ -21,7 +21,7 @@ std::vector<Given> with(std::vector<Given> given, Given one);
 std::vector<Given> with_length(std::vector<Given> given, const contact::RollingRig& rig);
 
 /// Of values in the order of `hertz_given`, at mu = 1.
-contact::HertzScales hertz_of(const std::vector<double>& x);
+contact::HalfSpaceScales hertz_of(const std::vector<double>& x);
 contact::MaterialPair materials_of(const std::vector<double>& x);
 /// Hertz' half width [m] of values in the order of `with_length(hertz_given)`.
 double line_half_width_of(const std::vector<double>& x);

@@ -7,18 +7,18 @@
 namespace tricontact::theory {
 
 namespace {
-double relative_radius(const contact::HertzScales& scales, double r) {
+double relative_radius(const contact::HalfSpaceScales& scales, double r) {
     if (!(r >= 0)) throw std::domain_error("hertz: the radius r must not be negative");
     return r / scales.contact_radius;
 }
 }  // namespace
 
-double hertz_pressure(const contact::HertzScales& scales, double r) {
+double hertz_pressure(const contact::HalfSpaceScales& scales, double r) {
     const double rho = relative_radius(scales, r);
     return rho < 1 ? scales.peak_pressure * std::sqrt((1 - rho) * (1 + rho)) : 0;
 }
 
-double hertz_surface_displacement(const contact::HertzScales& scales, double r) {
+double hertz_surface_displacement(const contact::HalfSpaceScales& scales, double r) {
     const double rho = relative_radius(scales, r);
     if (rho <= 1) return scales.indentation * (1 - rho * rho / 2);
     const double root = std::sqrt((rho - 1) * (rho + 1));

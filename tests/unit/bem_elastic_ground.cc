@@ -160,7 +160,7 @@ TEST(BemElasticGround, HertzContactOnOneMaterial) {
     EXPECT_NEAR(a.contact_radius / e.contact_radius, 1, 1e-6);
     EXPECT_NEAR(a.peak_pressure / e.peak_pressure, 1, 1e-6);
     EXPECT_NEAR(a.unit_shift / e.unit_shift, 1, 1e-6);
-    const auto hertz = contact::hertz_scales(c);
+    const auto hertz = contact::half_space_scales(c);
     EXPECT_NEAR(a.indentation / hertz.indentation, 1, 2e-3);  // 16 cells in a
     // The springs of mdr-layer, coupled by nothing.
     const auto mdr = mdr::make_layer_model(c);

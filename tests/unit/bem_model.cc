@@ -41,7 +41,7 @@ TEST(BemModel, GridFitsContactAndPath) {
     for (const double angle : {0., std::numbers::pi / 2, .7}) {
         Case c = small_case();
         c.rolling->angle = angle;
-        const double a = contact::hertz_scales(c).contact_radius;
+        const double a = contact::half_space_scales(c).contact_radius;
         const auto s = pressed_surface(c);
         EXPECT_EQ(s.layout, contact::Surface::Layout::grid);
         EXPECT_DOUBLE_EQ(s.spacing[0], a / 8);
@@ -74,7 +74,7 @@ TEST(BemModel, GridFitsOscillatingLoads) {
         c.load.normal_phase = 1;
         c.load.tangential_ratio = .2;
         if (!by_force) {
-            c.load.indentation = contact::hertz_scales(c).indentation;
+            c.load.indentation = contact::half_space_scales(c).indentation;
             c.load.normal_force.reset();
         }
         const auto model = bem::make_model(c, 1);
@@ -93,7 +93,7 @@ TEST(BemModel, AmplitudeInTheModelsOwnRadius) {
     c.rolling->amplitude_reference = Case::AmplitudeReference::hertz;
     const auto other = bem::make_model(c, 1);
     EXPECT_DOUBLE_EQ(contact::run(c, *other).amplitude,
-                     .4 * contact::hertz_scales(c).contact_radius);
+                     .4 * contact::half_space_scales(c).contact_radius);
 }
 
 TEST(BemModel, RefusesGridsBeyondMemory) {
@@ -111,7 +111,7 @@ TEST(BemModel, RefusesGridsBeyondMemory) {
 
 contact::SurfaceModel model_on(int cells) {
     const Case c = small_case();
-    const double h = contact::hertz_scales(c).contact_radius / 8;
+    const double h = contact::half_space_scales(c).contact_radius / 8;
     const auto grid =
         contact::ContactPoints::grid(cells, cells, {-(cells / 2) * h, -(cells / 2) * h}, {h, h});
     return {"bem", bem::half_space_compliance(c.materials(), grid, 1), c.make_indenter(),
@@ -124,7 +124,7 @@ TEST(SurfaceModel, SaysWhenTheContactReachesTheEdge) {
     EXPECT_THROW(model_on(15).advance(step), contact::ContactAtEdge);
     auto model = model_on(21);
     EXPECT_NO_THROW(model.advance(step));
-    step.offset = {0, contact::hertz_scales(small_case()).contact_radius / 2};
+    step.offset = {0, contact::half_space_scales(small_case()).contact_radius / 2};
     EXPECT_THROW(model.advance(step), contact::ContactAtEdge);
 }
 

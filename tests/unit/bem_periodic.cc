@@ -299,7 +299,7 @@ TEST(BemPeriodic, SpacingDividesThePeriod) {
     const auto s = model->surface();
     const double cells = 40.5e-3 / s.spacing[0];
     EXPECT_NEAR(cells, std::round(cells), 1e-9);
-    EXPECT_LE(s.spacing[0], contact::hertz_scales(c).contact_radius / 9);
+    EXPECT_LE(s.spacing[0], contact::half_space_scales(c).contact_radius / 9);
     EXPECT_LT(s.n_x * s.spacing[0], 20e-3);
 }
 

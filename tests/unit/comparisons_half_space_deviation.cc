@@ -92,7 +92,8 @@ TEST(HalfSpaceDeviation, ItsRunsAreCases) {
             const Case mine = rolled_case(c, contact, amplitudes, run);
             const Case read = io::parse_case(io::write_case(mine), "run");
             // E* stays, so the diameter of Hertz' contact does.
-            EXPECT_NEAR(2 * hertz_scales(read).contact_radius / contact.hertz_diameter, 1, 1e-12);
+            EXPECT_NEAR(2 * half_space_scales(read).contact_radius / contact.hertz_diameter, 1,
+                        1e-12);
             EXPECT_EQ(read.models.front(), body.half_space() ? "bem" : "bem-layer");
         }
     EXPECT_EQ(runs_on({}, amplitudes).size(), 7u);

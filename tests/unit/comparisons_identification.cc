@@ -27,7 +27,7 @@ contact::Case rig(const Properties& p) {
 std::vector<double> shifts(const std::vector<double>& forces, const Properties& p) {
     std::vector<double> values;
     for (const double force : forces)
-        values.push_back(contact::hertz_scales(rig(p)).unit_shift *
+        values.push_back(contact::half_space_scales(rig(p)).unit_shift *
                          theory::static_shift_ratio(force / (p.friction * normal_force)));
     return values;
 }

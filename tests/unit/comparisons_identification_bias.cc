@@ -31,15 +31,15 @@ contact::Case rig(double young) {
 }
 
 theory::LayerContact layer_contact(double young, contact::NormalControl control) {
-    return theory::solve_layer_contact(elastic_layer(rig(young)), *rig(young).make_indenter(),
-                                       control);
+    return theory::solve_layer_contact(elastic_layer(rig(young)),
+                                       *rig(young).make_axisymmetric_indenter(), control);
 }
 
-contact::HertzScales hertz(double young, contact::NormalControl control) {
+contact::HalfSpaceScales hertz(double young, contact::NormalControl control) {
     contact::Case c = rig(young);
     c.load.normal_force.reset();
     (control.kind == Kind::force ? c.load.normal_force : c.load.indentation) = control.value;
-    return contact::hertz_scales(c);
+    return contact::half_space_scales(c);
 }
 
 /// E of the half-space for three equal observations.
@@ -92,7 +92,7 @@ TEST(IdentificationBias, OfSmallShiftsIsThatOfTheStickingContact) {
         elastic_layer(rig(young)), layer.contact_radius, theory::StickTractions::radial);
     const contact::Case c = rig(young);
     const double on_half_space =
-        theory::sticking_stiffness(c.materials(), contact::hertz_scales(c).contact_radius);
+        theory::sticking_stiffness(c.materials(), contact::half_space_scales(c).contact_radius);
     const double found = half_space_young(force / stiffness, [&](double e) {
         return hertz(e, {Kind::force, normal_force}).unit_shift *
                theory::static_shift_ratio(force / (friction * normal_force));

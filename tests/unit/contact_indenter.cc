@@ -58,9 +58,9 @@ TEST(Indenter, RadiusMustBePositive) {
 TEST(Indenter, CaseMakesItsOwn) {
     contact::Case c;
     c.indenter.radius = .04;
-    EXPECT_DOUBLE_EQ(c.make_indenter()->profile(.024), .0072);
+    EXPECT_DOUBLE_EQ(c.make_axisymmetric_indenter()->profile(.024), .0072);
     c.indenter.shape = contact::Case::Shape::sphere;
-    EXPECT_DOUBLE_EQ(c.make_indenter()->profile(.024), .008);
+    EXPECT_DOUBLE_EQ(c.make_axisymmetric_indenter()->profile(.024), .008);
 }
 
 TEST(Placement, HeightsFollowTheOffset) {
@@ -89,14 +89,14 @@ TEST(CaseScales, HertzByForceAndByIndentation) {
     c.substrate = {3e6, .5};  // rigid indenter: E* = 4 MPa, E*/G* = 3/2
     c.friction_coefficient = .5;
     c.load.indentation = 4e-4;
-    const auto s = contact::hertz_scales(c);
+    const auto s = contact::half_space_scales(c);
     EXPECT_NEAR(s.contact_radius, 4e-3, 1e-17);
     EXPECT_NEAR(s.normal_force, 4. / 3 * 4e6 * .2 * 8e-6, 1e-13);
     EXPECT_NEAR(s.peak_pressure, 1.5 * s.normal_force / (std::acos(-1.) * 16e-6), 1e-8);
     EXPECT_NEAR(s.unit_shift, .5 * 1.5 * 4e-4, 1e-18);
     c.load.indentation.reset();
     c.load.normal_force = s.normal_force;
-    const auto t = contact::hertz_scales(c);
+    const auto t = contact::half_space_scales(c);
     EXPECT_NEAR(t.indentation / s.indentation, 1, 1e-14);
     EXPECT_NEAR(t.contact_radius / s.contact_radius, 1, 1e-14);
     EXPECT_NEAR(t.normal_force / s.normal_force, 1, 1e-14);

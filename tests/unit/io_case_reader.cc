@@ -84,8 +84,8 @@ TEST(CaseReader, PerpendicularRigIsTable512) {
     EXPECT_EQ(c.load.normal_force, 21.19);
     EXPECT_DOUBLE_EQ(c.rolling->angle, std::numbers::pi / 2);
     // rigs.md: a = 4.786 mm, d = 0.573 mm with the printed modulus; four and three digits given.
-    EXPECT_NEAR(contact::hertz_scales(c).contact_radius, 4.786e-3, 0.5e-6);
-    EXPECT_NEAR(contact::hertz_scales(c).indentation, 0.573e-3, 0.5e-6);
+    EXPECT_NEAR(contact::half_space_scales(c).contact_radius, 4.786e-3, 0.5e-6);
+    EXPECT_NEAR(contact::half_space_scales(c).indentation, 0.573e-3, 0.5e-6);
 }
 
 TEST(CaseReader, ReadsALayerInSiUnits) {

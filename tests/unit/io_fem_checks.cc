@@ -56,7 +56,7 @@ struct ExactLayer {
 
 // Bonded, nu = 1/2, at equal force: Fredholm's equation of the layer, four digits.
 TEST(RadiusBounds, EncloseTheExactRadiusAtAGivenForce) {
-    const double hertz = contact::hertz_scales(parsed()).contact_radius;
+    const double hertz = contact::half_space_scales(parsed()).contact_radius;
     for (const ExactLayer exact : {ExactLayer{0.0022, 0.0881},
                                    {0.0290, 0.2897},
                                    {0.2040, 0.6121},
@@ -136,7 +136,7 @@ TEST(FemChecks, TheLimitOfARigidIndenterIsSharp) {
 }
 
 TEST(FemChecks, TheCoarsestSizeHasTwoElementsInTheLargestPossibleRadius) {
-    const double hertz = contact::hertz_scales(parsed()).contact_radius;
+    const double hertz = contact::half_space_scales(parsed()).contact_radius;
     EXPECT_EQ(message_of({set("fem.size", hertz / 2 * 0.999, "m")}), "(accepted)");
     EXPECT_NE(message_of({set("fem.size", hertz / 2 * 1.001, "m")}).find("too coarse"),
               std::string::npos);

@@ -26,7 +26,7 @@ TEST(MdrModel, BedIsAsLongAsThePath) {
         roller.roll(2);
         const auto& bed = bed_of(roller).normal();
         EXPECT_EQ(bed.size(), 1000);  // had no need to grow
-        const double needed = 1.7 * contact::hertz_scales(c).contact_radius;
+        const double needed = 1.7 * contact::half_space_scales(c).contact_radius;
         EXPECT_NEAR(bed.spacing() * 500 / needed, 1.01, 1e-9);
     }
 }
@@ -67,7 +67,7 @@ TEST(MdrModel, ExactSphereFollowsItsOwnTransform) {
 
 TEST(MdrModel, IndentationControl) {
     contact::Case c = sphere_rig(.24, .56, 4000, 6);
-    const double depth = contact::hertz_scales(c).indentation;
+    const double depth = contact::half_space_scales(c).indentation;
     const double by_force = Roller(c).roll(20).shift_ratio();
     c.load.normal_force.reset();
     c.load.indentation = depth;

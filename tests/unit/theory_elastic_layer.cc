@@ -89,7 +89,7 @@ TEST(ElasticLayer, ThickLayersAreHertzian) {
         rig.substrate = {5.2e6, nu};
         rig.friction_coefficient = 1;
         rig.load.normal_force = 21.1;
-        const auto hertz = contact::hertz_scales(rig);
+        const auto hertz = contact::half_space_scales(rig);
         for (const LayerBase base : {LayerBase::bonded, LayerBase::frictionless}) {
             const double b = 1e4 * hertz.contact_radius;
             const auto c = solve_layer_contact({rig.substrate, b, base}, contact::Paraboloid(.04),

@@ -12,8 +12,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // All scales different from 1; consistent with E* = 3 F_N / (4 a d).
-contact::HertzScales example() {
-    contact::HertzScales s{};
+contact::HalfSpaceScales example() {
+    contact::HalfSpaceScales s{};
     s.contact_radius = 4.5e-3;
     s.indentation = 0.5e-3;
     s.normal_force = 21;

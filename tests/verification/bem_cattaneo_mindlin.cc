@@ -38,7 +38,7 @@ contact::Case equal_bodies(double nu, double f, double cells_per_radius) {
 class Loaded {
   public:
     explicit Loaded(const contact::Case& c)
-        : case_(c), hertz_(contact::hertz_scales(c)), model_(make_model(c, 1)) {
+        : case_(c), hertz_(contact::half_space_scales(c)), model_(make_model(c, 1)) {
         model_->advance(contact::press_step(c));
     }
     /// To F_T = f mu F_N in x.
@@ -48,7 +48,7 @@ class Loaded {
         return model_->advance(step);
     }
     contact::Surface surface() const { return model_->surface(); }
-    const contact::HertzScales& hertz() const { return hertz_; }
+    const contact::HalfSpaceScales& hertz() const { return hertz_; }
     double peak_bound() const { return case_.friction_coefficient * hertz_.peak_pressure; }
     /// Work of a cycle between -f and f, by Mindlin, and as found.
     double cycle_ratio(double f) {
@@ -62,7 +62,7 @@ class Loaded {
 
   private:
     contact::Case case_;
-    contact::HertzScales hertz_;
+    contact::HalfSpaceScales hertz_;
     std::unique_ptr<contact::Model> model_;
 };
 

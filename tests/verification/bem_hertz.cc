@@ -36,7 +36,7 @@ HertzError hertz_error(const contact::Case& c) {
     const auto model = make_model(c, 1);
     model->advance(contact::press_step(c));
     const contact::Scales s = model->scales();
-    const contact::HertzScales hertz = contact::hertz_scales(c);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const contact::Surface f = model->surface();
     double worst = 0, squares = 0;
     for (int j = 0; j < f.n_y; ++j)
@@ -121,7 +121,7 @@ TEST(BemHertz, Orders) {
 TEST(BemHertz, IndentationControlIsForceControl) {
     for (const double n : {11.3, across_45}) {
         contact::Case c = static_case(n);
-        c.bem.spacing = contact::hertz_scales(c).contact_radius / n;  // the same for both
+        c.bem.spacing = contact::half_space_scales(c).contact_radius / n;  // the same for both
         c.bem.cells_per_radius.reset();
         const auto by_force = make_model(c, 1);
         const auto f = by_force->advance(contact::press_step(c));
@@ -168,7 +168,7 @@ TEST(BemHertz, ExactBall) {
         EXPECT_NEAR(s.peak_pressure / ball.peak_pressure, 1, 3e-3) << ratio;
         EXPECT_NEAR(s.contact_radius / a, 1, 5e-3) << ratio;
         // Hertz' own formulas would be off by (a/R)^2/5 in a: the test can tell them apart
-        const double hertz = contact::hertz_scales(c).contact_radius;
+        const double hertz = contact::half_space_scales(c).contact_radius;
         EXPECT_GT(std::abs(hertz / a - 1), ratio > .2 ? 1e-2 : 1e-4);
     }
 }
@@ -191,7 +191,7 @@ TEST(BemHertz, SurfaceAroundTheContact) {
     const contact::Case c = static_case(across_45);
     const auto model = make_model(c, 1);
     model->advance(contact::press_step(c));
-    const contact::HertzScales hertz = contact::hertz_scales(c);
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const contact::Surface s = model->surface();
     for (int j = 0; j < s.n_y; ++j)
         for (int i = 0; i < s.n_x; ++i) {

@@ -252,7 +252,7 @@ TEST(BemViscoelastic, ElasticLimitsWhereAPartRelaxes) {
     c.rolling->amplitude_ratio = .3;
     c.rolling->steps_per_quarter = 2;
     c.rolling->speed = 1e-3;
-    const auto path = contact::make_load_path(c, 20, hertz_scales(c).contact_radius);
+    const auto path = contact::make_load_path(c, 20, half_space_scales(c).contact_radius);
     // Every step takes a second.
     const auto shift = [&](const Case& substrate) {
         const auto model = bem::make_model(substrate, 1, bem::Body::layer);

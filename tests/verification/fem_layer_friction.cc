@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Rig, FemRolling, ::testing::ValuesIn(comparisons::layer
 TEST(FemFriction, AThickLayerApproachesHertzCattaneoAndMindlin) {
     Case c = loaded(.56);
     c.layer.thickness = .1;  // 11 contact diameters
-    const contact::HertzScales hertz = hertz_scales(c);
+    const contact::HalfSpaceScales hertz = half_space_scales(c);
     const theory::LayerContact exact = exact_contact(c);
     const History history = run(c);
     // The layer itself is 3.4 % from Hertz in d, 1.4 % in U_max, nothing else (layer.md, section

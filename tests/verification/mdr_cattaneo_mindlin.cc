@@ -40,7 +40,7 @@ contact::LoadStep step(const Units& units, double f) {
 
 const Units scaled{4.5e-3, 7e6, 5e6, 0.57};
 
-TEST(MdrCattaneoMindlin, HertzScales) {
+TEST(MdrCattaneoMindlin, HalfSpaceScales) {
     mdr::SpringBed model = bed(scaled, 10000);
     model.advance(step(scaled, 0));
     const contact::Scales s = model.scales();

@@ -119,7 +119,7 @@ RC_GTEST_PROP(PropertiesPhysics, RandomWalksOfTheBoundaryElementsAreSound, ()) {
     const auto press = contact::press_step(c);
     model->advance(press);
     const double limit = c.friction_coefficient * *c.load.normal_force;
-    const auto scales = contact::hertz_scales(c);
+    const auto scales = contact::half_space_scales(c);
     const double reach = *c.rolling->amplitude_ratio * scales.contact_radius / std::sqrt(2);
     Vector2 shift{};
     for (int k = 0; k < 6; ++k) {

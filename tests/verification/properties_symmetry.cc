@@ -148,7 +148,7 @@ RC_GTEST_PROP(PropertiesRepetition, SameInputSameBits, ()) {
 /// Shift after two periods over U_max, the whole path moved by parts of a cell.
 double shift_moved_by(const Case& c, double x, double y) {
     const auto model = bem::make_model(c, 1);
-    const double h = contact::hertz_scales(c).contact_radius / *c.bem.cells_per_radius;
+    const double h = contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
     const Vector2 move = {x * h, y * h};
     double shift = 0;
     auto take = [&](contact::LoadStep step) {
@@ -161,7 +161,7 @@ double shift_moved_by(const Case& c, double x, double y) {
     for (const auto& step : path.loading) take(step);
     for (int n = 0; n < 2; ++n)
         for (const auto& step : path.period) take(step);
-    return shift / contact::hertz_scales(c).unit_shift;
+    return shift / contact::half_space_scales(c).unit_shift;
 }
 
 RC_GTEST_PROP(PropertiesGrid, WhereTheCellsLieHardlyMatters, ()) {
