@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/rough_scales.h"
+
 namespace tricontact::contact {
 
 double Case::Layer::total_thickness() const {
@@ -13,6 +15,7 @@ double Case::Layer::total_thickness() const {
 
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
 HalfSpaceScales half_space_scales(const Case& c) {
+    if (is_nominally_flat(c)) return rough_scales(c);
     const MaterialPair materials = c.materials();
     const double e_star = materials.effective_modulus();
     const double radius = c.indenter.radius;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/dma_fit.h"
+#include "contact/height_map.h"
 #include "contact/indenter.h"
 #include "contact/material.h"
 #include "contact/relaxation.h"
@@ -49,8 +50,11 @@ struct Case {
         double exponent = 0;              ///< n of the power law h = r^n / (n R^(n-1)) [-]
         double flat_radius = 0;           ///< of a rounded punch's flat part [m]
         std::optional<std::string> file;  ///< of a profile or a height map
-        std::optional<Roughness> roughness;  ///< upon the shape
-        std::optional<Material> material;    ///< empty: rigid
+        std::optional<double> spacing;    ///< of a height map whose file does not say it [m]
+        std::optional<double> unit;       ///< 1 of that file's heights [m]
+        std::shared_ptr<const HeightMap> height_map;  ///< what the file holds
+        std::optional<Roughness> roughness;           ///< upon the shape
+        std::optional<Material> material;             ///< empty: rigid
     };
 
     /// The substrate's finite size; half-space models do not see it.
@@ -185,13 +189,14 @@ struct Case {
     Output output;
 
     MaterialPair materials() const { return {indenter.material, substrate}; }
+    /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
     /// Throws InputError for a shape that is no body of revolution.
     std::unique_ptr<AxisymmetricIndenter> make_axisymmetric_indenter() const;
 };
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
-/// solution for paraboloid and sphere. SI units.
+/// solution for paraboloid and sphere, of nominally flat bodies see rough_scales.h. SI units.
 struct HalfSpaceScales {
     double contact_radius;  ///< a [m]
     double indentation;     ///< d [m]

@@ -29,6 +29,8 @@ struct ContactPoints {
     /// Points with y >= 0 that stand for their mirror images at -y as well: areas count both
     /// sides, x and normal components are even in y, y components odd (zero at y = 0).
     bool mirrored = false;
+    /// A grid of one period of a surface that has no edge.
+    bool periodic = false;
     /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
     /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.
     std::vector<std::array<int, 9>> quads;

@@ -1,7 +1,45 @@
+#include <cmath>
+
 #include "contact/case.h"
 #include "contact/error.h"
+#include "contact/rough_indenter.h"
 
 namespace tricontact::contact {
+
+namespace {
+
+/// Nodes of the roughness in a period: on the cells of a given spacing, where these divide the
+/// period, between them too where the surface needs more.
+int roughness_nodes(const Case& c) {
+    const Roughness& r = *c.indenter.roughness;
+    const int fewest = fewest_roughness_nodes(r);
+    if (!c.bem.spacing) return fewest;
+    const double cells = r.long_wavelength / *c.bem.spacing, whole = std::round(cells);
+    constexpr double rounding = 1e-6;  // of a spacing, in cells
+    if (whole < 1 || std::abs(cells - whole) > rounding) return fewest;
+    const double resolved = 2 * r.long_wavelength / r.short_wavelength;
+    return static_cast<int>(whole * (std::floor(resolved / whole) + 1));
+}
+
+/// A map that has to fill a period repeats itself.
+std::unique_ptr<Indenter> mapped(const Case& c) {
+    const HeightMap& map = *c.indenter.height_map;
+    if (!c.bem.period) return std::make_unique<MappedIndenter>(map);
+    return std::make_unique<RoughIndenter>(std::make_unique<Plane>(), from_middle(map));
+}
+
+std::unique_ptr<Indenter> smooth_body(const Case& c) {
+    switch (c.indenter.shape) {
+        case Case::Shape::flat:
+            return std::make_unique<Plane>();
+        case Case::Shape::height_map:
+            return mapped(c);
+        default:
+            return c.make_axisymmetric_indenter();
+    }
+}
+
+}  // namespace
 
 std::unique_ptr<AxisymmetricIndenter> Case::make_axisymmetric_indenter() const {
     switch (indenter.shape) {
@@ -15,7 +53,10 @@ std::unique_ptr<AxisymmetricIndenter> Case::make_axisymmetric_indenter() const {
 }
 
 std::unique_ptr<Indenter> Case::make_indenter() const {
-    return make_axisymmetric_indenter();
+    auto body = smooth_body(*this);
+    if (!indenter.roughness) return body;
+    return std::make_unique<RoughIndenter>(
+        std::move(body), make_roughness(*indenter.roughness, roughness_nodes(*this)));
 }
 
 }  // namespace tricontact::contact

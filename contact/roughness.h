@@ -1,5 +1,7 @@
 #pragma once
 
+#include "contact/height_map.h"
+
 namespace tricontact::contact {
 
 /// A synthetic self-affine surface, isotropic and periodic, with random phases: power spectral
@@ -13,5 +15,19 @@ struct Roughness {
     double short_wavelength = 0;  ///< [m]
     int seed = 0;                 ///< of the phases
 };
+
+/// The surface on n x n nodes of one period, node (0, 0) at its corner, mean height zero. Phases
+/// are those of std::mt19937_64 in an order of wave vectors that does not depend on n: finer
+/// lattices sample the same surface, on every machine alike but for rounding. The rms slope is that
+/// of the surface itself, of a lattice's differences it is less. Throws InputError if the
+/// wavelengths are not in order or the lattice does not resolve the shortest: n > 2 L/lambda_s.
+HeightMap make_roughness(const Roughness& roughness, int n);
+
+/// Fewest nodes per period that the surface is looked up on without loss: 8 per shortest wave, a
+/// number FFTs are fast at.
+int fewest_roughness_nodes(const Roughness& roughness);
+
+/// Root mean square of the surface's heights [m].
+double rms_height(const Roughness& roughness);
 
 }  // namespace tricontact::contact

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// Heights of a surface on the nodes of a regular lattice.
+struct HeightMap {
+    int n_x = 0, n_y = 0;
+    Vector2 spacing{};           ///< of the nodes [m]
+    std::vector<double> height;  ///< z out of the substrate [m], from any level; x runs fastest
+
+    double at(int i, int j) const { return height[static_cast<std::size_t>(j) * n_x + i]; }
+    /// Of a map that repeats itself, n_x by n_y nodes [m].
+    Vector2 period() const { return {n_x * spacing[0], n_y * spacing[1]}; }
+};
+
+/// Heights and slopes between the nodes. Bilinear: continuous, so a body that rolls by parts of a
+/// cell does not jump, bounded by the nodes' heights, and on the nodes exact, so a map and cells of
+/// one spacing meet without interpolation.
+class HeightField {
+  public:
+    /// Throws InputError unless there are 2 x 2 finite heights at least and the spacing is positive
+    /// and finite.
+    explicit HeightField(HeightMap map);
+
+    const HeightMap& map() const { return map_; }
+    /// Of the repeating map, whose node (0, 0) is at the origin [m].
+    double height(double x, double y) const;
+    /// Gradient of the same, within a cell [-].
+    Vector2 slope(double x, double y) const;
+
+  private:
+    struct Cell {  // corner heights and place of a point between them, 0 to 1
+        double low_low, high_low, low_high, high_high, x, y;
+    };
+    Cell cell(double x, double y) const;
+
+    HeightMap map_;
+};
+
+/// Root mean square of the heights over their mean [m].
+double rms_height(const HeightMap& map);
+/// Root mean square of the gradient, from differences of neighbouring nodes [-].
+double rms_slope(const HeightMap& map);
+
+}  // namespace tricontact::contact
