@@ -138,6 +138,7 @@ struct Case {
         std::optional<double> lateral_creepage;       ///< eta [-]; empty: no lateral force
         double spin = 0;      ///< phi, rotation about z per rolled way [1/m]
         double distance = 0;  ///< rolled from rest, over the contact's half length a [-]
+        double speed = 0;     ///< v [m/s], which only a relaxing substrate feels; 0: slow
     };
 
     struct Bem {
