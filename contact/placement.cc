@@ -17,8 +17,9 @@ namespace {
 bool edge_of_grid_carries(const ContactPoints& points, const std::vector<double>& pressure) {
     for (int j = 0; j < points.n_y; ++j)
         for (int i = 0; i < points.n_x; ++i) {
-            const bool edge = i == 0 || (j == 0 && !points.mirrored) || i == points.n_x - 1 ||
-                              j == points.n_y - 1;
+            const bool edge_in_y = (j == 0 && !points.mirrored) || j == points.n_y - 1;
+            const bool edge =
+                i == 0 || i == points.n_x - 1 || (edge_in_y && points.line_length == 0);
             if (edge && pressure[static_cast<std::size_t>(j) * points.n_x + i] > 0) return true;
         }
     return false;
@@ -33,6 +34,8 @@ bool edge_of_elements_carries(const ContactPoints& points, const std::vector<dou
         for (int k = 0; k < 4; ++k) {
             const int middle = quad[4 + k];
             if (uses[middle] > 1 || (points.mirrored && points.y[middle] == 0)) continue;
+            const bool along_x = points.y[quad[k]] == points.y[quad[(k + 1) % 4]];
+            if (points.line_length > 0 && along_x) continue;
             for (const int node : {quad[k], middle, quad[(k + 1) % 4]})
                 if (pressure[node] > 0) return true;
         }

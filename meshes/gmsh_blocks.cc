@@ -27,13 +27,13 @@ class Blocks {
         gmsh::model::geo::synchronize();
     }
 
-    void name(bool half_model) const {
+    void name() const {
         std::array<std::vector<int>, n_boundaries> surfaces;
         std::array<std::vector<int>, n_regions> volumes;
         for (int d = 0; d < 3; ++d)
             for_each_corner([&](const Index& at) {
                 if (has_surface(d, at) && (at[d] == 0 || at[d] == n_[d] - 1))
-                    surfaces[static_cast<int>(boundary(d, at, half_model))].push_back(tag(d, at));
+                    surfaces[static_cast<int>(boundary(d, at))].push_back(tag(d, at));
             });
         for_each_corner([&](const Index& at) {
             if (!has_volume(at)) return;
@@ -103,12 +103,14 @@ class Blocks {
         gmsh::model::geo::mesh::setTransfiniteVolume(tag(0, at));
     }
 
-    Boundary boundary(int d, const Index& at, bool half_model) const {
+    Boundary boundary(int d, const Index& at) const {
         if (d == 2 && at[2] == 0) return Boundary::base;
         if (d == 2)
-            return at[0] == grid_.patch_x && at[1] == grid_.patch_y ? Boundary::contact
-                                                                    : Boundary::free_top;
-        return half_model && d == 1 && at[1] == 0 ? Boundary::symmetry : Boundary::sides;
+            return at[0] == grid_.patch_x && at[1] >= grid_.patch_y && at[1] <= grid_.last_patch_y
+                       ? Boundary::contact
+                       : Boundary::free_top;
+        const bool symmetric = at[1] == 0 ? grid_.symmetric_low : grid_.symmetric_high;
+        return d == 1 && symmetric ? Boundary::symmetry : Boundary::sides;
     }
 
     const LayerGrid& grid_;
@@ -118,10 +120,10 @@ class Blocks {
 
 }  // namespace
 
-void build_blocks(const LayerGrid& grid, double unit, bool half_model) {
+void build_blocks(const LayerGrid& grid, double unit) {
     const Blocks blocks(grid, unit);
     blocks.build();
-    blocks.name(half_model);
+    blocks.name();
 }
 
 }  // namespace tricontact::meshes

@@ -61,7 +61,7 @@ For k In {0 : #z[] - 1}
         Curve Loop(at + across_y) = {at + across_z, at + step_z,
                                      -(at + 1 + across_z), -(at)};
         Plane Surface(at + across_y) = {at + across_y};
-        If (j == 0 && half_model)
+        If ((j == 0 && half_model) || (j == #y[] - 1 && slice))
           symmetry[] += {at + across_y};
         ElseIf (j == 0 || j == #y[] - 1)
           sides[] += {at + across_y};
@@ -73,7 +73,7 @@ For k In {0 : #z[] - 1}
         Plane Surface(at + across_z) = {at + across_z};
         If (k == 0)
           base[] += {at + across_z};
-        ElseIf (k == #z[] - 1 && i == patch_i && j == patch_j)
+        ElseIf (k == #z[] - 1 && i == patch_i && j >= patch_j && j <= last_patch_j)
           contact[] += {at + across_z};
         ElseIf (k == #z[] - 1)
           free_top[] += {at + across_z};
@@ -144,9 +144,11 @@ std::string layer_geometry(const LayerMeshSpec& spec) {
         1e-6 * spec.size);
     for (int d = 0; d < 3; ++d) text += axis_text("xyz"[d], grid.axes[d]);
     text += fmt::format(
-        "patch_i = {}; patch_j = {};  // the block under the contact, from 0\n"
-        "half_model = {};            // 1: the face at the least y is a plane of symmetry\n",
-        grid.patch_x, grid.patch_y, spec.half_model ? 1 : 0);
+        "patch_i = {}; patch_j = {}; last_patch_j = {};  // the blocks under the contact, from 0\n"
+        "half_model = {};  // 1: the face at the least y is a plane of symmetry\n"
+        "slice = {};       // 1: that at the greatest y, too\n",
+        grid.patch_x, grid.patch_y, grid.last_patch_y, grid.symmetric_low ? 1 : 0,
+        grid.symmetric_high ? 1 : 0);
     return text + blocks;
 }
 

@@ -54,21 +54,55 @@ void check_patch(const char* axis, double size, double patch, double half) {
             "widen the block or shrink the patch");
 }
 
-// Length of the strip beside a patch [m]; 0 if they differ by rounding only.
+void check_across(const LayerMeshSpec& spec) {
+    if ((spec.plane_strain || spec.ends) && !spec.half_model)
+        fail(name, "a slice or a graded patch without half_model", "set half_model");
+    if (!spec.plane_strain && !spec.ends)
+        return check_patch("y", spec.size, spec.patch_y, spec.half_y);
+    if (!(spec.half_y >= spec.patch_y * (1 - equal)) ||
+        (spec.plane_strain && spec.half_y > spec.patch_y * (1 + equal)))
+        fail(name, fmt::format("half_y is {:.9g} m, patch_y {:.9g} m", spec.half_y, spec.patch_y),
+             "a slice is all patch, a graded patch not wider than the block");
+    if (!spec.ends) return;
+    const auto& [size, length] = *spec.ends;
+    if (!(size > 0) || !std::isfinite(size) || !(length >= 0) || !(length < spec.patch_y))
+        fail(name, fmt::format("ends of the size {:g} m over {:g} m", size, length),
+             "give a positive size and a length shorter than patch_y");
+}
+
+// A length between two others [m]; 0 if these differ by rounding only.
+double between(double inner, double outer) {
+    return outer - inner > equal * outer ? outer - inner : 0;
+}
+
+// Length of the strip beside a patch [m].
 double side_length(double size, double patch, double half) {
-    const double length = half - std::round(patch / size) * size;
-    return length > equal * half ? length : 0;
+    return between(std::round(patch / size) * size, half);
+}
+
+// Elements from the middle of a patch to one side of the block.
+double half_count(const LayerMeshSpec& s, double patch, double half) {
+    return std::round(patch / s.size) +
+           graded_count(side_length(s.size, patch, half), s.size, s.growth);
+}
+
+double elements_at_ends(const LayerMeshSpec::Ends& ends) {
+    return std::ceil(ends.length / ends.size * (1 - equal));
+}
+
+// Elements along y.
+double count_across(const LayerMeshSpec& s) {
+    if (s.plane_strain) return 1;
+    if (!s.ends) return (s.half_model ? 1 : 2) * half_count(s, s.patch_y, s.half_y);
+    return graded_count(s.patch_y - s.ends->length, s.ends->size, s.growth) +
+           elements_at_ends(*s.ends) +
+           graded_count(between(s.patch_y, s.half_y), s.ends->size, s.growth);
 }
 
 // Before anything is allocated: numbers beyond any int are possible.
 void check_count(const LayerMeshSpec& s) {
-    auto sideways = [&](double patch, double half, double halves) {
-        return halves * (std::round(patch / s.size) +
-                         graded_count(side_length(s.size, patch, half), s.size, s.growth));
-    };
     double depth = graded_count(s.thickness, s.size, depth_growth(s));
-    double n =
-        sideways(s.patch_x, s.half_x, 2) * sideways(s.patch_y, s.half_y, s.half_model ? 1 : 2);
+    double n = 2 * half_count(s, s.patch_x, s.half_x) * count_across(s);
     if (n * depth <= most_elements) {
         const Grading layer = grade(s.thickness, s.size, depth_growth(s));
         const std::vector<double> nodes = layer.nodes();
@@ -109,6 +143,39 @@ GridAxis lateral_axis(const LayerMeshSpec& spec, double patch, double half, bool
     return axis;
 }
 
+GridAxis slice_axis(const LayerMeshSpec& spec) {
+    return {.planes = {0, spec.half_y}, .strips = {{1, 1}}, .nodes = {0, spec.half_y}};
+}
+
+// From the middle outwards: the graded part of the patch, its ends, what lies beside it.
+GridAxis graded_axis(const LayerMeshSpec& spec) {
+    const auto& [size, length] = *spec.ends;
+    const double straight = spec.patch_y - length;
+    const Grading inner = grade(straight, size, spec.growth);
+    GridAxis axis{.planes = {0, straight}, .strips = {{inner.n, 1 / inner.ratio}}, .nodes = {}};
+    const std::vector<double> inwards = inner.nodes();
+    std::transform(inwards.rbegin(), inwards.rend(), std::back_inserter(axis.nodes),
+                   [&](double distance) { return straight - distance; });
+    const auto add = [&](const Grading& strip, double end) {
+        if (strip.n == 0) return;
+        const double begin = axis.planes.back();
+        for (const double distance : strip.nodes())
+            if (distance > 0) axis.nodes.push_back(begin + distance);
+        axis.nodes.back() = end;
+        axis.planes.push_back(end);
+        axis.strips.push_back({strip.n, strip.ratio});
+    };
+    add({static_cast<int>(elements_at_ends(*spec.ends)), 1, length}, spec.patch_y);
+    add(grade(between(spec.patch_y, spec.half_y), size, spec.growth), spec.half_y);
+    return axis;
+}
+
+GridAxis across_axis(const LayerMeshSpec& spec) {
+    if (spec.plane_strain) return slice_axis(spec);
+    if (spec.ends) return graded_axis(spec);
+    return lateral_axis(spec, spec.patch_y, spec.half_y, !spec.half_model);
+}
+
 GridAxis depth_axis(const LayerMeshSpec& spec) {
     const double growth = depth_growth(spec);
     std::vector<double> depths{0}, planes{0};
@@ -141,13 +208,16 @@ GridAxis depth_axis(const LayerMeshSpec& spec) {
 LayerGrid layer_grid(const LayerMeshSpec& spec) {
     check_lengths(spec);
     check_patch("x", spec.size, spec.patch_x, spec.half_x);
-    check_patch("y", spec.size, spec.patch_y, spec.half_y);
+    check_across(spec);
     check_count(spec);
     LayerGrid grid;
-    grid.axes = {lateral_axis(spec, spec.patch_x, spec.half_x, true),
-                 lateral_axis(spec, spec.patch_y, spec.half_y, !spec.half_model), depth_axis(spec)};
+    grid.axes = {lateral_axis(spec, spec.patch_x, spec.half_x, true), across_axis(spec),
+                 depth_axis(spec)};
     grid.patch_x = grid.axes[0].n_strips() > 1 ? 1 : 0;
     grid.patch_y = grid.axes[1].n_strips() > 1 && !spec.half_model ? 1 : 0;
+    grid.last_patch_y = grid.patch_y + (spec.ends && spec.ends->length > 0 ? 1 : 0);
+    grid.symmetric_low = spec.half_model;
+    grid.symmetric_high = spec.plane_strain;
     grid.layer = grid.axes[2].n_strips() - 1;
     return grid;
 }

@@ -20,12 +20,13 @@ struct GridAxis {
     int n_strips() const { return static_cast<int>(strips.size()); }
 };
 
-/// The nodes of a layer mesh, computed: whole multiples of the size in the patch, mirror images of
-/// each other left and right, both to the last bit.
+/// The nodes of a layer mesh, computed: see make_layer_mesh().
 struct LayerGrid {
-    std::array<GridAxis, 3> axes;  ///< x, y, z
-    int patch_x = 0, patch_y = 0;  ///< strips of the patch
-    int layer = 0;                 ///< strip of the (upper) layer
+    std::array<GridAxis, 3> axes;                        ///< x, y, z
+    int patch_x = 0, patch_y = 0;                        ///< strips of the patch
+    int last_patch_y = 0;                                ///< of a graded patch, else patch_y
+    int layer = 0;                                       ///< strip of the (upper) layer
+    bool symmetric_low = false, symmetric_high = false;  ///< the faces at the least and greatest y
 };
 
 /// Throws contact::InputError naming the wrong length and the rule.

@@ -17,7 +17,7 @@ HexMesh make_layer_mesh(const LayerMeshSpec& spec) {
     {
         const GmshSession session;
         GmshSession::call([&] {
-            build_blocks(grid, unit, spec.half_model);
+            build_blocks(grid, unit);
             gmsh::model::mesh::generate(3);
             mesh = collect_model(unit, "layer mesh");
         });

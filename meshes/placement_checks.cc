@@ -38,18 +38,36 @@ ContactExtent contact_extent(const HexMesh& mesh) {
     return extent;
 }
 
+void check_in_plane(const HexMesh& mesh, const HexMesh::Face& face, int d, double value,
+                    double tolerance, const std::string& name, const char* remedy) {
+    for (const int node : face.nodes)
+        if (std::abs(mesh.nodes[node][d] - value) > tolerance)
+            fail(name,
+                 fmt::format("the {} face at {} does not lie in the plane {} = {:.6g} m",
+                             name_of(face.boundary), place(centre_of(mesh, face.nodes)), "xyz"[d],
+                             value),
+                 remedy);
+}
+
 // Faces of this name lie in the plane where coordinate d is `value`.
 void check_plane(const HexMesh& mesh, Boundary boundary, int d, double value, double tolerance,
                  const std::string& name, const char* remedy) {
+    for (const HexMesh::Face& face : mesh.faces)
+        if (face.boundary == boundary)
+            check_in_plane(mesh, face, d, value, tolerance, name, remedy);
+}
+
+// In y = 0; a slice, whose surface is contact from face to face, has another one.
+void check_symmetry(const HexMesh& mesh, const ContactExtent& extent, double tolerance,
+                    const std::string& name) {
+    const double far = extent.high[1];
+    const bool slice = std::ranges::all_of(
+        mesh.nodes, [&](const Point& node) { return node[1] <= far + tolerance; });
     for (const HexMesh::Face& face : mesh.faces) {
-        if (face.boundary != boundary) continue;
-        for (const int node : face.nodes)
-            if (std::abs(mesh.nodes[node][d] - value) > tolerance)
-                fail(name,
-                     fmt::format("the {} face at {} does not lie in the plane {} = {:.6g} m",
-                                 name_of(boundary), place(centre_of(mesh, face.nodes)), "xyz"[d],
-                                 value),
-                     remedy);
+        if (face.boundary != Boundary::symmetry) continue;
+        const bool is_far = slice && std::abs(centre_of(mesh, face.nodes)[1] - far) <= tolerance;
+        check_in_plane(mesh, face, 1, is_far ? far : 0, tolerance, name,
+                       "the plane of symmetry is y = 0, with the body at y >= 0");
     }
 }
 
@@ -110,8 +128,7 @@ void check_placement(const HexMesh& mesh, const FaceTable& table, const std::str
     const char* surface_remedy = "the surface is z = 0, with the body below";
     check_plane(mesh, Boundary::contact, 2, 0, tolerance, name, surface_remedy);
     check_plane(mesh, Boundary::free_top, 2, 0, tolerance, name, surface_remedy);
-    check_plane(mesh, Boundary::symmetry, 1, 0, tolerance, name,
-                "the plane of symmetry is y = 0, with the body at y >= 0");
+    check_symmetry(mesh, extent, tolerance, name);
     check_sides(mesh, symmetric, tolerance, name);
     check_origin(extent, symmetric, tolerance, name);
     check_base(mesh, tolerance, name);

@@ -83,6 +83,31 @@ TEST(Placement, EdgeOfTheGrid) {
     }
 }
 
+// Where the body ends, the contact may fill the grid; along x it may not.
+TEST(Placement, EndsInYAreNoEdges) {
+    auto grid = contact::ContactPoints::grid(4, 3, {0, 0}, {1, 1});
+    grid.line_length = 3;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        std::vector<double> pressure(grid.size(), 0.);
+        pressure[i] = 1;
+        EXPECT_EQ(contact::reaches_edge(grid, pressure), i % 4 == 0 || i % 4 == 3) << i;
+    }
+    // Two elements side by side along x: 5 x 3 nodes, those of the columns 0 and 4 at the edge.
+    contact::ContactPoints elements;
+    for (int node = 0; node < 15; ++node) {
+        elements.x.push_back(node % 5);
+        elements.y.push_back(std::floor(node / 5));
+    }
+    elements.quads = {{0, 2, 12, 10, 1, 7, 11, 5, 6}, {2, 4, 14, 12, 3, 9, 13, 7, 8}};
+    elements.line_length = 2;
+    for (int node = 0; node < 15; ++node) {
+        std::vector<double> pressure(15, 0.);
+        pressure[node] = 1;
+        EXPECT_EQ(contact::reaches_edge(elements, pressure), node % 5 == 0 || node % 5 == 4)
+            << node;
+    }
+}
+
 TEST(CaseScales, HertzByForceAndByIndentation) {
     contact::Case c;
     c.indenter.radius = .04;

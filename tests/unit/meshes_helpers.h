@@ -32,6 +32,22 @@ inline LayerMeshSpec small_spec(bool half_model = false) {
     return spec;
 }
 
+/// The same between two planes of symmetry.
+inline LayerMeshSpec slice_spec() {
+    LayerMeshSpec spec = small_spec(true);
+    spec.plane_strain = true;
+    spec.patch_y = spec.half_y;
+    return spec;
+}
+
+/// The same under a roller's end, rounded over `rounded` [m].
+inline LayerMeshSpec graded_spec(double rounded) {
+    LayerMeshSpec spec = small_spec(true);
+    spec.patch_y = 5.3e-3;
+    spec.ends = LayerMeshSpec::Ends{.size = 0.2e-3, .length = rounded};
+    return spec;
+}
+
 /// A folder of its own for each test, removed afterwards.
 class MeshFolder : public testing::Test {
   protected:

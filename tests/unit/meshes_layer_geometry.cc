@@ -14,7 +14,9 @@ class MeshesGeometry : public MeshFolder, public testing::WithParamInterface<int
     static LayerMeshSpec spec() {
         LayerMeshSpec s = small_spec(GetParam() % 2 == 1);
         if (GetParam() >= 2) s.lower_thickness = 0;
-        if (GetParam() >= 4) s.half_x = s.patch_x, s.half_y = s.patch_y;
+        if (GetParam() == 4 || GetParam() == 5) s.half_x = s.patch_x, s.half_y = s.patch_y;
+        if (GetParam() >= 6) s = slice_spec();
+        if (GetParam() >= 7) s = graded_spec(GetParam() == 7 ? 0 : 0.5e-3);
         return s;
     }
 };
@@ -40,7 +42,7 @@ TEST_P(MeshesGeometry, BecomesTheSameMeshInGmsh) {
         for (int d = 0; d < 3; ++d) EXPECT_NEAR(a[i][d], b[i][d], 1e-5 * s.size) << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(Layers, MeshesGeometry, testing::Range(0, 6));
+INSTANTIATE_TEST_SUITE_P(Layers, MeshesGeometry, testing::Range(0, 9));
 
 TEST_F(MeshFolder, AnotherGridIsNotTakenForIt) {
     const HexMesh mesh = make_layer_mesh(small_spec());

@@ -106,6 +106,55 @@ TEST_P(MeshesLayer, GrowsFromTheElementSizeWithinBounds) {
     }
 }
 
+// Of the slice both faces across y are planes of symmetry.
+TEST(MeshesLine, SliceIsOneElementBetweenPlanes) {
+    const LayerMeshSpec s = slice_spec();
+    const HexMesh mesh = make_layer_mesh(s);
+    EXPECT_NO_THROW(verify(mesh, "mesh"));
+    EXPECT_EQ(coordinates(mesh, 1), (std::vector<double>{0, s.half_y}));
+    const double depth = s.thickness + s.lower_thickness;
+    std::map<Boundary, double> a = areas(mesh);
+    const double rounding = 1e-13;  // sums of some hundred terms
+    EXPECT_NEAR(a[Boundary::symmetry] / (2 * 2 * s.half_x * depth), 1, rounding);
+    EXPECT_NEAR(a[Boundary::sides] / (2 * s.half_y * depth), 1, rounding);
+    EXPECT_NEAR(a[Boundary::contact] / (2 * s.patch_x * s.half_y), 1, rounding);
+}
+
+TEST(MeshesLine, PatchIsGradedTowardsItsEnd) {
+    for (const double rounded : {0., .5e-3}) {
+        const LayerMeshSpec s = graded_spec(rounded);
+        const HexMesh mesh = make_layer_mesh(s);
+        EXPECT_NO_THROW(verify(mesh, "mesh"));
+        const std::vector<double> y = coordinates(mesh, 1);
+        const auto end = std::find(y.begin(), y.end(), s.patch_y);
+        ASSERT_NE(end, y.end());
+        // The end's own edges divide what is rounded; else the first is the strip's share.
+        EXPECT_NEAR(*end - end[-1], rounded > 0 ? rounded / 3 : s.ends->size, 1e-12);
+        EXPECT_EQ(y.front(), 0);
+        EXPECT_EQ(y.back(), s.half_y);
+        for (std::size_t i = 1; i + 1 < y.size(); ++i) {
+            const double ratio = (y[i + 1] - y[i]) / (y[i] - y[i - 1]);
+            EXPECT_LE(ratio, s.growth * 1.21) << i;  // between strips: 0.2 mm beside a third of 0.5
+            EXPECT_GE(ratio, 1 / s.growth / 1.21) << i;
+        }
+        std::map<Boundary, double> a = areas(mesh);
+        EXPECT_NEAR(a[Boundary::contact] / (2 * s.patch_x * s.patch_y), 1, 1e-13);
+    }
+}
+
+TEST(MeshesLine, WrongEndsAreRefused) {
+    LayerMeshSpec whole = graded_spec(0);
+    whole.half_model = false;
+    EXPECT_THROW(make_layer_mesh(whole), contact::InputError);
+    LayerMeshSpec wide = graded_spec(0);
+    wide.patch_y = 2 * wide.half_y;
+    EXPECT_THROW(make_layer_mesh(wide), contact::InputError);
+    LayerMeshSpec partly = slice_spec();
+    partly.patch_y = partly.half_y / 2;
+    EXPECT_THROW(make_layer_mesh(partly), contact::InputError);
+    EXPECT_THROW(make_layer_mesh(graded_spec(6e-3)), contact::InputError);
+}
+
 TEST_P(MeshesLayer, SameSpecSameBits) {
     const LayerMeshSpec s = small_spec(GetParam());
     const HexMesh first = make_layer_mesh(s);
