@@ -40,8 +40,4 @@ double hertz_modulus_from_contact_radius(double force, double radius, double con
     return 3. / 4 * force * radius / std::pow(contact_radius, 3);
 }
 
-double hertz_line_half_width(double load, double radius, double effective_modulus) {
-    return std::sqrt(4 * load * radius / (std::numbers::pi * effective_modulus));
-}
-
 }  // namespace tricontact::theory

@@ -25,8 +25,4 @@ double hertz_modulus_from_indentation(double force, double radius, double indent
 /// From the contact radius a [m]: a^3 = 3 F R/(4 E*).
 double hertz_modulus_from_contact_radius(double force, double radius, double contact_radius);
 
-/// Half width a [m] of the contact of a cylinder of the radius R [m] under the load F/L [N/m]:
-/// a^2 = 4 (F/L) R/(pi E*); p0 = 2 (F/L)/(pi a). Johnson (1985), eq. 4.43 and 4.45.
-double hertz_line_half_width(double load, double radius, double effective_modulus);
-
 }  // namespace tricontact::theory

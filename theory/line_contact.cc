@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -123,6 +124,17 @@ double LineContact::pressure(double x) const {
         sum -= 2 * edge_load_modes[m] * s * (s / sine);
     }
     return sum / half_width;
+}
+
+// p dx = edge load times -d theta.
+double LineContact::load_beyond(double x) const {
+    const double theta = std::acos(std::min(std::abs(x) / half_width, 1.));
+    double sum = edge_load_modes.front() * theta;
+    for (std::size_t m = 1; m < edge_load_modes.size(); ++m) {
+        const double order = 2. * static_cast<double>(m);
+        sum += edge_load_modes[m] * std::sin(order * theta) / order;
+    }
+    return 2 * sum;
 }
 
 LineContact solve_line_contact(const ElasticLayer& layer, double radius,

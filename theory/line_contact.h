@@ -34,6 +34,9 @@ struct LineContact {
 
     /// Pressure [Pa] at x [m], zero outside; to 1e-10 of the mean pressure.
     double pressure(double x) const;
+    /// Load F/L [N/m] carried beyond |x| >= 0 [m], on both sides. With x = W its share of the load
+    /// is (1/F_N) ∫ min p dA of a contact rolled over +-W: the limit of shakedown.
+    double load_beyond(double x) const;
 };
 
 /// Contact of a cylinder of the radius R [m]. Throws contact::InputError for values out of range,

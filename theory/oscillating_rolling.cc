@@ -1,13 +1,12 @@
 #include "theory/oscillating_rolling.h"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
+#include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::theory {
@@ -23,20 +22,6 @@ void check_unit_interval(const char* name, double value) {
 void check_mapping(double kappa) {
     if (!(kappa > 0 && kappa <= mdr_mapping))
         throw std::domain_error("oscillating rolling: kappa must lie in (0, 3/2]");
-}
-
-// Root of a monotone function with a change of sign in [low, high]; both ends may be roots.
-template <typename Function>
-double bracketed_root(Function function, double low, double high) {
-    const double at_low = function(low), at_high = function(high);
-    if (at_low == 0 || low == high) return low;
-    if (at_high == 0) return high;
-    const boost::math::tools::eps_tolerance<double> full_precision(
-        std::numeric_limits<double>::digits - 1);
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10; bisection alone 53
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        function, low, high, at_low, at_high, full_precision, evaluations);
-    return std::midpoint(left, right);
 }
 
 // 1 - (1 - u)^(3/2) without cancellation at small u.

@@ -8,6 +8,7 @@
 
 #include "contact/error.h"
 #include "theory/line_contact.h"
+#include "theory/oscillating_cylinder.h"
 
 namespace tricontact {
 namespace {
@@ -158,6 +159,26 @@ TEST(TheoryLineContact, IsConsistent) {
             const double slope = (more.load - less.load) / (more.indentation - less.indentation);
             EXPECT_NEAR(slope / c.stiffness, 1, 1e-6) << a_over_b;  // 1e-8 times a curvature
         }
+}
+
+TEST(TheoryLineContact, LoadBeyondAPointIsTheIntegralOfThePressure) {
+    for (const double b : {.3, 1., 50.}) {
+        const auto c = solve_line_contact({{3.6, .45}, b, LayerBase::bonded}, 40,
+                                          {LineControl::Kind::half_width, 1});
+        for (const double x : {0., .26, .9}) {
+            const double begin = std::asin(x);
+            const double integral = gauss_kronrod<double, 31>::integrate(
+                [&](double angle) { return 2 * c.pressure(std::sin(angle)) * std::cos(angle); },
+                begin, std::acos(0.), 12, 1e-12);
+            EXPECT_NEAR(c.load_beyond(x), integral, 1e-9 * c.load) << b << ' ' << x;
+        }
+        EXPECT_NEAR(c.load_beyond(0), c.load, 1e-12 * c.load);
+        EXPECT_EQ(c.load_beyond(1.1), 0);
+    }
+    // Hertz, as theory/oscillating_cylinder.h has it.
+    const auto thick = solve_line_contact({{3.6, .5}, 1e4, LayerBase::bonded}, 40,
+                                          {LineControl::Kind::half_width, 1});
+    EXPECT_NEAR(thick.load_beyond(.26) / thick.load, theory::line_shakedown_limit(.26), 1e-7);
 }
 
 TEST(TheoryLineContact, RefusesBadInput) {

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+
+namespace tricontact::theory {
+
+// Oscillating rolling of a cylinder on an elastic half-space under constant normal and tangential
+// force: the line contact, normal and tangential uncoupled, exactly. Dimensionless:
+//   w = W/a in [0, 1]          rolling amplitude over the half width,
+//   f = F_T/(mu F_N) in [0, 1] tangential force over the friction limit,
+//   c = c_sd/a in [0, 1 - w]   half width of what always sticks; x over a likewise,
+//   u = U/U_max                rigid shift over that of full sliding,
+//   lambda                     contact::line_shift_factor(): U_max = mu 2 F_N/(pi E* L) lambda.
+// After shakedown the points within c have never slipped: they have the displacement U. From c to
+// b = a - W the traction is mu times the least pressure of a period, t(s) = sqrt(1 - (s + w)^2)
+// over mu p0, and zero beyond. That is a superposition of flat punches of half widths r from c to
+// b,
+//   tau(x) = ∫_max(c,|x|)^b q(r)/sqrt(r^2 - x^2) dr,
+// each of which displaces |x| < c uniformly; Abel's inversion of t gives q and, with s^2 = c^2 +
+// v^2,
+//   f = (4/pi) ∫_0^V t(s) dv,  V^2 = b^2 - c^2,
+//   tau(x)/(mu p0) = (2/pi) ∫_0^V t(s) e/(e^2 + v^2) dv,  e^2 = c^2 - x^2,  for |x| < c.
+// c = 0 is the limit, (3.5.27) of Wetter's thesis (TU Berlin); w = 0 is Cattaneo's line contact.
+// The thesis' own tau (3.5.18) and f (3.5.24) are approximations, see thesis_cylinder.h. Every
+// function throws std::domain_error for an argument out of range.
+
+/// f under which the half width c sticks after shakedown; decreasing in c.
+double line_stick_force(double w, double c);
+/// Its inverse in c; empty if f exceeds the limit (ratcheting).
+std::optional<double> line_stick_half_width(double w, double f);
+
+/// tau/(mu p0) at x (any sign) after shakedown.
+double line_shakedown_traction(double x, double w, double c);
+
+/// Shift u_stat under f before rolling: 1 - (1 - f) [1 - ln(1 - f)/(2 lambda)].
+double line_static_shift_ratio(double f, double lambda);
+/// Frictional work of one cycle of F_T between +-f mu F_N, over mu^2 2 F_N^2/(pi E* L):
+/// f (2 - f) + 2 (1 - f) ln(1 - f), by Masing's rule from u_stat.
+double line_cycle_dissipation(double f);
+/// Shift u_sd after shakedown with the half width c sticking.
+double line_settled_shift_ratio(double w, double c, double lambda);
+
+/// Largest f that shakes down, (3.5.27): (2/pi) (acos w - w sqrt(1 - w^2)); also (1/F_N) ∫ min p
+/// dA.
+double line_shakedown_limit(double w);
+/// Largest w that shakes down, its inverse.
+double line_amplitude_limit(double f);
+
+}  // namespace tricontact::theory
