@@ -8,11 +8,11 @@
 #include "app/commands.h"
 #include "app/models.h"
 #include "app/walk_scales.h"
+#include "comparisons/reference.h"
 #include "contact/error.h"
 #include "io/any_case.h"
 #include "io/case_writer.h"
 #include "io/walk_writer.h"
-#include "theory/oscillating_rolling.h"
 
 namespace tricontact::app {
 
@@ -21,11 +21,14 @@ namespace {
 std::string derived_values(const contact::Case& c) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     const contact::MaterialPair materials = c.materials();
-    std::string text = "# What follows from it (Hertz; Cattaneo and Mindlin)\n";
+    std::string text = c.is_line_contact()
+                           ? "# What follows from it (Hertz' line contact, a strip of its length)\n"
+                           : "# What follows from it (Hertz; Cattaneo and Mindlin)\n";
     auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
         text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
     };
-    line("a", hertz.contact_radius * 1e3, "mm", "contact radius");
+    line("a", hertz.contact_radius * 1e3, "mm",
+         c.is_line_contact() ? "half width of the contact" : "contact radius");
     line("d", hertz.indentation * 1e3, "mm", "indentation");
     line("F_N", hertz.normal_force, "N", "normal force");
     line("p0", hertz.peak_pressure * 1e-6, "MPa", "peak pressure");
@@ -43,7 +46,8 @@ std::string derived_values(const contact::Case& c) {
     const double w = amplitude / hertz.contact_radius;
     line("W", amplitude * 1e3, "mm", "rolling amplitude");
     line("w", w, "-", "W/a");
-    if (w <= 1) line("f_T,lim", theory::shakedown_limit(w), "-", "exact shakedown limit");
+    if (const auto limit_ratio = comparisons::reference(c).limit_tangential_ratio)
+        line("f_T,lim", *limit_ratio, "-", "exact shakedown limit");
     return text;
 }
 

@@ -18,6 +18,7 @@ Verification verify(bool brief, const Say& say) {
     Verification all;
     verify_half_space(brief, say, all);
     verify_layer(brief, say, all);
+    verify_cylinder(brief, say, all);
     verify_creep(brief, say, all);
     if (brief) return all;
     verify_friction_pressing(say, all);

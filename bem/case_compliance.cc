@@ -46,6 +46,16 @@ contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
                                         {spacing, spacing});
 }
 
+/// The same in x, of strips over the whole length in y.
+contact::ContactPoints make_row(double half_x, double spacing, double length) {
+    const double beside = std::ceil(half_x / spacing), n = 2 * beside + 1;
+    check_size(n, 1);
+    auto row = contact::ContactPoints::grid(static_cast<int>(n), 1, {-beside * spacing, 0},
+                                            {spacing, length});
+    row.line_length = length;
+    return row;
+}
+
 /// One period, a cell's centre at the origin.
 contact::ContactPoints period_grid(double period, double spacing, bool adjustable) {
     const double n = adjustable ? std::ceil(period / spacing) : std::round(period / spacing);
@@ -92,9 +102,10 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
         return tabulated_compliance(*table, *c.bem.influence,
                                     body == Body::layer || is_coupled(c.materials()),
                                     std::move(grid), n_threads);
-    return body == Body::layer ? layer_compliance(theory::layers_of("bem-layer", c),
-                                                  c.indenter.material, std::move(grid), n_threads)
-                               : half_space_compliance(c.materials(), std::move(grid), n_threads);
+    if (body == Body::half_space)
+        return half_space_compliance(c.materials(), std::move(grid), n_threads);
+    const auto make = c.is_line_contact() ? plane_layer_compliance : layer_compliance;
+    return make(theory::layers_of("bem-layer", c), c.indenter.material, std::move(grid), n_threads);
 }
 
 using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::ContactPoints grid)>;
@@ -110,8 +121,9 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
-        auto compliance =
-            make(make_grid(margin * radius + extent[0], margin * radius + extent[1], spacing));
+        const double half_x = margin * radius + extent[0], half_y = margin * radius + extent[1];
+        auto compliance = make(c.is_line_contact() ? make_row(half_x, spacing, c.indenter.length)
+                                                   : make_grid(half_x, half_y, spacing));
         if (covers(*compliance, c, extent)) return compliance;
     }
 }
@@ -176,6 +188,10 @@ std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
+    if (c.is_line_contact())
+        throw contact::InputError(
+            "indenter.shape: a line contact has influence coefficients of strips, but files hold "
+            "those of square cells; take another shape");
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "bem/layer_influence.h"
+#include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 
 namespace tricontact::bem {
@@ -142,6 +143,17 @@ std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layer
         std::hypot(positions(grid.n_x) * grid.spacing[0], positions(grid.n_y) * grid.spacing[1]));
     return std::make_unique<GridCompliance>([cell](double x, double y) { return cell->at(x, y); },
                                             std::move(grid), true, n_threads);
+}
+
+std::unique_ptr<GridCompliance> plane_layer_compliance(
+    const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
+    contact::ContactPoints grid, int n_threads) {
+    const auto strip = std::make_shared<const PlaneLayerInfluence>(
+        layers, indenter, grid.spacing[0], grid.spacing[1], positions(grid.n_x) * grid.spacing[0]);
+    // Beside the only row there is nothing.
+    return std::make_unique<GridCompliance>(
+        [strip](double x, double y) { return y == 0 ? strip->at(x) : InfluenceCoefficients{}; },
+        std::move(grid), true, n_threads);
 }
 
 std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,

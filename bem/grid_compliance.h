@@ -71,6 +71,11 @@ std::unique_ptr<GridCompliance> half_space_compliance(const contact::MaterialPai
 std::unique_ptr<GridCompliance> layer_compliance(const theory::LayerStack& layers,
                                                  const std::optional<contact::Material>& indenter,
                                                  contact::ContactPoints grid, int n_threads);
+/// The same in plane strain (see PlaneLayerInfluence): `grid` is one row of strips along x, their
+/// spacing along y is their length. Throws contact::InputError.
+std::unique_ptr<GridCompliance> plane_layer_compliance(
+    const theory::LayerStack& layers, const std::optional<contact::Material>& indenter,
+    contact::ContactPoints grid, int n_threads);
 /// Whatever bodies have these coefficients. `name`: of their file, for messages. Throws
 /// contact::InputError if their spacing is another one or positions are missing.
 std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const std::string& name,

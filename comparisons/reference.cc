@@ -1,6 +1,8 @@
 #include "comparisons/reference.h"
 
+#include "contact/line_contact_scales.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_cylinder.h"
 #include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -21,6 +23,33 @@ double amplitude_ratio(const contact::History& history) {
     return history.amplitude / history.scales.contact_radius;
 }
 
+namespace {
+
+/// Closed forms of the line contact in place of the point contact's.
+void add_line_contact(const contact::Case& c, Reference& r) {
+    const double f = r.tangential_ratio, w = r.amplitude_ratio;
+    const double lambda =
+        contact::line_shift_factor(c.materials(), c.indenter.length / r.hertz.contact_radius);
+    r.static_shift_ratio = theory::line_static_shift_ratio(f, lambda);
+    if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
+    r.limit_tangential_ratio = theory::line_shakedown_limit(w);
+    r.limit_amplitude_ratio = theory::line_amplitude_limit(f);
+    r.stick_ratio = theory::line_stick_half_width(w, f);
+    if (r.stick_ratio)
+        r.shakedown_shift_ratio = theory::line_settled_shift_ratio(w, *r.stick_ratio, lambda);
+}
+
+void add_point_contact(const contact::Case& c, Reference& r) {
+    const double f = r.tangential_ratio, w = r.amplitude_ratio;
+    r.static_shift_ratio = theory::static_shift_ratio(f);
+    if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
+    r.limit_tangential_ratio = theory::shakedown_limit(w);
+    r.limit_amplitude_ratio = theory::amplitude_limit(f);
+    r.shakedown_shift_ratio = theory::settled_shift_ratio(w, f);
+}
+
+}  // namespace
+
 Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
@@ -28,17 +57,14 @@ Reference reference(const contact::Case& c) {
     r.tangential_ratio = c.load.tangential_ratio
                              ? *c.load.tangential_ratio
                              : c.load.tangential_force.value_or(0) / friction_limit;
-    const double f = r.tangential_ratio;
-    if (!in_unit_range(f)) return r;
-    r.static_shift_ratio = theory::static_shift_ratio(f);
-    if (!c.rolling) return r;
-    r.amplitude_ratio =
-        contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
-    const double w = r.amplitude_ratio;
-    if (!constant_loads(c) || !in_unit_range(w)) return r;
-    r.limit_tangential_ratio = theory::shakedown_limit(w);
-    r.limit_amplitude_ratio = theory::amplitude_limit(f);
-    r.shakedown_shift_ratio = theory::settled_shift_ratio(w, f);
+    if (c.rolling)
+        r.amplitude_ratio =
+            contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
+    if (!in_unit_range(r.tangential_ratio)) return r;
+    if (c.is_line_contact())
+        add_line_contact(c, r);
+    else
+        add_point_contact(c, r);
     return r;
 }
 

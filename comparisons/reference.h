@@ -19,7 +19,8 @@ double tangential_ratio(const contact::History& history);
 double amplitude_ratio(const contact::History& history);
 
 /// What the closed forms say of a case: Hertz, Cattaneo-Mindlin, and the exact solution of the
-/// method of dimensionality reduction (MDR) for oscillating rolling. Ratios are dimensionless.
+/// method of dimensionality reduction (MDR) for oscillating rolling; of a line contact Hertz,
+/// Cattaneo and the exact solution of theory/oscillating_cylinder.h. Ratios are dimensionless.
 struct Reference {
     contact::HalfSpaceScales hertz{};
     double tangential_ratio = 0;    ///< f_T
@@ -28,7 +29,8 @@ struct Reference {
     /// Below: with rolling at constant loads and w <= 1 only.
     std::optional<double> limit_tangential_ratio;  ///< f_T,lim, exact for Hertzian pressure
     std::optional<double> limit_amplitude_ratio;   ///< w_lim at this f_T
-    std::optional<double> shakedown_shift_ratio;   ///< u_sd of MDR, below the limit only
+    std::optional<double> shakedown_shift_ratio;   ///< u_sd, below the limit only
+    std::optional<double> stick_ratio;             ///< c_sd/a of a line contact, likewise
 };
 Reference reference(const contact::Case& c);
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "comparisons/json_number.h"
 #include "comparisons/reference.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_cylinder.h"
 #include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -20,7 +22,8 @@ std::optional<double> finite(double value) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> mapping_parameter(const ModelSummary& s) {
+std::optional<double> mapping_parameter(const contact::Case& c, const ModelSummary& s) {
+    if (c.is_line_contact()) return {};
     const double w = s.amplitude_ratio, u = s.final_shift_ratio;
     const bool defined = w * u > least_mapping_product && in_unit_range(w) && in_unit_range(u) &&
                          in_unit_range(s.tangential_ratio);
@@ -28,14 +31,21 @@ std::optional<double> mapping_parameter(const ModelSummary& s) {
     return finite(theory::mapping_parameter(w, s.tangential_ratio, u));
 }
 
-std::optional<double> ratcheting_slope(const ModelSummary& s) {
+std::optional<double> ratcheting_slope(const contact::Case& c, const ModelSummary& s) {
     if (s.state != State::ratcheting || !in_unit_range(s.tangential_ratio)) return {};
-    const double excess = s.amplitude_ratio - theory::amplitude_limit(s.tangential_ratio);
+    const double limit = c.is_line_contact() ? theory::line_amplitude_limit(s.tangential_ratio)
+                                             : theory::amplitude_limit(s.tangential_ratio);
+    const double excess = s.amplitude_ratio - limit;
     return excess > 0 ? finite(*s.shift_increment_ratio / excess) : std::nullopt;
 }
 
 /// W0 [J] of the model's own scales.
 double unit_dissipation(const contact::Case& c, const ModelSummary& s, const History& history) {
+    if (c.is_line_contact()) {
+        const double bound = c.friction_coefficient * history.scales.normal_force;
+        return theory::line_cycle_dissipation(s.tangential_ratio) * bound * bound * 2 /
+               (std::numbers::pi * c.materials().effective_modulus() * c.indenter.length);
+    }
     return theory::cycle_dissipation(
         {.friction_coefficient = c.friction_coefficient,
          .normal_force = history.scales.normal_force,
@@ -107,8 +117,8 @@ ModelSummary summarise(const contact::Case& c, const History& history) {
     add_periods(c, history, s);
     s.limit_tangential_ratio = history.limit_tangential_ratio;
     if (constant_loads(c)) {
-        s.kappa = mapping_parameter(s);
-        s.eta = ratcheting_slope(s);
+        s.kappa = mapping_parameter(c, s);
+        s.eta = ratcheting_slope(c, s);
     }
     s.steps = static_cast<int>(history.steps.size());
     s.cpu_s = history.cpu_s;

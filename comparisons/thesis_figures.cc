@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <set>
 
+#include "comparisons/fit_curves.h"
 #include "comparisons/fit_figures.h"
 #include "comparisons/format.h"
 #include "theory/cattaneo_mindlin.h"
@@ -16,28 +16,8 @@ namespace tricontact::comparisons {
 
 namespace {
 
-constexpr int n_samples = 100;
-
 /// Loads from which a settled point counts as near its limit.
 constexpr double near_limit = 0.9;
-
-std::vector<double> samples(double from, double to) {
-    std::vector<double> values;
-    for (int i = 0; i <= n_samples; ++i) values.push_back(std::lerp(from, to, i / 1. / n_samples));
-    return values;
-}
-
-/// A closed form given by x and y over a parameter.
-Curve closed_form(const std::string& name, double from, double to,
-                  const std::function<double(double)>& x, const std::function<double(double)>& y,
-                  int colour) {
-    Curve curve{.name = name, .x = {}, .y = {}, .theory = true, .colour = colour};
-    for (const double t : samples(from, to)) {
-        curve.x.push_back(x(t));
-        curve.y.push_back(y(t));
-    }
-    return curve;
-}
 
 /// The figures of one group, all its models in each.
 class GroupFigures {
@@ -83,29 +63,8 @@ class GroupFigures {
                 .y = {y}};
     }
 
-    /// Points of each model that `place` finds a place for.
-    void add_points(
-        Figure& figure,
-        const std::function<std::optional<std::pair<double, Computed>>(const RollingPoint&)>& place)
-        const {
-        for (std::size_t m = 0; m < models_.size(); ++m) {
-            Curve curve{.name = display_name(models_[m]),
-                        .x = {},
-                        .y = {},
-                        .kind = Curve::Kind::points,
-                        .colour = static_cast<int>(m)};
-            std::vector<Computed> values;
-            for (const RollingPoint* p : points_) {
-                if (p->model != models_[m]) continue;
-                const auto at = place(*p);
-                if (!at) continue;
-                curve.x.push_back(at->first);
-                curve.y.push_back(at->second.value);
-                values.push_back(at->second);
-            }
-            curve.y_error = bars_of(values);
-            figure.curves.push_back(std::move(curve));
-        }
+    void add_points(Figure& figure, const Place& place) const {
+        add_model_points(figure, models_, points_, place);
     }
 
     Figure settled() const {
@@ -142,11 +101,9 @@ class GroupFigures {
         f.curves.push_back(closed_form(
             "exact", 0, 1, [](double w) { return theory::shakedown_limit(w); }, same,
             exact_colour()));
-        std::set<std::pair<std::string, long>> seen;  // a limit once per model and amplitude
-        add_points(f, [&](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
-            if (!seen.emplace(p.model, std::lround(p.amplitude_ratio * 1e4)).second) return {};
-            return std::pair(p.limit.value, Computed{p.amplitude_ratio});
-        });
+        add_points(f, once_per_amplitude([](const RollingPoint& p) {
+                       return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
+                   }));
         return f;
     }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/line_contact_scales.h"
 #include "contact/rough_scales.h"
 
 namespace tricontact::contact {
@@ -16,6 +17,7 @@ double Case::Layer::total_thickness() const {
 // Hertz (1882); Johnson (1985), ch. 4: a^2 = R d, F_N = 4/3 E* sqrt(R) d^(3/2).
 HalfSpaceScales half_space_scales(const Case& c) {
     if (is_nominally_flat(c)) return rough_scales(c);
+    if (c.is_line_contact()) return line_contact_scales(c);
     const MaterialPair materials = c.materials();
     const double e_star = materials.effective_modulus();
     const double radius = c.indenter.radius;

@@ -189,6 +189,8 @@ struct Case {
     Fem fem;
     Output output;
 
+    /// Of a body that is long along y: pressures and tractions are uniform over its length.
+    bool is_line_contact() const { return indenter.shape == Shape::cylinder; }
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
@@ -197,9 +199,10 @@ struct Case {
 };
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
-/// solution for paraboloid and sphere, of nominally flat bodies see rough_scales.h. SI units.
+/// solution for paraboloid and sphere, see line_contact_scales.h for the cylinder, rough_scales.h
+/// for nominally flat bodies. SI units.
 struct HalfSpaceScales {
-    double contact_radius;  ///< a [m]
+    double contact_radius;  ///< a [m]; half width of a line contact
     double indentation;     ///< d [m]
     double normal_force;    ///< F_N [N]
     double peak_pressure;   ///< p0 [Pa]

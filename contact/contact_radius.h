@@ -11,6 +11,7 @@ namespace tricontact::contact {
 /// c1/c0. Moments gain from the cancelling errors of the points, where counting points is first
 /// order only; the form is exact for Hertz, within 1e-5 for a layer with b > a and 0.25 % for
 /// b = 0.7 a. What is no such pressure (a few points) is counted.
+/// Of a contact with a line_length the half width, likewise, with s = x^2/a^2.
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre);
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "contact/case.h"
+#include "contact/cylinder.h"
 #include "contact/error.h"
 #include "contact/rough_indenter.h"
 
@@ -34,6 +35,8 @@ std::unique_ptr<Indenter> smooth_body(const Case& c) {
             return std::make_unique<Plane>();
         case Case::Shape::height_map:
             return mapped(c);
+        case Case::Shape::cylinder:
+            return std::make_unique<Cylinder>(c.indenter.radius, c.indenter.length);
         default:
             return c.make_axisymmetric_indenter();
     }

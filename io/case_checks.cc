@@ -8,6 +8,7 @@
 #include "io/bem_checks.h"
 #include "io/fem_checks.h"
 #include "io/layer_checks.h"
+#include "io/line_contact_checks.h"
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
 
@@ -174,7 +175,7 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
     const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
     const double a = largest_contact_radius(c, s);
     const double n_x = 2 * (a + w * std::abs(std::cos(angle))) / h;
-    const double n_y = 2 * (a + w * std::abs(std::sin(angle))) / h;
+    const double n_y = c.is_line_contact() ? 1 : 2 * (a + w * std::abs(std::sin(angle))) / h;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,
                "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +
@@ -204,6 +205,7 @@ void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 }  // namespace
 
 void check_case(const Case& c, const Document& document) {
+    check_line_contact(c, document);
     const HalfSpaceScales scales = contact::half_space_scales(c);
     check_scales(scales, document);
     check_coupling(c, document);

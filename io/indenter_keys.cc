@@ -22,7 +22,8 @@ struct ShapeKeys {
 const std::vector<ShapeKeys>& shapes() {
     using enum Case::Shape;
     static const std::vector<ShapeKeys> all = {{"paraboloid", paraboloid, {"radius"}},
-                                               {"sphere", sphere, {"radius"}}};
+                                               {"sphere", sphere, {"radius"}},
+                                               {"cylinder", cylinder, {"radius", "length"}}};
     return all;
 }
 
@@ -49,13 +50,14 @@ bool is_of_shape(std::string_view key) {
 }  // namespace
 
 void add_indenter_keys(std::vector<CaseKey>& keys) {
-    keys.push_back({{.path = "indenter.shape",
-                     .kind = Kind::choice,
-                     .choices = shape_choices(),
-                     .default_value = R"("paraboloid")",
-                     .example = R"("paraboloid")",
-                     .text = "paraboloid r^2/(2R), or the exact sphere"},
-                    [](Case& c) -> Field { return &c.indenter.shape; }});
+    keys.push_back(
+        {{.path = "indenter.shape",
+          .kind = Kind::choice,
+          .choices = shape_choices(),
+          .default_value = R"("paraboloid")",
+          .example = R"("paraboloid")",
+          .text = "paraboloid r^2/(2R), the exact sphere, or a cylinder x^2/(2R) along y"},
+         [](Case& c) -> Field { return &c.indenter.shape; }});
     keys.push_back({{.path = "indenter.radius",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
@@ -65,6 +67,17 @@ void add_indenter_keys(std::vector<CaseKey>& keys) {
                      .text = "radius R of curvature"},
                     [](Case& c) -> Field {
                         return takes(c.indenter.shape, "radius") ? Field(&c.indenter.radius)
+                                                                 : Field();
+                    }});
+    keys.push_back({{.path = "indenter.length",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .required = true,
+                     .example = R"("80 mm")",
+                     .text = "length L along y"},
+                    [](Case& c) -> Field {
+                        return takes(c.indenter.shape, "length") ? Field(&c.indenter.length)
                                                                  : Field();
                     }});
     keys.push_back({{.path = "indenter.young",

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "theory/hertz.h"
+#include "contact/line_contact_scales.h"
 
 namespace tricontact::rig {
 
@@ -52,7 +52,7 @@ contact::HalfSpaceScales hertz_of(const std::vector<double>& x) {
 }
 
 double line_half_width_of(const std::vector<double>& x) {
-    return theory::hertz_line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
+    return contact::line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
 }
 
 theory::LayerContact layer_of(const std::vector<double>& x) {

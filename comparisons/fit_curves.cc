@@ -1,0 +1,58 @@
+#include "comparisons/fit_curves.h"
+
+#include <cmath>
+#include <memory>
+#include <set>
+
+#include "comparisons/fit_figures.h"
+#include "comparisons/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+constexpr int n_samples = 100;
+}
+
+Curve closed_form(const std::string& name, double from, double to,
+                  const std::function<double(double)>& x, const std::function<double(double)>& y,
+                  int colour) {
+    Curve curve{.name = name, .x = {}, .y = {}, .theory = true, .colour = colour};
+    for (int i = 0; i <= n_samples; ++i) {
+        const double t = std::lerp(from, to, i / 1. / n_samples);
+        curve.x.push_back(x(t));
+        curve.y.push_back(y(t));
+    }
+    return curve;
+}
+
+void add_model_points(Figure& figure, const std::vector<std::string>& models,
+                      const std::vector<const RollingPoint*>& points, const Place& place) {
+    for (std::size_t m = 0; m < models.size(); ++m) {
+        Curve curve{.name = display_name(models[m]),
+                    .x = {},
+                    .y = {},
+                    .kind = Curve::Kind::points,
+                    .colour = static_cast<int>(m)};
+        std::vector<Computed> values;
+        for (const RollingPoint* p : points) {
+            if (p->model != models[m]) continue;
+            const auto at = place(*p);
+            if (!at) continue;
+            curve.x.push_back(at->first);
+            curve.y.push_back(at->second.value);
+            values.push_back(at->second);
+        }
+        curve.y_error = bars_of(values);
+        figure.curves.push_back(std::move(curve));
+    }
+}
+
+Place once_per_amplitude(const Place& place) {
+    const auto seen = std::make_shared<std::set<std::pair<std::string, long>>>();
+    return [=](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
+        if (!seen->emplace(p.model, std::lround(p.amplitude_ratio * 1e4)).second) return {};
+        return place(p);
+    };
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparisons/document.h"
+#include "comparisons/rolling_points.h"
+
+namespace tricontact::comparisons {
+
+/// A closed form given by x and y over a parameter, dashed.
+Curve closed_form(const std::string& name, double from, double to,
+                  const std::function<double(double)>& x, const std::function<double(double)>& y,
+                  int colour);
+
+/// Where a point lies in a figure, and its bar; empty: nowhere.
+using Place = std::function<std::optional<std::pair<double, Computed>>(const RollingPoint&)>;
+
+/// A curve of points for each model, coloured by its place in `models`.
+void add_model_points(Figure& figure, const std::vector<std::string>& models,
+                      const std::vector<const RollingPoint*>& points, const Place& place);
+
+/// A limit of a model, the same at all points of an amplitude, is drawn once.
+Place once_per_amplitude(const Place& place);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,76 @@
+#include "io/line_contact_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/messages.h"
+#include "io/refusal.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+
+constexpr double widest_ratio = 0.1;   // a/L: what the uniform state leaves out is its square
+constexpr double largest_slope = 0.5;  // a/R, as of a sphere
+
+bool computes(const Case& c, const std::string& model) {
+    return std::find(c.models.begin(), c.models.end(), model) != c.models.end();
+}
+
+void check_models(const Case& c, const Document& document) {
+    for (const char* model : {"mdr", "mdr-layer"})
+        if (computes(c, model))
+            refuse(document, "models",
+                   std::string(model) +
+                       " maps bodies of revolution to a line of springs; there is no such map of "
+                       "the line contact of a cylinder",
+                   "take bem or bem-layer");
+    if (computes(c, "fem"))
+        refuse(document, "models", "fem has no line contact", "take bem or bem-layer");
+    if (computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
+        refuse(document, "substrate.base",
+               "a line load displaces an elastic half-space below the layers without bound",
+               "take \"bonded\", or the model bem");
+}
+
+void check_size(const Case& c, const Document& document) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    if (a > widest_ratio * c.indenter.length)
+        refuse(document, "indenter.length",
+               "the contact's half width of " + rounded(a) + " m is more than " +
+                   rounded(widest_ratio) + " of the cylinder's length of " +
+                   rounded(c.indenter.length) + " m: no line contact",
+               "enlarge it or reduce the load");
+    if (a > largest_slope * c.indenter.radius)
+        refuse(document, used(document, "load.normal_force", "load.indentation"),
+               "the contact's half width of " + rounded(a) + " m exceeds half of the radius " +
+                   rounded(c.indenter.radius) + " m: small deformations are assumed",
+               "reduce the load or enlarge indenter.radius");
+}
+
+void check_path(const Case& c, const Document& document) {
+    if (!c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12) return;
+    refuse(document, "rolling.angle", "a cylinder rolls across its axis, along x, only",
+           "omit it, or take a body of revolution");
+}
+
+void check_options(const Case& c, const Document& document) {
+    for (const char* key : {"bem.period", "bem.influence"})
+        if (document.find(key))
+            refuse(document, key, "is of square cells; a line contact is made of strips",
+                   "omit it, or take another indenter.shape");
+}
+
+}  // namespace
+
+void check_line_contact(const Case& c, const Document& document) {
+    if (!c.is_line_contact()) return;
+    check_models(c, document);
+    check_path(c, document);
+    check_options(c, document);
+    check_size(c, document);
+}
+
+}  // namespace tricontact::io
