@@ -143,7 +143,6 @@ void fit_command(const FitOptions& options) {
     comparisons::evaluate(fit);
 
     io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
-    io::write_file(folder + "/points.csv", comparisons::points_csv(fit));
     io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
     io::write_file(folder + "/fit.html",
                    comparisons::document_html(comparisons::fit_document(fit)));

@@ -13,6 +13,7 @@
 #include "contact/load_path.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
+#include "contact/rough_scales.h"
 #include "theory/case_layers.h"
 
 namespace tricontact::bem {
@@ -85,13 +86,24 @@ double hardest_factor(const contact::Case& c) {
 /// Friction widens a coupled contact by less than this wins, which is probed without.
 constexpr double harder_if_coupled = 1.1;
 
+/// At the edge of the grid the indenter is higher than it is pressed in: roughness has no spots of
+/// contact beyond, for the substrate gives way there.
+bool is_clear_of_edge(const contact::ContactPoints& grid, const std::vector<double>& height,
+                      double indentation) {
+    std::vector<double> reached(height.size());
+    for (std::size_t i = 0; i < height.size(); ++i) reached[i] = height[i] < indentation;
+    return !reaches_edge(grid, reached);
+}
+
 /// The hardest press of the case, probed where the path reaches farthest.
 bool covers(const contact::Compliance& compliance, const contact::Case& c,
-            const contact::Vector2& extent) {
+            const contact::Indenter& indenter, const contact::Vector2& extent) {
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= hardest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
-    const auto height = heights_over(compliance.points(), *c.make_indenter(), extent);
+    const auto height = heights_over(compliance.points(), indenter, extent);
     const auto probe = contact::NormalSolver(compliance, 1e-3).solve(height, hardest);
+    if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))
+        return false;
     return !reaches_edge(compliance.points(), probe.pressure);
 }
 
@@ -116,6 +128,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2): the root covers both controls.
     const double radius = hertz.contact_radius * std::sqrt(hardest_factor(c));
+    const auto indenter = c.make_indenter();
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
@@ -124,8 +137,17 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         const double half_x = margin * radius + extent[0], half_y = margin * radius + extent[1];
         auto compliance = make(c.is_line_contact() ? make_row(half_x, spacing, c.indenter.length)
                                                    : make_grid(half_x, half_y, spacing));
-        if (covers(*compliance, c, extent)) return compliance;
+        if (covers(*compliance, c, *indenter, extent)) return compliance;
     }
+}
+
+/// On a grid that covers a height map along the path; all spots of contact lie on it.
+std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing,
+                                          const MakeCompliance& make) {
+    const auto side = c.indenter.height_map->period();
+    const auto extent = path_extent(c, half_space_scales(c).contact_radius);
+    return make(
+        make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing, spacing));
 }
 
 MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
@@ -160,6 +182,17 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
     };
 }
 
+/// A period of the surface, or what a single height map can touch.
+std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, double spacing,
+                                                    int n_threads, Body body) {
+    if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body));
+    auto grid = period_grid(*c.bem.period, spacing, false);
+    if (body == Body::half_space)
+        return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
+    return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), std::move(grid),
+                                                n_threads);
+}
+
 }  // namespace
 
 std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
@@ -169,6 +202,8 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
         throw contact::InputError(
             "bem.influence: the file's coefficients hold for one state of the material, but here a "
             "part of the stiffness relaxes and a part does not; omit bem.influence");
+    if (c.bem.period && contact::is_nominally_flat(c))
+        return nominally_flat(c, grid.spacing[0], n_threads, body);
     if (c.bem.period)
         return periodic_cells(c, period_grid(*c.bem.period, grid.spacing[0], false),
                               n_threads)(grid);
@@ -178,6 +213,7 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body) {
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body);
     if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body));
     if (body == Body::half_space)
         throw contact::InputError(
@@ -196,7 +232,10 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
-    return fitting(c, spacing, single_cells(c, n_threads, body))->influence();
+    const MakeCompliance cells = single_cells(c, n_threads, body);
+    return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells)
+                                          : fitting(c, spacing, cells))
+        ->influence();
 }
 
 void check_influence_file(const contact::Case& c) {

@@ -1,11 +1,27 @@
 #include "bem/periodic_compliance.h"
 
+#include <algorithm>
+
+#include "bem/grid_compliance.h"
+
 namespace tricontact::bem {
 
 PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid,
                                        int n_threads)
-    : grid_(std::move(grid)), convolution_(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads) {
-    const PeriodicInfluence influence(stack, grid_.spacing[0], grid_.n_x, n_threads);
+    : PeriodicCompliance(PeriodicInfluence(stack, grid.spacing[0], grid.n_x, n_threads), grid, true,
+                         n_threads) {}
+
+PeriodicCompliance::PeriodicCompliance(const contact::MaterialPair& half_spaces,
+                                       contact::ContactPoints grid, int n_threads)
+    : PeriodicCompliance(PeriodicInfluence(half_spaces, grid.spacing[0], grid.n_x, n_threads), grid,
+                         bem::is_coupled(half_spaces), n_threads) {}
+
+PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
+                                       contact::ContactPoints grid, bool coupled, int n_threads)
+    : grid_(std::move(grid)),
+      coupled_(coupled),
+      convolution_(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads) {
+    grid_.periodic = true;
     const auto symbol = [&](double PeriodicCoefficients::*which) {
         return convolution_.symbol_of_coefficients(
             [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which; });
@@ -13,8 +29,10 @@ PeriodicCompliance::PeriodicCompliance(const theory::LayerStack& stack, contact:
     using K = PeriodicCoefficients;
     normal_ = symbol(&K::zz);
     tangential_ = {symbol(&K::xx), symbol(&K::xy), symbol(&K::yy)};
-    from_normal_ = {symbol(&K::xz), symbol(&K::yz)};
+    if (coupled_) from_normal_ = {symbol(&K::xz), symbol(&K::yz)};
     inverse_ = inverse(tangential_);
+    if (inverse_.xx[0] == 0)  // of half-spaces the mean's: any positive one will do
+        inverse_.xx[0] = inverse_.yy[0] = std::min(inverse_.xx[1], inverse_.yy[1]);
 
     contact::TangentialField one(grid_.size()), u(grid_.size());
     one.x[0] = 1;
@@ -55,11 +73,13 @@ void PeriodicCompliance::tangential(const contact::TangentialField& t,
 
 void PeriodicCompliance::tangential_from_normal(std::span<const double> p,
                                                 contact::TangentialField& u) const {
+    if (!coupled_) return Compliance::tangential_from_normal(p, u);
     convolution_.apply(from_normal_, p, u.x, u.y);
 }
 
 void PeriodicCompliance::normal_from_tangential(const contact::TangentialField& t,
                                                 std::span<double> u_z) const {
+    if (!coupled_) return Compliance::normal_from_tangential(t, u_z);
     convolution_.apply_adjoint(from_normal_, t.x, t.y, u_z);
 }
 

@@ -7,17 +7,21 @@
 
 namespace tricontact::bem {
 
-/// Layers and a rigid indenter in each of equal squares that fill the plane: one square, its
-/// tractions constant on n x n cells, displacements at their centres; FFT (Stanley & Kato 1997).
-/// Its mean displacement is that under a uniform traction. All of it compressed at nu = 1/2 would
-/// be at infinite stiffness: then the pressure is known up to a constant only.
+/// Layers and a rigid indenter, or two half-spaces, in each of equal squares that fill the plane:
+/// one square, its tractions constant on n x n cells, displacements at their centres; FFT (Stanley
+/// & Kato 1997). Its mean displacement is that under a uniform traction. All of it compressed at nu
+/// = 1/2 would be at infinite stiffness: then the pressure is known up to a constant only. So it is
+/// on half-spaces, whose mean displacement is zero by definition.
 class PeriodicCompliance final : public contact::Compliance {
   public:
     /// `grid` is square and covers one period. Throws contact::InputError as PeriodicInfluence.
     PeriodicCompliance(const theory::LayerStack& stack, contact::ContactPoints grid, int n_threads);
 
+    PeriodicCompliance(const contact::MaterialPair& half_spaces, contact::ContactPoints grid,
+                       int n_threads);
+
     const contact::ContactPoints& points() const override { return grid_; }
-    bool is_coupled() const override { return true; }
+    bool is_coupled() const override { return coupled_; }
     void normal(std::span<const double> p, std::span<double> u_z) const override;
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
     void tangential_from_normal(std::span<const double> p,
@@ -33,7 +37,11 @@ class PeriodicCompliance final : public contact::Compliance {
     InfluenceTable influence() const;
 
   private:
+    PeriodicCompliance(const PeriodicInfluence& influence, contact::ContactPoints grid,
+                       bool coupled, int n_threads);
+
     contact::ContactPoints grid_;
+    bool coupled_;
     GridConvolution convolution_;
     GridConvolution::Symbol normal_;
     GridConvolution::Symbol2 tangential_, inverse_;

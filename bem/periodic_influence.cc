@@ -64,17 +64,23 @@ PeriodicCoefficients uniform_load(const LayerStack& stack) {
     return k;
 }
 
-PeriodicCoefficients sum_of_aliases(const LayerStack& stack, double spacing, double theta_x,
-                                    double theta_y, const Weights& weights) {
-    const auto sinc_x = weighted_sincs(theta_x, weights), sinc_y = weighted_sincs(theta_y, weights);
+/// Both directions' part of a sum over aliases.
+struct Aliases {
+    Aliases(double theta, const Weights& weights) : factor(weighted_sincs(theta, weights)) {
+        for (int q = 0; q < 2 * n_aliases + 1; ++q)
+            a[q] = theta + std::numbers::pi * (q - n_aliases);
+    }
+    std::array<double, 2 * n_aliases + 1> factor, a;  // a = k h/2
+};
+
+PeriodicCoefficients sum_of_layers(const LayerStack& stack, double spacing, const Aliases& x,
+                                   const Aliases& y) {
     PeriodicCoefficients sum{};
     for (int q = 0; q < 2 * n_aliases + 1; ++q)
         for (int p = 0; p < 2 * n_aliases + 1; ++p) {
-            const double factor = sinc_x[p] * sinc_y[q];
+            const double factor = x.factor[p] * y.factor[q];
             if (factor == 0) continue;
-            const double a_x = theta_x + std::numbers::pi * (p - n_aliases),
-                         a_y = theta_y + std::numbers::pi * (q - n_aliases);
-            const double a = std::hypot(a_x, a_y), cos = a_x / a, sin = a_y / a;
+            const double a = std::hypot(x.a[p], y.a[q]), cos = x.a[p] / a, sin = y.a[q] / a;
             const LayerCompliance c = compliance_at(stack, 2 * a / spacing);
             sum.zz += factor * c.normal;
             sum.xx += factor * (c.along * cos * cos + c.across * sin * sin);
@@ -85,6 +91,41 @@ PeriodicCoefficients sum_of_aliases(const LayerStack& stack, double spacing, dou
             sum.yz += factor * c.coupling * sin;
         }
     return sum;
+}
+
+/// C11 = C33 = (1 - nu)/(G k), C22 = 1/(G k), C13 = (1 - 2 nu)/(2 G k): Johnson (1985), sec. 13.2.
+PeriodicCoefficients sum_of_half_spaces(const contact::MaterialPair& pair, double spacing,
+                                        const Aliases& x, const Aliases& y) {
+    double all = 0, along = 0, mixed = 0, odd_x = 0, odd_y = 0;  // 1, cos^2, sin cos, cos, sin
+    for (int q = 0; q < 2 * n_aliases + 1; ++q) {
+        const double a_y = y.a[q], factor_y = y.factor[q];
+        if (factor_y == 0) continue;
+#pragma omp simd reduction(+ : all, along, mixed, odd_x, odd_y)
+        for (int p = 0; p < 2 * n_aliases + 1; ++p) {
+            const double a_x = x.a[p], square = a_x * a_x + a_y * a_y;
+            const double inverse = 1 / square, over_square = x.factor[p] * factor_y * inverse;
+            const double over_a = over_square * std::sqrt(square);
+            all += over_a;
+            along += over_a * a_x * a_x * inverse;
+            mixed += over_a * a_x * a_y * inverse;
+            odd_x += over_square * a_x;
+            odd_y += over_square * a_y;
+        }
+    }
+    const double normal = pair.one_minus_nu_over_g() * spacing / 2,
+                 across = normal + pair.nu_over_g() * spacing / 2,
+                 coupling = pair.one_minus_two_nu_over_g() / 2 * spacing / 2;
+    return {.zz = normal * all,
+            .xx = normal * along + across * (all - along),
+            .xy = (normal - across) * mixed,
+            .yy = normal * (all - along) + across * along,
+            .xz = coupling * odd_x,
+            .yz = coupling * odd_y};
+}
+
+/// What is along x becomes what is along y: of isotropic bodies.
+PeriodicCoefficients transposed(const PeriodicCoefficients& k) {
+    return {.zz = k.zz, .xx = k.yy, .xy = k.xy, .yy = k.xx, .xz = k.yz, .yz = k.xz};
 }
 
 void check_held(const LayerStack& stack) {
@@ -101,19 +142,40 @@ void check_held(const LayerStack& stack) {
 
 }  // namespace
 
+/// `sum`: of the aliases in x and y.
+template <class Sum>
+void PeriodicInfluence::fill(const PeriodicCoefficients& uniform, int n_threads, Sum sum) {
+    const Weights weights = euler_weights();
+    std::vector<Aliases> aliases;
+    for (int i = 0; i < n_quadrant_; ++i) aliases.emplace_back(std::numbers::pi * i / n_, weights);
+    auto at = [&](int i, int j) -> PeriodicCoefficients& {
+        return quadrant_[static_cast<std::size_t>(j) * n_quadrant_ + i];
+    };
+#pragma omp parallel for num_threads(n_threads) if (n_threads > 1) schedule(dynamic)
+    for (int j = 0; j < n_quadrant_; ++j)
+        for (int i = 0; i <= j; ++i) {
+            at(i, j) = j == 0 ? uniform : sum(aliases[i], aliases[j]);
+            at(j, i) = transposed(at(i, j));
+        }
+}
+
 PeriodicInfluence::PeriodicInfluence(const LayerStack& stack, double spacing, int n, int n_threads)
     : n_(n),
       n_quadrant_(n / 2 + 1),
       quadrant_(static_cast<std::size_t>(n_quadrant_) * n_quadrant_) {
     check_held(stack);
-    const Weights weights = euler_weights();
-#pragma omp parallel for num_threads(n_threads) if (n_threads > 1) schedule(dynamic)
-    for (int j = 0; j < n_quadrant_; ++j)
-        for (int i = 0; i < n_quadrant_; ++i)
-            quadrant_[static_cast<std::size_t>(j) * n_quadrant_ + i] =
-                i == 0 && j == 0 ? uniform_load(stack)
-                                 : sum_of_aliases(stack, spacing, std::numbers::pi * i / n,
-                                                  std::numbers::pi * j / n, weights);
+    fill(uniform_load(stack), n_threads,
+         [&](const Aliases& x, const Aliases& y) { return sum_of_layers(stack, spacing, x, y); });
+}
+
+PeriodicInfluence::PeriodicInfluence(const contact::MaterialPair& half_spaces, double spacing,
+                                     int n, int n_threads)
+    : n_(n),
+      n_quadrant_(n / 2 + 1),
+      quadrant_(static_cast<std::size_t>(n_quadrant_) * n_quadrant_) {
+    fill({}, n_threads, [&](const Aliases& x, const Aliases& y) {
+        return sum_of_half_spaces(half_spaces, spacing, x, y);
+    });
 }
 
 PeriodicCoefficients PeriodicInfluence::at(int m_x, int m_y) const {

@@ -66,7 +66,7 @@ class Iteration {
         for (std::size_t i = 0; i < p.size(); ++i)
             if (!std::isfinite(height_[i])) p[i] = 0;
         if (force_controlled()) {
-            scale_to_force();
+            scale_pressure_to_force(pressure_sum());
         } else if (start.empty()) {
             // A pressure of the right magnitude: it displaces by at most half of what is
             // prescribed.
@@ -83,10 +83,10 @@ class Iteration {
         return sum;
     }
 
-    void scale_to_force() {
-        const double factor = control_.value / pressure_sum();
+    /// `sum`: the present one.
+    void scale_pressure_to_force(double sum) {
+        const double factor = control_.value / sum;
         for (double& value : solution_.pressure) value *= factor;
-        for (double& value : solution_.displacement) value *= factor;
     }
 
     void update_displacement() {
@@ -94,60 +94,77 @@ class Iteration {
         displacement_is_exact_ = true;
     }
 
-    /// Mean over the contact, weighted by area.
-    template <typename Function>
-    double contact_mean(Function value) const {
+    /// d at which the mean gap of the contact is zero.
+    double indentation_of_contact() const {
+        const auto& u = solution_.displacement;
         double sum = 0, total = 0;
         for (std::size_t i = 0; i < area_.size(); ++i)
             if (in_contact(i)) {
-                sum += area_[i] * value(i);
+                sum += area_[i] * (u[i] + height_[i]);
                 total += area_[i];
             }
         return sum / total;
     }
 
+    // On large grids each pass over the fields costs as much as a part of the convolution: what one
+    // pass can do is not left to two.
     void update_gap() {
         const auto& u = solution_.displacement;
-        solution_.indentation = force_controlled()
-                                    ? contact_mean([&](std::size_t i) { return u[i] + height_[i]; })
-                                    : control_.value;
-        double worst = 0;
+        solution_.indentation = force_controlled() ? indentation_of_contact() : control_.value;
+        double worst = 0, square = 0;
         n_contact_ = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
-            gap_[i] = u[i] + height_[i] - solution_.indentation;
-            worst = larger(worst, in_contact(i) ? std::abs(gap_[i]) : -gap_[i]);
-            n_contact_ += in_contact(i);
+            const double gap = gap_[i] = u[i] + height_[i] - solution_.indentation;
+            if (in_contact(i)) {
+                worst = larger(worst, std::abs(gap));
+                square += area_[i] * gap * gap;
+                ++n_contact_;
+            } else {
+                worst = larger(worst, -gap);
+            }
         }
+        norm_ = square;
         solution_.residual = worst / solution_.indentation;
     }
 
     void update_direction() {
-        double norm = 0;
-        for (std::size_t i = 0; i < gap_.size(); ++i)
-            if (in_contact(i)) norm += area_[i] * gap_[i] * gap_[i];
-        const double beta = restart_ ? 0 : norm / last_norm_;
-        last_norm_ = norm;
+        const double beta = restart_ ? 0 : norm_ / last_norm_;
+        last_norm_ = norm_;
         for (std::size_t i = 0; i < gap_.size(); ++i)
             direction_[i] = in_contact(i) ? gap_[i] + beta * direction_[i] : 0;
     }
 
     void take_step() {
         compliance_.normal(direction_, direction_displacement_);
-        const auto& r = direction_displacement_;
-        const double mean =
-            force_controlled() ? contact_mean([&](std::size_t i) { return r[i]; }) : 0;
-        double numerator = 0, denominator = 0;
-        for (std::size_t i = 0; i < gap_.size(); ++i)
-            if (in_contact(i)) {
-                numerator += area_[i] * gap_[i] * direction_[i];
-                denominator += area_[i] * (r[i] - mean) * direction_[i];
-            }
-        const double step = numerator / denominator;
+        const double step = step_length();
         if (!(std::isfinite(step)))
             throw NotConverged("normal contact: the conjugate gradients broke down");
         const bool contact_changed = move(step);
-        if (force_controlled()) scale_to_force();
-        if (contact_changed) update_displacement();
+        if (contact_changed) {
+            if (force_controlled()) scale_pressure_to_force(moved_sum_);
+            update_displacement();
+        } else if (force_controlled()) {
+            const double factor = control_.value / moved_sum_;
+            for (double& value : solution_.pressure) value *= factor;
+            for (double& value : solution_.displacement) value *= factor;
+        }
+    }
+
+    /// Of the conjugate gradients; a force prescribed, the mean over the contact is no gap.
+    double step_length() const {
+        const auto& r = direction_displacement_;
+        double numerator = 0, product = 0, direction = 0, displacement = 0, total = 0;
+        for (std::size_t i = 0; i < gap_.size(); ++i) {
+            if (!in_contact(i)) continue;
+            const double weighted = area_[i] * direction_[i];
+            numerator += weighted * gap_[i];
+            product += weighted * r[i];
+            direction += weighted;
+            displacement += area_[i] * r[i];
+            total += area_[i];
+        }
+        const double mean = force_controlled() ? displacement / total : 0;
+        return numerator / (product - mean * direction);
     }
 
     /// Moves along the direction; true when points left or entered the contact. Those that enter
@@ -155,6 +172,7 @@ class Iteration {
     bool move(double step) {
         auto& p = solution_.pressure;
         bool clipped = false, entered = false;
+        double sum = 0;
         for (std::size_t i = 0; i < p.size(); ++i) {
             if (in_contact(i)) {
                 p[i] -= step * direction_[i];
@@ -166,8 +184,10 @@ class Iteration {
                 p[i] = -step * gap_[i];
                 entered = true;
             }
+            sum += area_[i] * p[i];
             solution_.displacement[i] -= step * direction_displacement_[i];
         }
+        moved_sum_ = sum;
         displacement_is_exact_ = false;
         restart_ = entered;
         return clipped || entered;
@@ -184,7 +204,8 @@ class Iteration {
     const NormalControl control_;
     NormalSolution solution_;
     std::vector<double> gap_, direction_, direction_displacement_;
-    double last_norm_ = 1;
+    double norm_ = 0, last_norm_ = 1;  // of the gap in contact
+    double moved_sum_ = 0;             // of the pressures after a move [N]
     bool restart_ = true;
     bool displacement_is_exact_ = false;
     std::size_t n_contact_ = 0;

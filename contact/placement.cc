@@ -45,6 +45,7 @@ bool edge_of_elements_carries(const ContactPoints& points, const std::vector<dou
 }  // namespace
 
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure) {
+    if (points.periodic) return false;
     return points.n_x > 0 ? edge_of_grid_carries(points, pressure)
                           : edge_of_elements_carries(points, pressure);
 }

@@ -12,7 +12,7 @@ std::vector<double> heights_over(const ContactPoints& points, const Indenter& in
                                  const Vector2& offset);
 
 /// Some point at the edge of the grid or element surface carries pressure: the contact may go on
-/// outside.
+/// outside. A periodic grid has no edge.
 bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure);
 
 }  // namespace tricontact::contact

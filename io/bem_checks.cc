@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "contact/rough_scales.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 
@@ -41,12 +42,15 @@ void check_influence(const Case& c, const Document& document) {
 
 // Why the mean displacement under a periodic load, the compliance at k = 0, has to be finite.
 void check_mean(const Case& c, const Document& document) {
-    if (computes(c, "bem") || c.layer.base == Base::half_space)
+    const bool layer = computes(c, "bem-layer");
+    const bool single = computes(c, "bem") && !contact::is_nominally_flat(c);
+    if (single || (layer && c.layer.base == Base::half_space))
         refuse(
             document, "bem.period",
             "under a periodic load a half-space gives way without bound: its compliance at k = 0 "
             "is infinite",
             "omit it, or take bem-layer alone on a bonded base");
+    if (!layer) return;
     if (c.layer.base == Base::frictionless)
         refuse(document, "bem.period",
                "nothing holds a periodic layer that glides on its ground: its tangential "
@@ -73,7 +77,7 @@ void check_cells(const Case& c, const Document& document) {
 }
 
 void check_path(const Case& c, const Document& document) {
-    if (!c.rolling) return;
+    if (!c.rolling || contact::is_nominally_flat(c)) return;
     const double path =
         contact::rolling_amplitude(*c.rolling, contact::half_space_scales(c).contact_radius);
     if (2 * path < *c.bem.period) return;
@@ -83,26 +87,36 @@ void check_path(const Case& c, const Document& document) {
            "enlarge it or reduce the rolling amplitude");
 }
 
+/// Over a period: of a nominally flat body at the cells, of a symmetric one over a quarter.
 double mean_height(const Case& c) {
+    const bool flat = contact::is_nominally_flat(c);
+    const double side = flat ? *c.bem.period : *c.bem.period / 2, first = flat ? 0 : .5;
+    const int n = flat ? static_cast<int>(std::lround(side / *c.bem.spacing)) : samples;
     const auto indenter = c.make_indenter();
     double sum = 0;
-    for (int i = 0; i < samples; ++i)
-        for (int j = 0; j < samples; ++j)
-            sum += indenter->height(*c.bem.period / 2 * (i + .5) / samples,
-                                    *c.bem.period / 2 * (j + .5) / samples);
-    return sum / samples / samples;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            sum += indenter->height(side * (i + first) / n, side * (j + first) / n);
+    return sum / n / n;
 }
 
 // What cannot be compressed keeps its mean height: as deep as the indenter's own mean height the
 // layer would fill the whole period, and resist any further indentation with infinite stiffness.
 void check_room(const Case& c, const Document& document) {
+    if (!c.load.indentation) return;
+    const bool half_space = computes(c, "bem");
     const bool compressible =
         c.substrate.poisson < 0.5 ||
         std::any_of(c.layer.lower.begin(), c.layer.lower.end(),
                     [](const auto& lower) { return lower.material.poisson < 0.5; });
-    if (compressible || !c.load.indentation) return;
+    if (compressible && !half_space) return;
     const double room = mean_height(c);
-    if (*c.load.indentation < room) return;
+    if (*c.load.indentation * (1 + c.load.normal_amplitude_ratio) < room) return;
+    if (half_space)
+        refuse(document, "load.indentation",
+               "the indenter's mean height over the mean plane of the half-space is " +
+                   rounded(room) + " m: there all of it touches, whatever the force",
+               "reduce it, or give load.normal_force");
     refuse(document, "load.indentation",
            "at poisson = 0.5 the mean compliance of a period (k = 0) is zero: at " + rounded(room) +
                " m the layer would fill it, and be infinitely stiff",

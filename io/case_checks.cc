@@ -5,12 +5,14 @@
 #include <numbers>
 
 #include "contact/load_path.h"
+#include "contact/rough_scales.h"
 #include "io/bem_checks.h"
 #include "io/fem_checks.h"
 #include "io/layer_checks.h"
 #include "io/line_contact_checks.h"
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
+#include "io/rough_bodies.h"
 
 namespace tricontact::io {
 
@@ -174,8 +176,12 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                "use a spacing of at most " + rounded(s.contact_radius / 10) + " m");
     const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
     const double a = largest_contact_radius(c, s);
-    const double n_x = 2 * (a + w * std::abs(std::cos(angle))) / h;
-    const double n_y = c.is_line_contact() ? 1 : 2 * (a + w * std::abs(std::sin(angle))) / h;
+    const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
+    const double n_x =
+        whole_period ? *c.bem.period / h : 2 * (a + w * std::abs(std::cos(angle))) / h;
+    const double n_y = whole_period          ? n_x
+                       : c.is_line_contact() ? 1
+                                             : 2 * (a + w * std::abs(std::sin(angle))) / h;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,
                "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +
@@ -206,6 +212,7 @@ void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 
 void check_case(const Case& c, const Document& document) {
     check_line_contact(c, document);
+    check_rough_bodies(c, document);
     const HalfSpaceScales scales = contact::half_space_scales(c);
     check_scales(scales, document);
     check_coupling(c, document);

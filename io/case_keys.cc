@@ -89,10 +89,9 @@ void add_bem(std::vector<CaseKey>& keys) {
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
                      .range = above_zero(1e6),
-                     .needs = "substrate.thickness",
                      .example = R"("80 mm")",
-                     .text = "period of indenters and tractions in x and y, for bem-layer; without "
-                             "it there is one indenter"},
+                     .text = "period of indenters and tractions in x and y, for bem-layer, and for "
+                             "bem under nominally flat bodies; without it there is one indenter"},
                     [](Case& c) -> Field { return &c.bem.period; }});
 }
 
@@ -133,6 +132,7 @@ const std::vector<CaseKey>& declared_keys() {
         std::vector<CaseKey> all;
         add_top(all);
         add_indenter_keys(all);
+        add_roughness_keys(all);
         add_substrate(all);
         add_layer_keys(all);
         add_relaxation_keys(all);

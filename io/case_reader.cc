@@ -11,6 +11,7 @@
 #include "io/messages.h"
 #include "io/overrides.h"
 #include "io/relaxation_input.h"
+#include "io/rough_bodies.h"
 #include "io/toml_document.h"
 #include "io/walk_reader.h"
 
@@ -23,6 +24,7 @@ using contact::Case;
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(Case& c, const Document& document) {
     if (document.find("indenter.young")) c.indenter.material = contact::Material{};
+    if (document.find_section("indenter.roughness")) c.indenter.roughness = contact::Roughness{};
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("lower_layer")) c.lower_layers_input = Case::LowerLayersInput{};
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
@@ -46,6 +48,9 @@ std::string absolute_path(const std::string& path, const Entry& entry, const Doc
 
 void make_paths_absolute(Case& c, const Document& document) {
     if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
+    if (c.indenter.file)
+        c.indenter.file =
+            absolute_path(*c.indenter.file, *document.find("indenter.file"), document);
     if (c.bem.influence)
         c.bem.influence =
             absolute_path(*c.bem.influence, *document.find("bem.influence"), document);
@@ -68,6 +73,7 @@ Case resolve(const Document& document) {
     check_indenter_keys(c, document);
     for (const CaseKey& key : case_keys()) read_or_default(key, key.field(c), document, keys);
     make_paths_absolute(c, document);
+    resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);
     check_case(c, document);

@@ -21,9 +21,12 @@ struct ShapeKeys {
 
 const std::vector<ShapeKeys>& shapes() {
     using enum Case::Shape;
-    static const std::vector<ShapeKeys> all = {{"paraboloid", paraboloid, {"radius"}},
-                                               {"sphere", sphere, {"radius"}},
-                                               {"cylinder", cylinder, {"radius", "length"}}};
+    static const std::vector<ShapeKeys> all = {
+        {"paraboloid", paraboloid, {"radius"}},
+        {"sphere", sphere, {"radius"}},
+        {"cylinder", cylinder, {"radius", "length"}},
+        {"flat", flat, {}},
+        {"height-map", height_map, {"file", "spacing", "unit"}}};
     return all;
 }
 
@@ -56,7 +59,9 @@ void add_indenter_keys(std::vector<CaseKey>& keys) {
           .choices = shape_choices(),
           .default_value = R"("paraboloid")",
           .example = R"("paraboloid")",
-          .text = "paraboloid r^2/(2R), the exact sphere, or a cylinder x^2/(2R) along y"},
+          .text =
+              "paraboloid r^2/(2R), the exact sphere, a cylinder x^2/(2R) along y, a plane with "
+              "roughness, or a measured surface"},
          [](Case& c) -> Field { return &c.indenter.shape; }});
     keys.push_back({{.path = "indenter.radius",
                      .kind = Kind::quantity,
@@ -79,6 +84,33 @@ void add_indenter_keys(std::vector<CaseKey>& keys) {
                     [](Case& c) -> Field {
                         return takes(c.indenter.shape, "length") ? Field(&c.indenter.length)
                                                                  : Field();
+                    }});
+    keys.push_back({{.path = "indenter.file",
+                     .kind = Kind::text,
+                     .required = true,
+                     .example = R"("surface.npy")",
+                     .text = "file of a height map: .npy, .sdf, .csv or .txt"},
+                    [](Case& c) -> Field {
+                        return takes(c.indenter.shape, "file") ? Field(&c.indenter.file) : Field();
+                    }});
+    keys.push_back({{.path = "indenter.spacing",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .example = R"("1 um")",
+                     .text = "between the nodes of a height map; .sdf says it itself"},
+                    [](Case& c) -> Field {
+                        return takes(c.indenter.shape, "spacing") ? Field(&c.indenter.spacing)
+                                                                  : Field();
+                    }});
+    keys.push_back({{.path = "indenter.unit",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .example = R"("1 nm")",
+                     .text = "what a 1 of a height map means; .sdf says it itself"},
+                    [](Case& c) -> Field {
+                        return takes(c.indenter.shape, "unit") ? Field(&c.indenter.unit) : Field();
                     }});
     keys.push_back({{.path = "indenter.young",
                      .kind = Kind::quantity,

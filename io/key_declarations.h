@@ -20,6 +20,8 @@ enum KeyGroup {
 
 /// Declarations of the section [indenter].
 void add_indenter_keys(std::vector<CaseKey>& keys);
+/// Declarations of the section [indenter.roughness].
+void add_roughness_keys(std::vector<CaseKey>& keys);
 /// Declarations of the sections [load] and [rolling].
 void add_loading_keys(std::vector<CaseKey>& keys);
 /// Declarations of the substrate's finite size, in [substrate], [lower_layer] and [ground].
