@@ -5,17 +5,20 @@
 
 namespace tricontact::bem {
 
-std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
+std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads,
+                                                   Body body) {
     auto relaxed = case_compliance(c, n_threads, body);
     const contact::ContactPoints grid = relaxed->points();
-    const auto substrate =
-        contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
-                                std::move(relaxed), [&](const contact::Case& elastic) {
-                                    return case_compliance_on(elastic, grid, n_threads, body);
-                                });
+    return contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
+                                   std::move(relaxed), [&](const contact::Case& elastic) {
+                                       return case_compliance_on(elastic, grid, n_threads, body);
+                                   });
+}
+
+std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads, Body body) {
     return std::make_unique<contact::SurfaceModel>(
-        body == Body::layer ? "bem-layer" : "bem", *substrate, c.make_indenter(),
-        c.friction_coefficient, c.bem.tolerance, c.contact);
+        body == Body::layer ? "bem-layer" : "bem", *make_substrate(c, n_threads, body),
+        c.make_indenter(), c.friction_coefficient, c.bem.tolerance, c.contact);
 }
 
 }  // namespace tricontact::bem

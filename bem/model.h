@@ -5,8 +5,14 @@
 #include "bem/case_compliance.h"
 #include "contact/case.h"
 #include "contact/model.h"
+#include "contact/substrate.h"
 
 namespace tricontact::bem {
+
+/// The substrate of a case, elastic or relaxing, on the grid of its case_compliance. Throws
+/// contact::InputError.
+std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads,
+                                                   Body body);
 
 /// Boundary elements for a case, on the grid of its case_compliance. Throws contact::InputError.
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/moving_frame.h"
 #include "contact/step_integrals.h"
 
 namespace tricontact::contact {
@@ -86,6 +87,17 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
     if (weights == step_.weights()) return false;
     step_.set_weights(std::move(weights));
     return true;
+}
+
+void PartlyRelaxingSubstrate::carry() {
+    const ContactPoints& grid = step_.points();
+    for (Mode& mode : modes_) {
+        contact::carry(grid, mode.displacement);
+        for (Branch& branch : mode.branches) {
+            contact::carry(grid, branch.traction);
+            contact::carry(grid, branch.displacement);
+        }
+    }
 }
 
 /// X_m t for each mode.

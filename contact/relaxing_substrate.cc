@@ -1,5 +1,6 @@
 #include "contact/relaxing_substrate.h"
 
+#include "contact/moving_frame.h"
 #include "contact/step_integrals.h"
 
 namespace tricontact::contact {
@@ -40,6 +41,15 @@ bool RelaxingSubstrate::begin(double duration, const SurfaceField&, const Surfac
         }
     }
     return false;
+}
+
+void RelaxingSubstrate::carry() {
+    const ContactPoints& grid = compliance_->points();
+    contact::carry(grid, relaxed_);
+    for (Branch& branch : branches_) {
+        contact::carry(grid, branch.displacement);
+        contact::carry(grid, branch.traction);
+    }
 }
 
 Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {

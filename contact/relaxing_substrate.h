@@ -21,6 +21,7 @@ class RelaxingSubstrate final : public Substrate {
     const Compliance& compliance() const override { return *compliance_; }
     double stiffness() const override { return stiffness_; }
     const SurfaceField& offset() const override { return offset_; }
+    void carry() override;
     Energies end(const SurfaceField& t, const SurfaceField& u) override;
     std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
     void write(StateWriter& out) const override;

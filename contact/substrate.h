@@ -59,6 +59,8 @@ class Substrate {
         double dissipated = 0;  ///< by the material, in the step
         double work = 0;        ///< of the tractions on the surface, in the step
     };
+    /// Before a step, on a grid: what it remembers moves by one cell, see carry().
+    virtual void carry() = 0;
     /// Ends the step with these tractions [Pa] and displacements [m].
     virtual Energies end(const SurfaceField& t, const SurfaceField& u) = 0;
 
@@ -81,6 +83,7 @@ class ElasticSubstrate final : public Substrate {
     const Compliance& compliance() const override { return *compliance_; }
     double stiffness() const override { return 1; }
     const SurfaceField& offset() const override { return none_; }
+    void carry() override {}
     Energies end(const SurfaceField& t, const SurfaceField& u) override;
     std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
 

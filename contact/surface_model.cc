@@ -8,6 +8,7 @@
 #include "contact/error.h"
 #include "contact/fixed_point.h"
 #include "contact/largest.h"
+#include "contact/moving_frame.h"
 #include "contact/placement.h"
 
 namespace tricontact::contact {
@@ -65,7 +66,23 @@ void SurfaceModel::release() {
 }
 
 StepRecord SurfaceModel::advance(const LoadStep& step) {
-    const Before before = {tractions(), displacements(), shift_};
+    return take(step, {tractions(), displacements(), shift_});
+}
+
+StepRecord SurfaceModel::roll(const LoadStep& step, double turn) {
+    if (points().n_x == 0 || points().mirrored)
+        throw InputError(fmt::format(
+            "{}: rolling on needs a regular grid on both sides of the path; take a model of "
+            "boundary elements",
+            name_));
+    Before before = {tractions(), displacements(), shift_, turn, true};
+    carry(points(), before.traction);
+    carry(points(), before.displacement);
+    substrate_->carry();
+    return take(step, before);
+}
+
+StepRecord SurfaceModel::take(const LoadStep& step, const Before& before) {
     normal_iterations_ = tangential_iterations_ = 0;
     phase_ = step.phase;
     offset_ = step.offset;
@@ -81,10 +98,15 @@ StepRecord SurfaceModel::advance(const LoadStep& step) {
     update_totals();
     update_slip(before);
     keep_start();
-    audit_step(step);
+    audit_step(step, before.carried);
     for (std::size_t i = 0; i < least_pressure_.size(); ++i)
         least_pressure_[i] = std::min(least_pressure_[i], normal_->pressure[i]);
     return record(step);
+}
+
+/// Shift of the indenter at a point by its turn [m].
+Vector2 SurfaceModel::rigid_turn(double turn, std::size_t i) const {
+    return {-turn * (points().y[i] - offset_[1]), turn * (points().x[i] - offset_[0])};
 }
 
 SurfaceField SurfaceModel::tractions() const {
@@ -215,8 +237,9 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
             relative.x[i] = stiffness * relative.x[i] + substrate_->offset().in_surface.x[i];
             relative.y[i] = stiffness * relative.y[i] + substrate_->offset().in_surface.y[i];
         }
-        relative.x[i] -= other.x[i];
-        relative.y[i] -= other.y[i];
+        const Vector2 turned = rigid_turn(before.turn, i);
+        relative.x[i] += stiffness * turned[0] - other.x[i];
+        relative.y[i] += stiffness * turned[1] - other.y[i];
         if (bound_[i] > 0) contact_area += points().area[i];
     }
     const double contact_compliance =
@@ -271,8 +294,11 @@ void SurfaceModel::update_slip(const Before& before) {
     const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
-        slip_.x[i] = moved[0] - (displacement_.x[i] - before.displacement.in_surface.x[i]);
-        slip_.y[i] = moved[1] - (displacement_.y[i] - before.displacement.in_surface.y[i]);
+        const Vector2 turned = rigid_turn(before.turn, i);
+        slip_.x[i] =
+            moved[0] + turned[0] - (displacement_.x[i] - before.displacement.in_surface.x[i]);
+        slip_.y[i] =
+            moved[1] + turned[1] - (displacement_.y[i] - before.displacement.in_surface.y[i]);
         if (!(normal_->pressure[i] > 0)) {
             slip_.x[i] = slip_.y[i] = 0;
             contact_state_[i] = ContactState::open;

@@ -46,6 +46,11 @@ class SurfaceModel final : public Model {
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !coupling_.absent(); }
     StepRecord advance(const LoadStep& step) override;
+    /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
+    /// offset stays, and all fields are carried to the cell behind before the step is taken. In it
+    /// the indenter also turns by `turn` [rad] about z through its lowest point, from x towards y.
+    /// Throws InputError unless the points form a grid that is not mirrored.
+    StepRecord roll(const LoadStep& step, double turn);
     void release() override;
     Scales scales() const override;
     Surface surface() const override;
@@ -65,8 +70,12 @@ class SurfaceModel final : public Model {
     struct Before {
         SurfaceField traction, displacement;
         Vector2 shift;
+        double turn = 0;       // of the indenter in the step [rad]
+        bool carried = false;  // from one cell ahead
     };
 
+    StepRecord take(const LoadStep& step, const Before& before);
+    Vector2 rigid_turn(double turn, std::size_t i) const;
     SurfaceField tractions() const;  // of the present solution, in all
     SurfaceField displacements() const { return SurfaceField(displacement_, displacement_z_); }
     const ContactPoints& points() const { return substrate_->compliance().points(); }
@@ -83,7 +92,7 @@ class SurfaceModel final : public Model {
     void update_totals();
     void update_slip(const Before& before);
     StepRecord record(const LoadStep& step) const;
-    void audit_step(const LoadStep& step);
+    void audit_step(const LoadStep& step, bool carried);
     double update_energy();
 
     std::string name_;

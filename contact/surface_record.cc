@@ -51,7 +51,7 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
     return r;
 }
 
-void SurfaceModel::audit_step(const LoadStep& step) {
+void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
     const ContactPoints& points = this->points();
     const auto& p = normal_->pressure;
     const auto& t = tangential_.traction;
@@ -84,6 +84,8 @@ void SurfaceModel::audit_step(const LoadStep& step) {
                           .length = friction_coefficient_ * normal_->indentation},
                          tolerance_, audit_, force_allowed);
     }
+    // What relaxes takes energy out of a frame that leaves it behind.
+    if (carried && substrate_->relaxes()) return;
     // The forces' work is that on the surface plus what friction dissipates.
     audit_.record("energy_balance",
                   std::abs(unbalanced) / (friction_coefficient_ * friction_coefficient_ *

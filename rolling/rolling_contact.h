@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "contact/audit.h"
+#include "contact/indenter.h"
+#include "contact/load_path.h"
+#include "contact/surface.h"
+#include "contact/vector2.h"
+
+/// Tractive rolling: the indenter rolls on in the direction +x over the substrate; the contact is
+/// at rest in a frame that moves along, and the substrate flows through it towards -x.
+///
+/// Slip is the indenter's surface over the substrate's, per rolled way. With u the displacement of
+/// the substrate relative to the indenter (see contact::Compliance) and (x, y) measured from the
+/// contact's centre, it is, once steady,
+///   s = (longitudinal - spin y, lateral + spin x) + du/dx,
+/// Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, eq. 1.39. Friction acts on
+/// the substrate along s: force and creepage have the same sign, and a force along +x is that of a
+/// braked indenter.
+namespace tricontact::rolling {
+
+/// Rigid sliding of the indenter over the substrate per rolled way.
+struct Creepage {
+    double longitudinal = 0;  ///< xi [-], along the rolling direction x
+    double lateral = 0;       ///< eta [-], along y
+    double spin = 0;          ///< phi [1/m], from x towards y
+};
+
+/// What drives the contact: in x and in y either the creepage or the force on the substrate.
+struct Drive {
+    std::array<std::optional<double>, 2> creepage;  ///< [-]
+    contact::Vector2 force{};                       ///< where no creepage is given [N]
+    double spin = 0;                                ///< phi [1/m]
+};
+
+/// What rolls over a substrate.
+struct RollingProblem {
+    std::shared_ptr<const contact::Indenter> indenter;
+    double friction_coefficient = 0;
+    contact::NormalControl normal;
+    Drive drive;
+    bool coupling = true;     ///< of normal and tangential contact
+    double tolerance = 1e-7;  ///< on RollingState::residual
+    double distance = 0;      ///< rolled from rest [m]; 0: the steady state only
+    double speed = 0;         ///< of rolling [m/s], which only a relaxing substrate feels; 0: slow
+};
+
+/// One state of the contact, steady or on the way there.
+struct RollingState {
+    double distance = 0;       ///< rolled since the contact was at rest [m]; infinite: steady
+    Creepage creepage;         ///< of the last rolled cell
+    double normal_force = 0;   ///< F_N [N]
+    double indentation = 0;    ///< d [m]
+    contact::Vector2 force{};  ///< friction on the substrate [N]
+    double spin_moment = 0;    ///< of friction about z through the centre, on the substrate [N m]
+    double half_length = 0;    ///< of the contact in x [m]
+    double half_width = 0;     ///< of the contact in y [m]
+    double peak_pressure = 0;  ///< [Pa]
+    double contact_area = 0;   ///< [m^2]
+    double stick_area = 0;     ///< [m^2]
+    double slip_area = 0;      ///< [m^2]
+    double dissipation = 0;    ///< of friction, per rolled way [J/m]
+    /// Moment of the pressure about y through the centre over F_N [m]: positive where the pressure
+    /// leans forward and resists.
+    double pressure_lead = 0;
+    int iterations = 0;   ///< applications of the compliance
+    double residual = 0;  ///< see contact::TangentialSolver; steady: see SteadyRolling [-]
+};
+
+/// What was computed of one problem.
+struct RollingHistory {
+    std::vector<RollingState> transient;  ///< from rest, a state per rolled cell; first: at rest
+    RollingState steady;
+    contact::Surface
+        surface;           ///< of the steady state; slip [-] and dissipation [Pa] per rolled way
+    contact::Audit audit;  ///< checks of all solutions
+};
+
+}  // namespace tricontact::rolling

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "contact/surface.h"
+#include "rolling/rolling_contact.h"
+
+namespace tricontact::rolling {
+
+/// What follows from the fields of a grid: forces, moments, areas, extent and dissipation. Slip and
+/// dissipation of `surface` are those per rolled way, its offset is the contact's centre.
+RollingState state_of(const contact::Surface& surface);
+
+}  // namespace tricontact::rolling

@@ -1,0 +1,197 @@
+#include "rolling/steady_rolling.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "contact/coupling.h"
+#include "contact/error.h"
+#include "contact/fixed_point.h"
+#include "contact/largest.h"
+#include "contact/normal_solver.h"
+#include "contact/placement.h"
+#include "contact/surface_audit.h"
+#include "rolling/rolling_state.h"
+#include "rolling/steady_solver.h"
+
+namespace tricontact::rolling {
+
+namespace {
+
+using contact::TangentialField;
+
+constexpr int max_turns = 100;
+
+class Turns {
+  public:
+    Turns(const contact::Compliance& compliance, const RollingProblem& problem)
+        : compliance_(compliance),
+          points_(compliance.points()),
+          problem_(problem),
+          coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
+          normal_solver_(compliance, 0.1 * problem.tolerance),
+          steady_solver_(compliance, problem.tolerance),
+          none_(points_.size()) {
+        steady_.traction = TangentialField(points_.size());
+        coupling_.place({{}, {}, none_});
+    }
+
+    void run() {
+        std::vector<double> height = coupling_.bare_height();
+        contact::FixedPoint turns;
+        for (int turn = 1; turn <= max_turns; ++turn) {
+            solve_normal(height);
+            solve_tangential();
+            if (coupling_.absent()) return;
+            coupling_.update_height(normal_.pressure, steady_.traction);
+            // What the turn changed under the indenter is how far the pressures are from right.
+            const std::vector<double> now = coupling_.height();
+            double change = 0;
+            for (std::size_t i = 0; i < now.size(); ++i)
+                if (normal_.pressure[i] > 0)
+                    change = contact::larger(change, std::abs(now[i] - height[i]));
+            gap_residual_ = change / normal_.indentation;
+            if (gap_residual_ <= problem_.tolerance) return;
+            height = turns.next(height, now, gap_residual_);
+        }
+        throw contact::NotConverged(fmt::format(
+            "steady rolling: normal and tangential contact do not agree: the gap still changes by "
+            "{:.2e} of the indentation after {} turns (tolerance {:.1e})",
+            gap_residual_, max_turns, problem_.tolerance));
+    }
+
+    contact::Surface surface() const {
+        contact::Surface s;
+        s.n_x = points_.n_x;
+        s.n_y = points_.n_y;
+        s.first = points_.first;
+        s.spacing = points_.spacing;
+        s.normal_traction = normal_.pressure;
+        s.tangential_traction_x = steady_.traction.x;
+        s.tangential_traction_y = steady_.traction.y;
+        s.friction_bound = bound_;
+        s.displacement_x = total(steady_.displacement.x, by_pressure().x);
+        s.displacement_y = total(steady_.displacement.y, by_pressure().y);
+        s.displacement_z = total(normal_.displacement, coupling_.lowering());
+        s.slip_x = steady_.slip.x;
+        s.slip_y = steady_.slip.y;
+        s.gap = total(coupling_.bare_height(), s.displacement_z);
+        for (double& gap : s.gap) gap -= normal_.indentation;
+        s.dissipation.assign(points_.size(), 0);
+        s.contact_state.assign(points_.size(), contact::ContactState::open);
+        classify(s);
+        return s;
+    }
+
+    RollingState state(const contact::Surface& s) const {
+        RollingState state = state_of(s);
+        state.distance = std::numeric_limits<double>::infinity();
+        state.creepage = steady_.creepage;
+        state.indentation = normal_.indentation;
+        state.iterations = iterations_;
+        state.residual =
+            std::max({normal_.residual, gap_residual_, steady_.residual, steady_.force_residual});
+        return state;
+    }
+
+    contact::Audit audit(const SteadyRolling& result) const {
+        contact::Audit audit;
+        std::array<contact::TangentialControl, 2> control;
+        for (int d = 0; d < 2; ++d)
+            control[d] = {problem_.drive.creepage[d] ? contact::TangentialControl::Kind::shift
+                                                     : contact::TangentialControl::Kind::force,
+                          problem_.drive.force[d]};
+        contact::audit_normal(normal_, problem_.normal, points_.area, problem_.tolerance, audit);
+        if (!coupling_.absent())
+            audit.record("normal_and_tangential_agree", gap_residual_, problem_.tolerance);
+        contact::audit_tangential({.bound = bound_,
+                                   .area = points_.area,
+                                   .traction = steady_.traction,
+                                   .slip = steady_.slip,
+                                   .contact_state = result.surface.contact_state,
+                                   .control = control,
+                                   .length = sliding_creepage(result.state.half_length)},
+                                  problem_.tolerance, audit);
+        return audit;
+    }
+
+  private:
+    const TangentialField& by_pressure() const {
+        return coupling_.absent() ? none_ : coupling_.displacement();
+    }
+
+    static std::vector<double> total(std::vector<double> a, const std::vector<double>& b) {
+        for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+        return a;
+    }
+
+    void solve_normal(const std::vector<double>& height) {
+        normal_ = normal_solver_.solve(height, problem_.normal, normal_.pressure);
+        iterations_ += normal_.iterations;
+        if (contact::reaches_edge(points_, normal_.pressure))
+            throw contact::InputError(
+                "steady rolling: the contact reaches the edge of the grid; enlarge the grid");
+    }
+
+    void solve_tangential() {
+        bound_ = normal_.pressure;
+        for (double& bound : bound_) bound *= problem_.friction_coefficient;
+        if (!coupling_.absent()) coupling_.update_displacement(normal_.pressure, steady_.traction);
+        steady_solver_.solve({bound_, by_pressure(), problem_.drive}, steady_);
+        iterations_ += steady_.iterations;
+    }
+
+    /// mu d over the half length [-]: about the creepage of full sliding.
+    double sliding_creepage(double half_length) const {
+        return problem_.friction_coefficient * normal_.indentation / half_length;
+    }
+
+    /// Dissipation and zones, from tractions and slip.
+    void classify(contact::Surface& s) const {
+        using contact::ContactState;
+        const double still = 10 * problem_.tolerance * sliding_creepage(state_of(s).half_length);
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            const contact::Vector2 t = {s.tangential_traction_x[i], s.tangential_traction_y[i]};
+            const contact::Vector2 slip = {s.slip_x[i], s.slip_y[i]};
+            s.dissipation[i] = contact::dot(t, slip);
+            // On the bound without sliding is stick.
+            const bool slips =
+                contact::norm(t) >= bound_[i] * (1 - 1e-9) && contact::norm(slip) > still;
+            s.contact_state[i] = !(s.normal_traction[i] > 0) ? ContactState::open
+                                 : slips                     ? ContactState::slip
+                                                             : ContactState::stick;
+        }
+    }
+
+    const contact::Compliance& compliance_;
+    const contact::ContactPoints& points_;
+    const RollingProblem& problem_;
+    contact::Coupling coupling_;
+    contact::NormalSolver normal_solver_;
+    SteadySolver steady_solver_;
+    const TangentialField none_;
+    contact::NormalSolution normal_;
+    std::vector<double> bound_;
+    SteadySolution steady_;
+    double gap_residual_ = 0;
+    int iterations_ = 0;
+};
+
+}  // namespace
+
+SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
+    if (compliance.points().n_x == 0 || compliance.points().mirrored)
+        throw contact::InputError(
+            "rolling on needs a regular grid on both sides of the path; take a model of boundary "
+            "elements");
+    Turns turns(compliance, problem);
+    turns.run();
+    SteadyRolling result;
+    result.surface = turns.surface();
+    result.state = turns.state(result.surface);
+    result.audit = turns.audit(result);
+    return result;
+}
+
+}  // namespace tricontact::rolling

@@ -1,0 +1,214 @@
+#include "rolling/steady_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/error.h"
+#include "contact/friction_disc.h"
+#include "contact/largest.h"
+#include "rolling/steady_system.h"
+
+namespace tricontact::rolling {
+
+namespace {
+
+using contact::norm;
+using contact::TangentialField;
+using contact::Vector2;
+
+constexpr int max_newton_steps = 100;
+constexpr double force_tolerance = 1e-10;  // over sum bound A, as in contact::TangentialSolver
+
+class Newton {
+  public:
+    Newton(const contact::Compliance& compliance, const SteadyProblem& problem, double tolerance,
+           SteadySolution& solution)
+        : compliance_(compliance),
+          points_(compliance.points()),
+          problem_(problem),
+          tolerance_(tolerance),
+          solution_(solution),
+          active_(points_in_contact(problem.bound)),
+          force_controlled_{!problem.drive.creepage[0], !problem.drive.creepage[1]},
+          system_(compliance, active_, force_controlled_),
+          alpha_(system_.local()),
+          slipping_(active_.size()) {
+        for (const std::size_t i : active_) total_bound_ += points_.area[i] * problem_.bound[i];
+        check_force_is_carried();
+        for (const std::size_t i : active_) mean_bound_ += problem_.bound[i] / active_.size();
+    }
+
+    void run() {
+        start();
+        if (active_.empty()) return;
+        for (int step = 0; step < max_newton_steps; ++step) {
+            update_slip();
+            classify();
+            update_slip();
+            update_residual();
+            if (solution_.residual <= tolerance_ && solution_.force_residual <= force_tolerance)
+                return;
+            move(solve_linear_system());
+        }
+        throw contact::NotConverged(fmt::format(
+            "steady rolling: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
+            "Newton steps; {} points in contact, {} slipping; creepage {:.3e}, {:.3e}",
+            solution_.residual, tolerance_, solution_.force_residual, max_newton_steps,
+            active_.size(), std::count(slipping_.begin(), slipping_.end(), 1),
+            solution_.creepage.longitudinal, solution_.creepage.lateral));
+    }
+
+  private:
+    static std::vector<std::size_t> points_in_contact(const std::vector<double>& bound) {
+        std::vector<std::size_t> active;
+        for (std::size_t i = 0; i < bound.size(); ++i)
+            if (bound[i] > 0) active.push_back(i);
+        return active;
+    }
+
+    TangentialField& traction() { return solution_.traction; }
+    Vector2 traction_at(std::size_t i) const {
+        return {solution_.traction.x[i], solution_.traction.y[i]};
+    }
+    Vector2 slip_at(std::size_t i) const { return {solution_.slip.x[i], solution_.slip.y[i]}; }
+    void set_traction(std::size_t i, const Vector2& t) {
+        solution_.traction.x[i] = t[0];
+        solution_.traction.y[i] = t[1];
+    }
+    /// t + s/alpha: inside the friction disc where the point sticks.
+    Vector2 trial(std::size_t i) const {
+        const Vector2 t = traction_at(i), s = slip_at(i);
+        return {t[0] + s[0] / alpha_, t[1] + s[1] / alpha_};
+    }
+
+    void check_force_is_carried() const {
+        Vector2 force{};
+        for (int d = 0; d < 2; ++d)
+            if (force_controlled_[d]) force[d] = problem_.drive.force[d];
+        const bool any = force_controlled_[0] || force_controlled_[1];
+        if (any && norm(force) >= total_bound_)
+            throw contact::InputError(
+                fmt::format("rolling: the force {:.6g} N reaches the friction limit {:.6g} N: the "
+                            "contact slides as a whole; lower the force or prescribe the creepage",
+                            norm(force), total_bound_));
+    }
+
+    void start() {
+        const std::size_t n = points_.size();
+        if (traction().size() != n) traction() = TangentialField(n);
+        solution_.displacement = solution_.slip = TangentialField(n);
+        for (std::size_t i = 0; i < n; ++i)
+            set_traction(i, contact::project_on_disc(traction_at(i), problem_.bound[i]));
+        Creepage& w = solution_.creepage;
+        w.longitudinal = problem_.drive.creepage[0].value_or(w.longitudinal);
+        w.lateral = problem_.drive.creepage[1].value_or(w.lateral);
+        w.spin = problem_.drive.spin;
+        solution_.iterations = 0;
+    }
+
+    void update_slip() {
+        compliance_.tangential(traction(), solution_.displacement);
+        ++solution_.iterations;
+        TangentialField all = solution_.displacement;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all.x[i] += problem_.displacement.x[i];
+            all.y[i] += problem_.displacement.y[i];
+        }
+        solution_.slip = forward_gradient(points_, active_, all);
+        const Creepage& w = solution_.creepage;
+        for (const std::size_t i : active_) {
+            solution_.slip.x[i] += w.longitudinal - w.spin * points_.y[i];
+            solution_.slip.y[i] += w.lateral + w.spin * points_.x[i];
+        }
+    }
+
+    void update_residual() {
+        double worst = 0;
+        Vector2 force{};
+        for (const std::size_t i : active_) {
+            const Vector2 t = traction_at(i);
+            const Vector2 p = contact::project_on_disc(trial(i), problem_.bound[i]);
+            worst = contact::larger(worst, norm({t[0] - p[0], t[1] - p[1]}));
+            force[0] += points_.area[i] * t[0];
+            force[1] += points_.area[i] * t[1];
+        }
+        solution_.residual = worst / mean_bound_;
+        solution_.force_residual = 0;
+        for (int d = 0; d < 2; ++d) {
+            missing_force_[d] = force_controlled_[d] ? problem_.drive.force[d] - force[d] : 0;
+            solution_.force_residual = contact::larger(solution_.force_residual,
+                                                       std::abs(missing_force_[d]) / total_bound_);
+        }
+    }
+
+    /// One Newton step on the present zones.
+    SteadySystem::Result solve_linear_system() {
+        std::vector<Vector2> tangent(active_.size());
+        std::vector<double> curvature(active_.size(), 0.0);
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            if (!slipping_[k]) continue;
+            const Vector2 t = traction_at(active_[k]);
+            const double bound = problem_.bound[active_[k]];
+            tangent[k] = {-t[1] / bound, t[0] / bound};
+            curvature[k] = std::max(0.0, contact::dot(slip_at(active_[k]), t) / bound) / bound;
+        }
+        system_.set_zones(slipping_, std::move(tangent), std::move(curvature));
+        // Zones still move while the residual is large: solve no more exactly than that deserves.
+        const double forcing =
+            std::clamp(0.01 * std::max(solution_.residual, solution_.force_residual), 1e-10, 1e-2);
+        return system_.solve(solution_.slip, missing_force_, forcing);
+    }
+
+    void move(const SteadySystem::Result& result) {
+        solution_.iterations += result.iterations;
+        solution_.creepage.longitudinal += result.creepage[0];
+        solution_.creepage.lateral += result.creepage[1];
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
+            if (slipping_[k]) {
+                const double factor = problem_.bound[i] / norm(t);
+                t = {t[0] * factor, t[1] * factor};
+            }
+            set_traction(i, t);
+        }
+    }
+
+    /// New zones from traction and slip; slipping points are put on their friction disc.
+    void classify() {
+        for (std::size_t k = 0; k < active_.size(); ++k) {
+            const std::size_t i = active_[k];
+            const Vector2 y = trial(i);
+            slipping_[k] = norm(y) > problem_.bound[i];
+            set_traction(
+                i, contact::project_on_disc(slipping_[k] ? y : traction_at(i), problem_.bound[i]));
+        }
+    }
+
+    const contact::Compliance& compliance_;
+    const contact::ContactPoints& points_;
+    const SteadyProblem& problem_;
+    const double tolerance_;
+    SteadySolution& solution_;
+    const std::vector<std::size_t> active_;
+    const std::array<bool, 2> force_controlled_;
+    SteadySystem system_;
+    const double alpha_;                  // [1/Pa]
+    std::vector<std::uint8_t> slipping_;  // per active point
+    Vector2 missing_force_{};
+    double total_bound_ = 0, mean_bound_ = 0;
+};
+
+}  // namespace
+
+SteadySolver::SteadySolver(const contact::Compliance& compliance, double tolerance)
+    : compliance_(compliance), tolerance_(tolerance) {}
+
+void SteadySolver::solve(const SteadyProblem& problem, SteadySolution& solution) const {
+    Newton(compliance_, problem, tolerance_, solution).run();
+}
+
+}  // namespace tricontact::rolling

@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "rolling/run.h"
+#include "rolling/steady_rolling.h"
+#include "rolling/transient_rolling.h"
+#include "tests/unit/rolling_problems.h"
+
+namespace tricontact {
+namespace {
+
+using rolling::RollingProblem;
+using rolling::RollingState;
+using rolling_test::Rig;
+
+/// Creepage over mu a/R, force over mu F_N, moment over mu F_N a, dissipation over mu^2 F_N a/R.
+std::vector<double> numbers_of(const RollingState& s, const Rig& rig) {
+    const double limit = rig.friction * s.normal_force;
+    return {s.creepage.longitudinal / rig.creepage(),
+            s.creepage.lateral / rig.creepage(),
+            s.force[0] / limit,
+            s.force[1] / limit,
+            s.spin_moment / (limit * rig.half_length),
+            s.dissipation / (limit * rig.creepage())};
+}
+
+/// Transient rolling over `distance` ends where the steady state is found directly.
+void expect_transient_ends_there(const Rig& rig, std::shared_ptr<const contact::Compliance> grid,
+                                 RollingProblem problem, double distance, double allowed) {
+    problem.distance = distance;
+    const auto history = rolling::run(contact::ElasticSubstrate(std::move(grid)), problem);
+    const auto steady = numbers_of(history.steady, rig);
+    const auto last = numbers_of(history.transient.back(), rig);
+    for (std::size_t i = 0; i < steady.size(); ++i) EXPECT_NEAR(last[i], steady[i], allowed) << i;
+    EXPECT_TRUE(history.audit.passed());
+    for (const auto& check : history.audit.checks())
+        EXPECT_LE(check.worst, check.allowed) << check.name;
+}
+
+// What rolling on still changes falls by ten in about three half lengths.
+TEST(SteadyRolling, IsWhereTransientRollingEnds) {
+    Rig rig{.n = 7};
+    expect_transient_ends_there(rig, rig.sphere_grid(), rig.sphere(.6), 16 * rig.half_length, 1e-6);
+    RollingProblem spinning = rig.sphere(.3);
+    spinning.drive.spin = .8 * rig.friction / rig.radius;
+    expect_transient_ends_there(rig, rig.sphere_grid(), spinning, 16 * rig.half_length, 1e-6);
+    RollingProblem creeping = rig.sphere(0);
+    creeping.drive.creepage = {.3 * rig.creepage(), -.5 * rig.creepage()};
+    expect_transient_ends_there(rig, rig.sphere_grid(), creeping, 24 * rig.half_length, 1e-5);
+}
+
+TEST(SteadyRolling, IsWhereTransientRollingEndsOfCoupledBodies) {
+    Rig rig{.substrate = {3e6, .2}, .n = 6};
+    RollingProblem problem = rig.sphere(.4);
+    problem.tolerance = 1e-7;
+    expect_transient_ends_there(rig, rig.sphere_grid(), problem, 14 * rig.half_length, 1e-5);
+}
+
+// Carter (1926); Johnson (1985), eq. 8.26: one cell's step is first order, 3 % at 20 cells.
+TEST(SteadyRolling, OfACylinderCreepsAsCarterSays) {
+    const Rig rig;
+    const double f = .6;
+    const auto steady = rolling::steady_rolling(*rig.row_grid(), rig.row(f));
+    const double carter = rig.creepage() * (1 - std::sqrt(1 - f));
+    EXPECT_NEAR(steady.state.creepage.longitudinal, carter, .03 * carter);
+    EXPECT_NEAR(steady.state.half_length, rig.half_length, rig.cell());
+    EXPECT_NEAR(steady.state.stick_area / steady.state.contact_area, std::sqrt(1 - f), .05);
+    // Stick begins at the leading edge, but for the cell that the edge cuts.
+    const auto& states = steady.surface.contact_state;
+    const auto first = std::find(states.begin(), states.end(), contact::ContactState::stick);
+    const auto open = std::find(first, states.end(), contact::ContactState::open);
+    EXPECT_LE(std::count(first, open, contact::ContactState::slip), 1);
+    EXPECT_GT(std::count(states.begin(), first, contact::ContactState::slip), 0);
+}
+
+// Friction at its limit everywhere, along the creepage: F = mu F_N.
+TEST(SteadyRolling, SaturatesAtLargeCreepage) {
+    const Rig rig{.n = 8};
+    RollingProblem problem = rig.sphere(0);
+    problem.drive.creepage = {30 * rig.creepage(), 40 * rig.creepage()};
+    const auto state = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
+    const double limit = rig.friction * rig.sphere_force();
+    // What elasticity turns of the slip is a fiftieth of it, the force lost its square.
+    EXPECT_NEAR(state.force[0] / limit, .6, 2e-3);
+    EXPECT_NEAR(state.force[1] / limit, .8, 2e-3);
+    EXPECT_EQ(state.stick_area, 0);
+}
+
+// Mirror the contact at the plane of rolling: lateral creepage, force and spin change their signs.
+TEST(SteadyRolling, IsSymmetricToThePlaneOfRolling) {
+    const Rig rig{.n = 8};
+    RollingProblem problem = rig.sphere(0);
+    problem.drive.creepage = {.4 * rig.creepage(), .3 * rig.creepage()};
+    problem.drive.spin = .7 * rig.friction / rig.radius;
+    const auto one = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
+    *problem.drive.creepage[1] *= -1;
+    problem.drive.spin *= -1;
+    const auto other = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
+    const double limit = rig.friction * rig.sphere_force();
+    EXPECT_NEAR(one.force[0] / limit, other.force[0] / limit, 1e-7);
+    EXPECT_NEAR(one.force[1] / limit, -other.force[1] / limit, 1e-7);
+    EXPECT_NEAR(one.spin_moment / (limit * rig.half_length),
+                -other.spin_moment / (limit * rig.half_length), 1e-7);
+    EXPECT_GT(std::abs(one.force[1]), .1 * limit);
+}
+
+TEST(SteadyRolling, RefusesAForceThatFrictionDoesNotCarry) {
+    const Rig rig{.n = 4};
+    try {
+        rolling::steady_rolling(*rig.sphere_grid(), rig.sphere(1.01));
+        FAIL() << "no error";
+    } catch (const contact::InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("reaches the friction limit"), std::string::npos)
+            << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace tricontact
