@@ -7,12 +7,17 @@ namespace tricontact::rolling {
 
 /// Generalised minimal residuals (Saad and Schultz 1986), preconditioned from the right and without
 /// restarts, for a matrix known by its `product`. Eigen's own wants a sparse matrix' interface.
-/// Returns x with |b - A x| <= tolerance |b|, or the best of `max_iterations`.
+/// Ends with |b - A x| <= tolerance |b|, or with the best of `max_iterations`.
+struct GmresResult {
+    Eigen::VectorXd x;
+    double residual = 0;  ///< |b - A x|/|b|
+    int iterations = 0;
+};
 template <class Product, class Precondition>
-Eigen::VectorXd gmres(const Product& product, const Precondition& precondition,
-                      const Eigen::VectorXd& b, double tolerance, int max_iterations) {
+GmresResult gmres(const Product& product, const Precondition& precondition,
+                  const Eigen::VectorXd& b, double tolerance, int max_iterations) {
     const double size = b.norm();
-    if (!(size > 0)) return Eigen::VectorXd::Zero(b.size());
+    if (!(size > 0)) return {Eigen::VectorXd::Zero(b.size())};
     std::vector<Eigen::VectorXd> basis = {b / size};
     Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(max_iterations + 1, max_iterations);
     Eigen::VectorXd residual = Eigen::VectorXd::Zero(max_iterations + 1);
@@ -44,7 +49,7 @@ Eigen::VectorXd gmres(const Product& product, const Precondition& precondition,
         triangle.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(residual.head(k));
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(b.size());
     for (int i = 0; i < k; ++i) sum += y[i] * basis[i];
-    return precondition(sum);
+    return {precondition(sum), std::abs(residual[k]) / size, k};
 }
 
 }  // namespace tricontact::rolling

@@ -14,6 +14,7 @@
 #include "contact/surface_audit.h"
 #include "rolling/rolling_state.h"
 #include "rolling/steady_solver.h"
+#include "rolling/steady_system.h"
 
 namespace tricontact::rolling {
 
@@ -181,10 +182,7 @@ class Turns {
 }  // namespace
 
 SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
-    if (compliance.points().n_x == 0 || compliance.points().mirrored)
-        throw contact::InputError(
-            "rolling on needs a regular grid on both sides of the path; take a model of boundary "
-            "elements");
+    check_grid(compliance.points());
     Turns turns(compliance, problem);
     turns.run();
     SteadyRolling result;

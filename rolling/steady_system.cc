@@ -1,7 +1,9 @@
 #include "rolling/steady_system.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "contact/error.h"
 #include "rolling/gmres.h"
 
 namespace tricontact::rolling {
@@ -11,6 +13,13 @@ namespace {
 constexpr int max_iterations = 400;
 
 }  // namespace
+
+void check_grid(const contact::ContactPoints& points) {
+    if (points.n_x == 0 || points.mirrored)
+        throw contact::InputError(
+            "rolling on needs a regular grid on both sides of the path; take a model of boundary "
+            "elements");
+}
 
 contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
                                           const std::vector<std::size_t>& active,
@@ -40,15 +49,15 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
     curvature_ = std::move(curvature);
     const Eigen::Index m = active_.size();
     Eigen::Matrix2d force = Eigen::Matrix2d::Identity();
+    all_stick_ = std::count(slipping_.begin(), slipping_.end(), 0) == m;
     for (int d = 0; d < 2; ++d) {
         Eigen::VectorXd along = Eigen::VectorXd::Zero(2 * m);
         along.segment(d * m, m).setOnes();
-        relaxed_[d] = projected(along);
-        for (Eigen::Index k = 0; k < 2 * m; ++k) relaxed_[d][k] /= local_ + curvature_[k % m];
+        answer_[d] = without_balance(projected(along));
     }
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
-        for (int e = 0; e < 2; ++e) force(d, e) = force_controlled_[e] ? total(relaxed_[e])[d] : 0;
+        for (int e = 0; e < 2; ++e) force(d, e) = force_controlled_[e] ? total(answer_[e])[d] : 0;
     }
     // Where all slip along the force, no rotation carries more of it: keep that invertible.
     for (int d = 0; d < 2; ++d)
@@ -112,18 +121,46 @@ Eigen::VectorXd SteadySystem::product(const Eigen::VectorXd& z) const {
     return all;
 }
 
-/// An approximate inverse: cells by themselves, and the force balance.
+/// The inverse of M by what it is made of: displacements by summing slip up from the leading edge,
+/// as if nothing moved ahead of it, and tractions from those.
+Eigen::VectorXd SteadySystem::unrolled(const Eigen::VectorXd& r) const {
+    const Eigen::Index m = active_.size();
+    const contact::ContactPoints& points = compliance_.points();
+    contact::TangentialField u(points.size()), t(points.size());
+    for (Eigen::Index k = m - 1; k >= 0; --k) {
+        const std::size_t i = active_[k];
+        u.x[i] = u.x[i + 1] + points.spacing[0] * r[k];
+        u.y[i] = u.y[i + 1] + points.spacing[0] * r[m + k];
+    }
+    compliance_.precondition_tangential(u, t);
+    Eigen::VectorXd z(2 * m);
+    for (Eigen::Index k = 0; k < m; ++k) {
+        z[k] = t.x[active_[k]];
+        z[m + k] = t.y[active_[k]];
+    }
+    return z;
+}
+
+/// An approximate inverse but for the force balance. Once points slip, cells by themselves need
+/// fewer iterations.
+Eigen::VectorXd SteadySystem::without_balance(const Eigen::VectorXd& r) const {
+    if (all_stick_) return unrolled(r);
+    const Eigen::Index m = active_.size();
+    Eigen::VectorXd z(2 * m);
+    for (Eigen::Index k = 0; k < 2 * m; ++k) z[k] = r[k] / (local_ + curvature_[k % m]);
+    return z;
+}
+
 Eigen::VectorXd SteadySystem::preconditioned(const Eigen::VectorXd& r) const {
     const Eigen::Index m = active_.size();
     Eigen::VectorXd z(size());
-    for (Eigen::Index k = 0; k < 2 * m; ++k) z[k] = r[k] / (local_ + curvature_[k % m]);
+    z.head(2 * m) = without_balance(r);
     const Eigen::Vector2d force = total(projected(z));
     Eigen::Vector2d missing = r.tail(2);
     for (int d = 0; d < 2; ++d)
         if (force_controlled_[d]) missing[d] -= force[d];
-    const Eigen::Vector2d creepage = force_inverse_ * missing;
-    z.tail(2) = creepage;
-    for (int d = 0; d < 2; ++d) z.head(2 * m) += creepage[d] * relaxed_[d];
+    z.tail(2) = force_inverse_ * missing;
+    for (int d = 0; d < 2; ++d) z.head(2 * m) += z[2 * m + d] * answer_[d];
     return z;
 }
 
@@ -139,16 +176,15 @@ SteadySystem::Result SteadySystem::solve(const contact::TangentialField& r,
     for (int d = 0; d < 2; ++d)
         right_hand_side[2 * m + d] = force_controlled_[d] ? c[d] * local_ / area_ : 0;
 
-    int iterations = 0;
-    const Eigen::VectorXd solution = gmres(
-        [&](const Eigen::VectorXd& x) {
-            ++iterations;
-            return product(x);
-        },
-        [&](const Eigen::VectorXd& x) { return preconditioned(x); }, right_hand_side, tolerance,
-        max_iterations);
+    const GmresResult found = gmres([&](const Eigen::VectorXd& x) { return product(x); },
+                                    [&](const Eigen::VectorXd& x) { return preconditioned(x); },
+                                    right_hand_side, tolerance, max_iterations);
+    const Eigen::VectorXd& solution = found.x;
     const Eigen::VectorXd z = projected(solution);
-    Result result{contact::TangentialField(compliance_.points().size()), {}, iterations};
+    Result result{contact::TangentialField(compliance_.points().size()),
+                  {},
+                  found.iterations,
+                  found.residual};
     for (Eigen::Index k = 0; k < m; ++k) {
         result.z.x[active_[k]] = z[k];
         result.z.y[active_[k]] = z[m + k];

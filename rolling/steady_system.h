@@ -10,6 +10,9 @@
 
 namespace tricontact::rolling {
 
+/// Throws contact::InputError unless the points form a grid that is not mirrored.
+void check_grid(const contact::ContactPoints& points);
+
 /// What the frame's motion by one cell along x adds to the slip of the `active` points, per rolled
 /// way: (u(x + h) - u(x))/h, 0 elsewhere.
 contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
@@ -29,6 +32,7 @@ class SteadySystem {
         contact::TangentialField z;  ///< traction [Pa]
         contact::Vector2 creepage;   ///< w [-], zero in creepage-controlled directions
         int iterations = 0;          ///< applications of the compliance
+        double residual = 0;         ///< over the right-hand side
     };
 
     /// `active`: indices of the points in contact.
@@ -53,6 +57,8 @@ class SteadySystem {
     Eigen::VectorXd product(const Eigen::VectorXd& z) const;
     Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
     Eigen::VectorXd projected(const Eigen::VectorXd& f) const;
+    Eigen::VectorXd without_balance(const Eigen::VectorXd& r) const;
+    Eigen::VectorXd unrolled(const Eigen::VectorXd& r) const;
     Eigen::VectorXd sliding(const Eigen::VectorXd& z) const;
     Eigen::Vector2d total(const Eigen::VectorXd& z) const;
 
@@ -64,7 +70,8 @@ class SteadySystem {
     std::vector<std::uint8_t> slipping_;
     std::vector<contact::Vector2> tangent_;
     std::vector<double> curvature_;
-    std::array<Eigen::VectorXd, 2> relaxed_;  // creepage by the cells by themselves
+    bool all_stick_ = true;
+    std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
     Eigen::Matrix2d force_inverse_;
 };
 

@@ -1,0 +1,65 @@
+#include "rolling/linear_creep.h"
+
+#include <fmt/format.h>
+
+#include "contact/error.h"
+#include "rolling/steady_system.h"
+
+namespace tricontact::rolling {
+
+namespace {
+
+using contact::TangentialField;
+using contact::Vector2;
+
+constexpr double tolerance = 1e-8;  // of the linear system, far below what the cells cost
+
+/// Slip by a unit of each creepage.
+Vector2 unit_slip(int creepage, double x, double y) {
+    switch (creepage) {
+        case 0:
+            return {1, 0};
+        case 1:
+            return {0, 1};
+        default:
+            return {-y, x};
+    }
+}
+
+}  // namespace
+
+LinearCreep linear_creep(const contact::Compliance& compliance,
+                         const std::vector<double>& pressure) {
+    const contact::ContactPoints& points = compliance.points();
+    check_grid(points);
+    std::vector<std::size_t> active;
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+        if (pressure[i] > 0) active.push_back(i);
+    SteadySystem system(compliance, active, {false, false});
+    system.set_zones(std::vector<std::uint8_t>(active.size()), std::vector<Vector2>(active.size()),
+                     std::vector<double>(active.size()));
+    LinearCreep creep{};
+    for (int c = 0; c < 3; ++c) {
+        TangentialField slip(points.size());
+        for (const std::size_t i : active) {
+            const Vector2 s = unit_slip(c, points.x[i], points.y[i]);
+            slip.x[i] = s[0];
+            slip.y[i] = s[1];
+        }
+        const SteadySystem::Result result = system.solve(slip, {}, tolerance);
+        if (!(result.residual <= tolerance))
+            throw contact::NotConverged(
+                fmt::format("linear creep: residual {:.2e} (tolerance {:.1e}) after {} iterations; "
+                            "{} points in contact",
+                            result.residual, tolerance, result.iterations, active.size()));
+        for (const std::size_t i : active) {
+            const double f_x = points.area[i] * result.z.x[i], f_y = points.area[i] * result.z.y[i];
+            creep[0][c] += f_x;
+            creep[1][c] += f_y;
+            creep[2][c] += points.x[i] * f_y - points.y[i] * f_x;
+        }
+    }
+    return creep;
+}
+
+}  // namespace tricontact::rolling
