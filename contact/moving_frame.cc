@@ -2,7 +2,16 @@
 
 #include <algorithm>
 
+#include "contact/error.h"
+
 namespace tricontact::contact {
+
+void check_rolls_on(const std::string& model, const ContactPoints& points) {
+    if (points.n_x == 0 || points.mirrored || points.periodic)
+        throw InputError(model +
+                         ": rolling on needs a regular grid on both sides of the path that is not "
+                         "periodic; take a model of boundary elements");
+}
 
 void carry(const ContactPoints& grid, std::vector<double>& field) {
     for (int j = 0; j < grid.n_y; ++j) {

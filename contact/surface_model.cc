@@ -70,11 +70,7 @@ StepRecord SurfaceModel::advance(const LoadStep& step) {
 }
 
 StepRecord SurfaceModel::roll(const LoadStep& step, double turn) {
-    if (points().n_x == 0 || points().mirrored)
-        throw InputError(fmt::format(
-            "{}: rolling on needs a regular grid on both sides of the path; take a model of "
-            "boundary elements",
-            name_));
+    check_rolls_on(name_, points());
     Before before = {tractions(), displacements(), shift_, turn, true};
     carry(points(), before.traction);
     carry(points(), before.displacement);

@@ -49,7 +49,7 @@ class SurfaceModel final : public Model {
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are carried to the cell behind before the step is taken. In it
     /// the indenter also turns by `turn` [rad] about z through its lowest point, from x towards y.
-    /// Throws InputError unless the points form a grid that is not mirrored.
+    /// Throws InputError as check_rolls_on().
     StepRecord roll(const LoadStep& step, double turn);
     void release() override;
     Scales scales() const override;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "contact/error.h"
+#include "contact/moving_frame.h"
 #include "rolling/steady_system.h"
 
 namespace tricontact::rolling {
@@ -31,7 +32,7 @@ Vector2 unit_slip(int creepage, double x, double y) {
 LinearCreep linear_creep(const contact::Compliance& compliance,
                          const std::vector<double>& pressure) {
     const contact::ContactPoints& points = compliance.points();
-    check_grid(points);
+    contact::check_rolls_on("linear creep", points);
     std::vector<std::size_t> active;
     for (std::size_t i = 0; i < pressure.size(); ++i)
         if (pressure[i] > 0) active.push_back(i);

@@ -9,12 +9,12 @@
 #include "contact/error.h"
 #include "contact/fixed_point.h"
 #include "contact/largest.h"
+#include "contact/moving_frame.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
 #include "contact/surface_audit.h"
 #include "rolling/rolling_state.h"
 #include "rolling/steady_solver.h"
-#include "rolling/steady_system.h"
 
 namespace tricontact::rolling {
 
@@ -182,7 +182,7 @@ class Turns {
 }  // namespace
 
 SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
-    check_grid(compliance.points());
+    contact::check_rolls_on("steady rolling", compliance.points());
     Turns turns(compliance, problem);
     turns.run();
     SteadyRolling result;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/error.h"
 #include "rolling/gmres.h"
 
 namespace tricontact::rolling {
@@ -13,13 +12,6 @@ namespace {
 constexpr int max_iterations = 400;
 
 }  // namespace
-
-void check_grid(const contact::ContactPoints& points) {
-    if (points.n_x == 0 || points.mirrored)
-        throw contact::InputError(
-            "rolling on needs a regular grid on both sides of the path; take a model of boundary "
-            "elements");
-}
 
 contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
                                           const std::vector<std::size_t>& active,

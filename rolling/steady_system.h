@@ -10,9 +10,6 @@
 
 namespace tricontact::rolling {
 
-/// Throws contact::InputError unless the points form a grid that is not mirrored.
-void check_grid(const contact::ContactPoints& points);
-
 /// What the frame's motion by one cell along x adds to the slip of the `active` points, per rolled
 /// way: (u(x + h) - u(x))/h, 0 elsewhere.
 contact::TangentialField forward_gradient(const contact::ContactPoints& grid,

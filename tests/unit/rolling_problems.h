@@ -6,12 +6,13 @@
 #include <optional>
 
 #include "bem/grid_compliance.h"
+#include "contact/cylinder.h"
 #include "contact/indenter.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling_test {
 
-/// Elliptic paraboloid x^2/(2 R_x) + y^2/(2 R_y); R_y infinite: a cylinder.
+/// Elliptic paraboloid x^2/(2 R_x) + y^2/(2 R_y).
 class Quadric final : public contact::Indenter {
   public:
     Quadric(double radius_x, double radius_y) : radius_x_(radius_x), radius_y_(radius_y) {}
@@ -31,7 +32,7 @@ struct Rig {
     double radius = .07, half_length = 4e-3, friction = .35;
     contact::Material substrate{3e6, .5};
     std::optional<contact::Material> indenter{};  ///< empty: rigid
-    int n = 20;                                 ///< cells per half length
+    int n = 20;                                   ///< cells per half length
 
     contact::MaterialPair materials() const { return {indenter, substrate}; }
     double modulus() const { return materials().effective_modulus(); }
@@ -69,15 +70,14 @@ struct Rig {
     }
     std::shared_ptr<const contact::Compliance> row_grid() const {
         const int beside = n + 3;
-        return bem::half_space_compliance(
-            materials(),
-            contact::ContactPoints::grid(2 * beside + 1, 1, {-beside * cell(), 0},
-                                         {cell(), row_length()}),
-            1);
+        auto grid = contact::ContactPoints::grid(2 * beside + 1, 1, {-beside * cell(), 0},
+                                                 {cell(), row_length()});
+        grid.line_length = row_length();
+        return bem::half_space_compliance(materials(), std::move(grid), 1);
     }
     rolling::RollingProblem row(double tangential_ratio) const {
         rolling::RollingProblem problem = sphere(0);
-        problem.indenter = std::make_shared<Quadric>(radius, INFINITY);
+        problem.indenter = std::make_shared<contact::Cylinder>(radius, row_length());
         problem.normal.value = row_force();
         problem.drive.force[0] = tangential_ratio * friction * row_force();
         return problem;
