@@ -71,8 +71,23 @@ contact::ContactPoints period_grid(double period, double spacing, bool adjustabl
                                         {h, h});
 }
 
-/// Half sides of the region that the contact centre sweeps [m].
+/// How far ahead of the contact a relaxing surface that rolls on has to be seen [m]: it enters the
+/// grid relaxed. Eight radii leave half a percent of a sphere's resistance to a rolling way vtau of
+/// two of them; a line load reaches farther, and 16 vtau more leave a thousandth. Much faster
+/// rolling meets no resistance.
+double relaxing_reach(const contact::Case& c, double radius) {
+    constexpr double radii_ahead = 8, line_ahead = 16, longest = 4;
+    double way = 0;
+    for (const auto& branch : c.relaxation->branches)
+        way = std::max(way, c.tractive_rolling->speed * branch.time);
+    return radii_ahead * radius +
+           (c.is_line_contact() ? line_ahead * std::min(way, longest * radius) : 0);
+}
+
+/// Half sides of the region that the contact centre sweeps, or that is to be seen around it [m].
 contact::Vector2 path_extent(const contact::Case& c, double radius) {
+    if (c.tractive_rolling && c.tractive_rolling->speed > 0 && c.relaxation)
+        return {relaxing_reach(c, radius), 0};
     if (!c.rolling) return {0, 0};
     const double reach = rolling_amplitude(*c.rolling, radius);
     return {std::abs(reach * std::cos(c.rolling->angle)),

@@ -10,6 +10,7 @@ namespace tricontact::rolling {
 namespace {
 
 constexpr int max_iterations = 400;
+constexpr double no_answer = 1e-9;  // share of the tractions that a creepage changes
 
 }  // namespace
 
@@ -51,9 +52,10 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
         if (!force_controlled_[d]) continue;
         for (int e = 0; e < 2; ++e) force(d, e) = force_controlled_[e] ? total(answer_[e])[d] : 0;
     }
-    // Where all slip along the force, no rotation carries more of it: keep that invertible.
-    for (int d = 0; d < 2; ++d)
-        if (force_controlled_[d]) force(d, d) += 1e-6;
+    for (int d = 0; d < 2; ++d) {
+        relief_[d] = force_controlled_[d] && std::abs(force(d, d)) < no_answer ? 1 : 0;
+        force(d, d) += relief_[d];
+    }
     force_inverse_ = force.inverse();
 }
 
@@ -109,7 +111,8 @@ Eigen::VectorXd SteadySystem::product(const Eigen::VectorXd& z) const {
     for (Eigen::Index k = 0; k < 2 * m; ++k)
         all[k] += curvature_[k % m] * z[k] + local_ * (z[k] - admissible[k]);
     const Eigen::Vector2d force = total(admissible);
-    for (int d = 0; d < 2; ++d) all[2 * m + d] = force_controlled_[d] ? force[d] : z[2 * m + d];
+    for (int d = 0; d < 2; ++d)
+        all[2 * m + d] = force_controlled_[d] ? force[d] + relief_[d] * z[2 * m + d] : z[2 * m + d];
     return all;
 }
 

@@ -69,6 +69,9 @@ class SteadySystem {
     std::vector<double> curvature_;
     bool all_stick_ = true;
     std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
+    // Where all slip along the force no rotation carries more of it: creepage follows the missing
+    // force then, until some stick or turn round.
+    std::array<double, 2> relief_{};
     Eigen::Matrix2d force_inverse_;
 };
 

@@ -37,6 +37,23 @@ contact::Surface pressed_surface(const Case& c) {
     return model->surface();
 }
 
+// What has not relaxed yet has to be on the grid: 30 % of the resistance come from there.
+TEST(BemModel, GridSeesWhatARelaxingSurfaceRemembersAheadOfTheContact) {
+    Case c = small_case();
+    c.rolling.reset();
+    c.relaxation = {{{.3, .7}}};
+    const double a = contact::half_space_scales(c).contact_radius;
+    auto reach = [&] {
+        const auto grid = bem::make_substrate(c, 1, bem::Body::half_space);
+        return -grid->relaxed().points().first[0] / a;
+    };
+    c.tractive_rolling.emplace();
+    EXPECT_LT(reach(), 1.5);
+    c.tractive_rolling->speed = a;
+    EXPECT_GT(reach(), 8);
+    EXPECT_LT(reach(), 10);
+}
+
 TEST(BemModel, GridFitsContactAndPath) {
     for (const double angle : {0., std::numbers::pi / 2, .7}) {
         Case c = small_case();

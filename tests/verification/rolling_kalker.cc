@@ -1,0 +1,89 @@
+// The linear theory of elliptic contacts against Kalker's table (see theory/kalker.h).
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "bem/grid_compliance.h"
+#include "rolling/linear_creep.h"
+#include "theory/kalker.h"
+
+namespace tricontact {
+namespace {
+
+/// C11, C22, C23, C32, C33 of half axes a along x and b across, in n x n cells. Lengths by the area
+/// that the cells cover: where the ellipse cuts them is first order at best, and not smooth.
+std::vector<double> coefficients(double axes_ratio, double poisson, int n) {
+    const contact::MaterialPair materials(std::nullopt, {3e6, poisson});
+    const double c = 4e-3, a = c * std::sqrt(axes_ratio), b = c / std::sqrt(axes_ratio);
+    const int beside = n / 2 + 2;
+    const contact::Vector2 cell = {2 * a / n, 2 * b / n};
+    const auto compliance = bem::half_space_compliance(
+        materials,
+        contact::ContactPoints::grid(2 * beside + 1, 2 * beside + 1,
+                                     {-beside * cell[0], -beside * cell[1]}, cell),
+        1);
+    const auto& points = compliance->points();
+    std::vector<double> pressure(points.size());
+    double area = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x = points.x[i] / a, y = points.y[i] / b;
+        pressure[i] = std::max(0., 1 - x * x - y * y);
+        if (pressure[i] > 0) area += points.area[i];
+    }
+    const auto creep = rolling::linear_creep(*compliance, pressure);
+    const double ab = area / std::numbers::pi;
+    const double unit = theory::combined_material(materials).shear_modulus * ab;
+    return {creep[0][0] / unit, creep[1][1] / unit, creep[1][2] / (unit * std::sqrt(ab)),
+            creep[2][1] / (unit * std::sqrt(ab)), creep[2][2] / (unit * ab)};
+}
+
+/// First order in the cell.
+std::vector<double> extrapolated(double axes_ratio, double poisson, int n_coarse, int n_fine) {
+    const auto coarse = coefficients(axes_ratio, poisson, n_coarse);
+    auto fine = coefficients(axes_ratio, poisson, n_fine);
+    for (std::size_t k = 0; k < fine.size(); ++k)
+        fine[k] += (fine[k] - coarse[k]) * n_coarse / (n_fine - n_coarse);
+    return fine;
+}
+
+// Table of three digits; the staircase of the edge leaves half a percent, of moments one.
+TEST(RollingKalker, CoefficientsOfTheCircle) {
+    for (const double nu : {0., .25, .5}) {
+        const auto c = extrapolated(1, nu, 41, 81);
+        const auto table = theory::kalker_coefficients(1, nu);
+        EXPECT_NEAR(c[0] / table.longitudinal, 1, 5e-3) << nu;
+        EXPECT_NEAR(c[1] / table.lateral, 1, 5e-3) << nu;
+        EXPECT_NEAR(c[2] / table.spin, 1, 7e-3) << nu;
+        EXPECT_NEAR(c[4] / table.moment, 1, 2e-2) << nu;
+    }
+}
+
+TEST(RollingKalker, CoefficientsOfEllipses) {
+    for (const double ratio : {.2, .5, 2., 5.})
+        for (const double nu : {0., .5}) {
+            const auto c = extrapolated(ratio, nu, 41, 81);
+            const auto table = theory::kalker_coefficients(ratio, nu);
+            EXPECT_NEAR(c[0] / table.longitudinal, 1, 1e-2) << ratio << " " << nu;
+            EXPECT_NEAR(c[1] / table.lateral, 1, 1e-2) << ratio << " " << nu;
+            EXPECT_NEAR(c[2] / table.spin, 1, 1e-2) << ratio << " " << nu;
+            EXPECT_NEAR(c[4] / table.moment, 1, 3e-2) << ratio << " " << nu;
+        }
+}
+
+// Reciprocity in rolling: C32 = -C23 on every grid. Without Poisson's ratio x and y are alike.
+TEST(RollingKalker, SpinAndLateralCreepageAreReciprocal) {
+    for (const double ratio : {.5, 1., 2.}) {
+        const auto c = coefficients(ratio, .3, 21);
+        EXPECT_NEAR(c[2], -c[3], 1e-6 * c[2]) << ratio;
+    }
+    const auto c = coefficients(1, 0, 21);
+    EXPECT_NEAR(c[0], c[1], 1e-6 * c[0]);
+}
+
+}  // namespace
+}  // namespace tricontact
