@@ -22,6 +22,7 @@ class Iteration {
               const NormalControl& control, const std::vector<double>& start)
         : compliance_(compliance),
           area_(compliance.points().area),
+          areas_are_equal_(std::ranges::all_of(area_, [&](double a) { return a == area_[0]; })),
           height_(height),
           control_(control),
           gap_(height.size()),
@@ -53,6 +54,7 @@ class Iteration {
   private:
     bool force_controlled() const { return control_.kind == NormalControl::Kind::force; }
     bool in_contact(std::size_t i) const { return solution_.pressure[i] > 0; }
+    double area(std::size_t i) const { return area_[areas_are_equal_ ? 0 : i]; }
 
     void set_start(const std::vector<double>& start) {
         auto& p = solution_.pressure;
@@ -66,7 +68,8 @@ class Iteration {
         for (std::size_t i = 0; i < p.size(); ++i)
             if (!std::isfinite(height_[i])) p[i] = 0;
         if (force_controlled()) {
-            scale_pressure_to_force(pressure_sum());
+            const double factor = control_.value / pressure_sum();
+            for (double& value : p) value *= factor;
         } else if (start.empty()) {
             // A pressure of the right magnitude: it displaces by at most half of what is
             // prescribed.
@@ -79,14 +82,8 @@ class Iteration {
 
     double pressure_sum() const {
         double sum = 0;
-        for (std::size_t i = 0; i < area_.size(); ++i) sum += area_[i] * solution_.pressure[i];
+        for (std::size_t i = 0; i < area_.size(); ++i) sum += area(i) * solution_.pressure[i];
         return sum;
-    }
-
-    /// `sum`: the present one.
-    void scale_pressure_to_force(double sum) {
-        const double factor = control_.value / sum;
-        for (double& value : solution_.pressure) value *= factor;
     }
 
     void update_displacement() {
@@ -100,8 +97,8 @@ class Iteration {
         double sum = 0, total = 0;
         for (std::size_t i = 0; i < area_.size(); ++i)
             if (in_contact(i)) {
-                sum += area_[i] * (u[i] + height_[i]);
-                total += area_[i];
+                sum += area(i) * (u[i] + height_[i]);
+                total += area(i);
             }
         return sum / total;
     }
@@ -117,7 +114,7 @@ class Iteration {
             const double gap = gap_[i] = u[i] + height_[i] - solution_.indentation;
             if (in_contact(i)) {
                 worst = larger(worst, std::abs(gap));
-                square += area_[i] * gap * gap;
+                square += area(i) * gap * gap;
                 ++n_contact_;
             } else {
                 worst = larger(worst, -gap);
@@ -140,14 +137,16 @@ class Iteration {
         if (!(std::isfinite(step)))
             throw NotConverged("normal contact: the conjugate gradients broke down");
         const bool contact_changed = move(step);
+        const double factor = force_controlled() ? control_.value / moved_sum_ : 1;
+        for (double& value : solution_.pressure) value *= factor;
         if (contact_changed) {
-            if (force_controlled()) scale_pressure_to_force(moved_sum_);
             update_displacement();
-        } else if (force_controlled()) {
-            const double factor = control_.value / moved_sum_;
-            for (double& value : solution_.pressure) value *= factor;
-            for (double& value : solution_.displacement) value *= factor;
+            return;
         }
+        displacement_is_exact_ = false;
+        for (std::size_t i = 0; i < gap_.size(); ++i)
+            solution_.displacement[i] =
+                factor * (solution_.displacement[i] - step * direction_displacement_[i]);
     }
 
     /// Of the conjugate gradients; a force prescribed, the mean over the contact is no gap.
@@ -156,12 +155,12 @@ class Iteration {
         double numerator = 0, product = 0, direction = 0, displacement = 0, total = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
             if (!in_contact(i)) continue;
-            const double weighted = area_[i] * direction_[i];
+            const double weighted = area(i) * direction_[i];
             numerator += weighted * gap_[i];
             product += weighted * r[i];
             direction += weighted;
-            displacement += area_[i] * r[i];
-            total += area_[i];
+            displacement += area(i) * r[i];
+            total += area(i);
         }
         const double mean = force_controlled() ? displacement / total : 0;
         return numerator / (product - mean * direction);
@@ -184,11 +183,9 @@ class Iteration {
                 p[i] = -step * gap_[i];
                 entered = true;
             }
-            sum += area_[i] * p[i];
-            solution_.displacement[i] -= step * direction_displacement_[i];
+            sum += area(i) * p[i];
         }
         moved_sum_ = sum;
-        displacement_is_exact_ = false;
         restart_ = entered;
         return clipped || entered;
     }
@@ -200,6 +197,7 @@ class Iteration {
 
     const Compliance& compliance_;
     const std::vector<double>& area_;
+    const bool areas_are_equal_;  // one less field to be read in each pass
     const std::vector<double>& height_;
     const NormalControl control_;
     NormalSolution solution_;
