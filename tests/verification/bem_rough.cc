@@ -7,11 +7,13 @@
 #include <cmath>
 #include <memory>
 
+#include "bem/model.h"
 #include "bem/periodic_compliance.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
 #include "contact/rough_indenter.h"
 #include "contact/roughness.h"
+#include "contact/run.h"
 
 namespace tricontact {
 namespace {
@@ -81,6 +83,59 @@ TEST(BemRough, AreaOverLoadIsThatOfPublishedComputations) {
             EXPECT_LT(kappa, 2.2 * 1.05) << p;
         }
     }
+}
+
+contact::Case rolled_plane(double tangential_ratio) {
+    contact::Case c;
+    c.indenter.shape = contact::Case::Shape::flat;
+    c.indenter.roughness = contact::Roughness{.hurst = .8,
+                                              .rms_slope = .1,
+                                              .long_wavelength = 1e-3,
+                                              .roll_off = .5e-3,
+                                              .short_wavelength = .125e-3,
+                                              .seed = 1};
+    c.substrate = {3e6, .5};
+    c.friction_coefficient = .5;
+    c.load.normal_force = .02;
+    c.load.tangential_ratio = tangential_ratio;
+    c.load.press = contact::Case::Press::frictionless;
+    c.rolling = contact::Case::Rolling{};
+    c.rolling->amplitude = 30e-6;
+    c.rolling->steps_per_quarter = 2;
+    c.rolling->periods = 30;
+    c.rolling->run_all = true;
+    c.bem.period = 1e-3;
+    c.bem.spacing = 1e-3 / 48;
+    return c;
+}
+
+/// Shift gained in the period that ends at this phase [m].
+double gained(const contact::History& history, double phase) {
+    const auto at = [&](double wanted) {
+        return std::ranges::find(history.steps, wanted, &contact::StepRecord::phase)->shift[0];
+    };
+    return at(phase) - at(phase - 1);
+}
+
+// (1/F_N) ∫ min p dA over the path bounds what a rough contact carries at rest too: below it the
+// shift settles, above it walks on by as much in each period. Of the body's own spots no theory is
+// needed (Barber, Davies & Hills 2011 for the principle).
+TEST(BemRough, ShakesDownBelowTheLimitOfItsPressures) {
+    auto model = bem::make_model(rolled_plane(.1), 1, bem::Body::half_space);
+    run(rolled_plane(.1), *model);
+    const double limit = model->limit_tangential_ratio();
+    EXPECT_GT(limit, .05);
+    EXPECT_LT(limit, .9);
+    const auto rolled = [&](double ratio) {
+        const contact::Case c = rolled_plane(ratio);
+        return run(c, *bem::make_model(c, 1, bem::Body::half_space));
+    };
+    const contact::History below = rolled(.85 * limit), above = rolled(1.15 * limit);
+    // On its way to rest: less by much than at first, and less and less.
+    EXPECT_LT(gained(below, 30) / gained(below, 2), 3e-2);
+    EXPECT_LT(gained(below, 30) / gained(below, 15), .5);
+    EXPECT_GT(gained(above, 30) / gained(above, 2), .1);
+    EXPECT_NEAR(gained(above, 30) / gained(above, 29), 1, .02);
 }
 
 }  // namespace
