@@ -23,7 +23,7 @@ std::string derived_values(const contact::Case& c) {
     const contact::MaterialPair materials = c.materials();
     std::string text = c.is_line_contact()
                            ? "# What follows from it (Hertz' line contact, a strip of its length)\n"
-                           : "# What follows from it (Hertz; Cattaneo and Mindlin)\n";
+                           : "# What follows from it on the half-space\n";
     auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
         text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
     };
@@ -31,7 +31,8 @@ std::string derived_values(const contact::Case& c) {
          c.is_line_contact() ? "half width of the contact" : "contact radius");
     line("d", hertz.indentation * 1e3, "mm", "indentation");
     line("F_N", hertz.normal_force, "N", "normal force");
-    line("p0", hertz.peak_pressure * 1e-6, "MPa", "peak pressure");
+    line(contact::has_conical_tip(c) ? "p_m" : "p0", hertz.peak_pressure * 1e-6, "MPa",
+         comparisons::pressure_name(c));
     line("U_max", hertz.unit_shift * 1e3, "mm", "shift at the onset of sliding");
     line("E*", materials.effective_modulus() * 1e-6, "MPa", "effective modulus");
     line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
@@ -47,7 +48,7 @@ std::string derived_values(const contact::Case& c) {
     line("W", amplitude * 1e3, "mm", "rolling amplitude");
     line("w", w, "-", "W/a");
     if (const auto limit_ratio = comparisons::reference(c).limit_tangential_ratio)
-        line("f_T,lim", *limit_ratio, "-", "exact shakedown limit");
+        line("f_T,lim", *limit_ratio, "-", "shakedown limit of uncoupled contact");
     return text;
 }
 

@@ -56,6 +56,10 @@ class Predictions {
 
     void add() {
         Case c = case_with(evaluation_.amplitude, evaluation_.periods, true);
+        if (!contact::is_hertz_round(c))
+            throw contact::InputError(*input_.case_file +
+                                      ": indenter.shape: records are compared with the formulas of "
+                                      "a sphere; give that, or a paraboloid");
         const auto quantities = quantities_of(input_, c);
         comparisons::normalise(evaluation_, c, quantities);
         for (const std::string& model : c.models)

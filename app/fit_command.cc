@@ -46,6 +46,10 @@ void require_constant_rolling(const io::Study& study, const SweepPoint& point) {
         throw contact::InputError(study.name +
                                   ": a case without [rolling] has neither kappa nor eta; give it "
                                   "rolling.amplitude_ratio, or vary it");
+    if (!contact::is_hertz_round(point.c))
+        throw contact::InputError(study.name +
+                                  ": kappa and eta are those of a paraboloid or sphere; give it "
+                                  "such an indenter.shape");
     if (!comparisons::constant_loads(point.c))
         throw contact::InputError(study.name +
                                   ": kappa and eta belong to rolling under constant loads; leave "

@@ -12,6 +12,7 @@
 #include "comparisons/refined_values.h"
 #include "comparisons/refinement_report.h"
 #include "comparisons/report.h"
+#include "contact/pressure_shape.h"
 #include "io/atomic_file.h"
 
 namespace tricontact::app {
@@ -91,7 +92,9 @@ class Levels {
 
 std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool layer) {
     if (!layer) {
-        if (c.indenter.shape == contact::Case::Shape::paraboloid)
+        const bool exact = c.indenter.shape == contact::Case::Shape::paraboloid ||
+                           c.indenter.shape == contact::Case::Shape::power_law;
+        if (exact && contact::pressure_falls(c) && !contact::has_conical_tip(c))
             return comparisons::hertz_values(c);
         return {};
     }
@@ -107,7 +110,7 @@ comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOpti
     result.key = plan.key;
     result.wide_factor = plan.wide_factor;
     result.exact = theory_of(c, layer);
-    result.exact_name = layer ? "exact layer" : "Hertz";
+    result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
     result.tolerance = layer ? c.fem.tolerance : c.bem.tolerance;
     return result;
 }

@@ -141,15 +141,16 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
                                         const MakeCompliance& make) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
-    // a grows with F_N^(1/3) or d^(1/2): the root covers both controls.
-    const double radius = hertz.contact_radius * std::sqrt(hardest_factor(c));
+    // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
+    const double growth = std::sqrt(hardest_factor(c));
     const auto indenter = c.make_indenter();
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
-        const double half_x = margin * radius + extent[0], half_y = margin * radius + extent[1];
+        const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
+        const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
         auto compliance = make(c.is_line_contact() ? make_row(half_x, spacing, c.indenter.length)
                                                    : make_grid(half_x, half_y, spacing));
         if (covers(*compliance, c, *indenter, extent)) return compliance;

@@ -30,6 +30,10 @@ std::vector<double> decades(int from, int to) {
 }
 
 void check(const Case& c) {
+    if (!contact::is_hertz_round(c))
+        refuse(
+            "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "
+            "sphere");
     if (!c.layer.thickness)
         refuse(
             "substrate.thickness is missing: without it the substrate is a half-space; give the "

@@ -88,6 +88,8 @@ theory::ElasticLayer elastic_layer(const Case& c) {
 }
 
 std::string why_no_exact_theory(const Case& c) {
+    if (c.indenter.shape == Case::Shape::ellipsoid)
+        return "the exact theory knows bodies of revolution, the indenter is an ellipsoid";
     if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory knows a rigid ground, that of the case is elastic";
@@ -150,7 +152,8 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     result.half_space = hertz_values(c);
     result.thickness_ratio = result.thickness / (2 * result.half_space.contact_radius);
     add_exact(c, result);
-    if (result.exact) result.apparent = apparent_moduli(c, *result.exact);
+    if (result.exact && contact::is_hertz_round(c))
+        result.apparent = apparent_moduli(c, *result.exact);
     for (const History& history : histories)
         result.models.push_back(
             {history.model, is_half_space(history.model), values_of(c, history, study)});

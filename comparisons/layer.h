@@ -56,8 +56,9 @@ struct LayerComparison {
     /// so.
     std::optional<PressedValues> exact;
     std::string why_not;
-    PressedValues half_space;                ///< Hertz, at the same force or indentation
-    std::optional<ApparentModuli> apparent;  ///< from the exact values
+    PressedValues half_space;  ///< Hertz, at the same force or indentation
+    std::optional<ApparentModuli>
+        apparent;  ///< from the exact values, by Hertz' theory of a round body
     std::vector<Model> models;
     /// Distance of the block's sides from its centre over its thickness, of all layers; empty:
     /// wide enough, chosen by the program.

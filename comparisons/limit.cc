@@ -6,6 +6,7 @@
 
 #include "comparisons/layer.h"
 #include "comparisons/reference.h"
+#include "contact/pressure_shape.h"
 #include "theory/layer_shakedown.h"
 #include "theory/oscillating_rolling.h"
 
@@ -34,6 +35,7 @@ std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
 }
 
 std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
+    if (!contact::pressure_falls(c)) return {};  // as layer_shakedown.h wants it
     const auto exact = exact_layer_contact(c);
     if (!exact) return {};
     const double radius = exact->contact_radius;
@@ -75,6 +77,7 @@ std::optional<double> exact_limit(const Case& c, LimitVariable variable, const s
 }
 
 std::optional<double> thesis_limit(const Case& c, LimitVariable variable) {
+    if (!contact::is_hertz_round(c)) return {};
     constexpr double aligned = 1e-9;  // [rad]
     const double angle = c.rolling->angle;
     const bool along = std::abs(angle) < aligned;

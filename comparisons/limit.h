@@ -56,8 +56,9 @@ struct ModelLimit {
 struct LimitStudy {
     std::string title;
     LimitVariable variable = LimitVariable::load;
-    double given = 0;  ///< of w and f_T the one that is not varied; w over the Hertz radius
-    double angle = 0;  ///< of rolling to the load [rad]
+    double given = 0;   ///< of w and f_T the one that is not varied; w over the Hertz radius
+    double angle = 0;   ///< of rolling to the load [rad]
+    bool round = true;  ///< paraboloid or sphere, of which MDR has a closed form
     std::vector<ModelLimit> models;
     /// The thesis' limit: 1 - w or its inverse along the load (kappa = 1), with kappa = 1.1 across.
     std::optional<double> thesis;

@@ -107,7 +107,8 @@ DocumentTable limit_table(const LimitStudy& study, const Symbols& symbols) {
         "limit: middle of the bracket and its half width, of the model at its resolution. "
         "by pressures: where (1/F_N) ∫ min p dA over the path is f_T, the exact limit of uncoupled "
         "contact at the same resolution. exact: the same of the continuous body, Hertz' "
-        "1 - 3/2 w + 1/2 w³ or the exact layer. u at the limit: shift over U_max where the first "
+        "that of the half-space, 1 - 3/2 w + 1/2 w³ of a paraboloid, or the exact layer. u at the "
+        "limit: shift over U_max where the first "
         "ratcheting run was slowest, its error the distance to the last shakedown.";
     for (const ModelLimit& m : study.models) {
         const auto shift = m.shift_ratio();
@@ -171,7 +172,7 @@ Figure shift_figure(const LimitStudy& study, const Symbols& symbols) {
             }
         figure.curves.push_back(std::move(curve));
     }
-    if (study.given <= 1) figure.curves.push_back(settled_shift_of_mdr(study));
+    if (study.round && study.given <= 1) figure.curves.push_back(settled_shift_of_mdr(study));
     return figure;
 }
 

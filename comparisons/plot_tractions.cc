@@ -143,6 +143,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis, P
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& parts) {
+    if (!contact::is_hertz_round(c)) return;
     parts.data += function_data("$bound", [](double x) { return least_bound(x, 0, 0); });
     parts.add_curve(
         "$bound with lines linewidth 1 linecolor rgb '#888888' title 'bound μp, upright'");
@@ -159,7 +160,7 @@ void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& pa
 /// The closed form for the state drawn, if there is one.
 void add_theory(const contact::Case& c, const Reference& r, Parts& parts) {
     const double f = r.tangential_ratio;
-    if (!in_unit_range(f) || f == 0) return;
+    if (!in_unit_range(f) || f == 0 || !contact::is_hertz_round(c)) return;
     std::string title;
     if (!c.rolling) {
         title = "Cattaneo–Mindlin";

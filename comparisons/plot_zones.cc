@@ -62,7 +62,9 @@ std::vector<std::vector<double>> boxes(const Surface& s, ContactState state, dou
 }
 
 /// Commands that draw one map into the present panel.
-std::string panel(const Snapshot& snapshot, double a, std::size_t index) {
+/// `half`: half widths of the contact on the half-space over a.
+std::string panel(const Snapshot& snapshot, double a, const contact::Vector2& half,
+                  std::size_t index) {
     const Surface& s = snapshot.surface;
     std::string data, curves;
     const auto add = [&](ContactState state, const char* name, const std::string& colour) {
@@ -76,17 +78,18 @@ std::string panel(const Snapshot& snapshot, double a, std::size_t index) {
     };
     add(ContactState::slip, "slip", zone_colour::slip);
     add(ContactState::stick, "stick", zone_colour::stick);
-    // Hertz' contact under the indenter's present position, and upright.
-    return data +
+    // The half-space's contact under the indenter's present position, and upright.
+    return data + fmt::format("set title 'n = {:.6g}' offset 0,-0.6\n", snapshot.phase) +
            fmt::format(
-               "set title 'n = {:.6g}' offset 0,-0.6\n"
-               "plot {}[0:2*pi] '+' using (cos($1)):(sin($1)) with lines linewidth 0.8 dashtype 3 "
-               "linecolor rgb '#999999', '+' using (cos($1)+{:.6g}):(sin($1)+{:.6g}) with lines "
-               "linewidth 1.2 linecolor rgb '#cc3311'\n",
-               snapshot.phase, curves, s.offset[0] / a, s.offset[1] / a);
+               "plot {0}[0:2*pi] '+' using ({1:.6g}*cos($1)):({2:.6g}*sin($1)) with lines "
+               "linewidth "
+               "0.8 dashtype 3 linecolor rgb '#999999', '+' using "
+               "({1:.6g}*cos($1)+{3:.6g}):({2:.6g}*sin($1)+{4:.6g}) with lines linewidth 1.2 "
+               "linecolor rgb '#cc3311'\n",
+               curves, half[0], half[1], s.offset[0] / a, s.offset[1] / a);
 }
 
-Plot zone_map(const History& history) {
+Plot zone_map(const contact::Case& c, const History& history) {
     const std::vector<const Snapshot*> instants = chosen_instants(history);
     const double a = history.scales.contact_radius;
     double reach_x = 0, reach_y = 0;
@@ -94,7 +97,10 @@ Plot zone_map(const History& history) {
         reach_x = std::max(reach_x, std::abs(snapshot->surface.offset[0]) / a);
         reach_y = std::max(reach_y, std::abs(snapshot->surface.offset[1]) / a);
     }
-    const double half_x = 1.12 + reach_x, half_y = 1.12 + reach_y;
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const contact::Vector2 half = {scales.half_widths[0] / scales.contact_radius,
+                                   scales.half_widths[1] / scales.contact_radius};
+    const double half_x = 1.12 * half[0] + reach_x, half_y = 1.12 * half[1] + reach_y;
     const int n = static_cast<int>(instants.size());
     const int panel_width = 216, gap = 12, side = 56, foot = 70, head = 34;
     const int map_height = static_cast<int>(std::lround(panel_width * half_y / half_x));
@@ -114,25 +120,25 @@ Plot zone_map(const History& history) {
             "set lmargin at screen {:.6g}\nset rmargin at screen {:.6g}\n{}", left / width,
             right / width,
             i == 0 ? "set ylabel 'y/a' offset 1.6,0\n" : "unset ylabel\nset format y ''\n");
-        script += panel(*instants[i], a, i);
+        script += panel(*instants[i], a, half, i);
     }
     script += "unset multiplot\n";
-    return {
-        "zones_" + history.model,
-        "Stick and slip, " + display_name(history.model),
-        "Black: stick; grey: slip; white: open. Circles of radius a: upright (dotted) and under "
-        "the indenter's present position (red). At the last instant of a shaken-down contact "
-        "nothing slips any more.",
-        {width, height, script}};
+    return {"zones_" + history.model,
+            "Stick and slip, " + display_name(history.model),
+            "Black: stick; grey: slip; white: open. Outlines: a, or the half axes of an ellipse, "
+            "upright (dotted) and under "
+            "the indenter's present position (red). At the last instant of a shaken-down contact "
+            "nothing slips any more.",
+            {width, height, script}};
 }
 
 }  // namespace
 
-std::vector<Plot> zone_maps(const contact::Case&, const Histories& histories) {
+std::vector<Plot> zone_maps(const contact::Case& c, const Histories& histories) {
     std::vector<Plot> plots;
     for (const History& history : histories) {
         const Snapshot* last = last_upright(history);
-        if (last && is_grid(last->surface)) plots.push_back(zone_map(history));
+        if (last && is_grid(last->surface)) plots.push_back(zone_map(c, history));
     }
     return plots;
 }

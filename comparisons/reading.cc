@@ -8,6 +8,8 @@
 #include "comparisons/format.h"
 #include "comparisons/layer.h"
 #include "comparisons/reference.h"
+#include "contact/pressure_shape.h"
+#include "theory/body_rolling.h"
 
 namespace tricontact::comparisons {
 
@@ -22,10 +24,9 @@ std::string limit_sentence(const contact::Case& c, const Reference& r) {
     if (!r.limit_tangential_ratio) return {};
     const double f = r.tangential_ratio, limit = *r.limit_tangential_ratio;
     std::string text = fmt::format(
-        "At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = 1 − 3/2 w + 1/2 w³ = "
-        "{}. ",
+        "At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = {}{}. ",
         significant(r.amplitude_ratio, 3), c.layer.thickness ? " on a half-space" : "",
-        significant(limit, 4));
+        contact::is_hertz_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "", significant(limit, 4));
     if (!(limit > 0))
         return text + "No point stays in contact throughout: any tangential force ratchets.";
     text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected{}.", significant(f, 3),
@@ -103,11 +104,13 @@ std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base)
     return text + ".";
 }
 
-std::string static_sentence(const std::vector<ModelSummary>& summaries, const Reference& r) {
+std::string static_sentence(const contact::Case& c, const std::vector<ModelSummary>& summaries,
+                            const Reference& r) {
     if (!(r.static_shift_ratio > 0)) return {};
-    std::string text = fmt::format("{}u_stat = {} by Cattaneo and Mindlin",
-                                   r.amplitude_ratio > 0 ? "Before rolling: " : "",
-                                   significant(r.static_shift_ratio));
+    std::string text = fmt::format(
+        "{}u_stat = {} by {}", r.amplitude_ratio > 0 ? "Before rolling: " : "",
+        significant(r.static_shift_ratio),
+        contact::is_hertz_round(c) ? "Cattaneo and Mindlin" : "superposed normal contacts");
     for (const ModelSummary& s : summaries)
         text +=
             fmt::format("; {} {} ({})", display_name(s.model), significant(s.static_shift_ratio),
@@ -141,6 +144,20 @@ void add_half_spaces(const contact::Case& c, const std::vector<ModelSummary>& su
         significant(c.materials().dundurs_beta(), 2)));
 }
 
+/// Where the pressure is not Hertz'.
+std::string pressure_sentence(const contact::Case& c) {
+    if (contact::has_conical_tip(c))
+        return "Under the tip the pressure is infinite, as a logarithm: a model's peak is that of "
+               "its "
+               "cells there, and grows as they shrink.";
+    if (c.indenter.shape != contact::Case::Shape::profile && theory::has_body_theory(c) &&
+        !contact::pressure_falls(c))
+        return "The pressure is largest in a ring, not at the centre. The shakedown limit of MDR, "
+               "whose "
+               "springs know of line loads only, is then above the exact one.";
+    return {};
+}
+
 /// What the models leave out, so that nobody reads more into them.
 void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& summaries,
                      std::vector<std::string>& findings) {
@@ -152,6 +169,7 @@ void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& su
             "traction may exceed μp: the bound holds spring by spring only.");
     }
     add_half_spaces(c, summaries, findings);
+    if (const std::string text = pressure_sentence(c); !text.empty()) findings.push_back(text);
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(
             "The theory column holds for a paraboloid; the exact sphere departs from it with "
@@ -192,7 +210,7 @@ std::vector<std::string> reading(const contact::Case& c,
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
     add(limit_sentence(c, r));
-    add(static_sentence(summaries, r));
+    add(static_sentence(c, summaries, r));
     add_limitations(c, summaries, findings);
     if (!failed) add(audit);
     return findings;

@@ -1,9 +1,9 @@
 #include "comparisons/reference.h"
 
 #include "contact/line_contact_scales.h"
-#include "theory/cattaneo_mindlin.h"
+#include "contact/pressure_shape.h"
+#include "theory/body_rolling.h"
 #include "theory/oscillating_cylinder.h"
-#include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
 
@@ -41,11 +41,12 @@ void add_line_contact(const contact::Case& c, Reference& r) {
 
 void add_point_contact(const contact::Case& c, Reference& r) {
     const double f = r.tangential_ratio, w = r.amplitude_ratio;
-    r.static_shift_ratio = theory::static_shift_ratio(f);
+    if (!theory::has_body_theory(c)) return;
+    r.static_shift_ratio = theory::static_shift_ratio(c, f);
     if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
-    r.limit_tangential_ratio = theory::shakedown_limit(w);
-    r.limit_amplitude_ratio = theory::amplitude_limit(f);
-    r.shakedown_shift_ratio = theory::settled_shift_ratio(w, f);
+    r.limit_tangential_ratio = theory::shakedown_limit(c, w);
+    r.limit_amplitude_ratio = theory::amplitude_limit(c, f);
+    r.shakedown_shift_ratio = theory::bed_settled_shift_ratio(c, w, f);
 }
 
 }  // namespace
@@ -60,12 +61,20 @@ Reference reference(const contact::Case& c) {
     if (c.rolling)
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
+    r.has_mapping = contact::is_hertz_round(c);
+    if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
+        r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio)) return r;
     if (c.is_line_contact())
         add_line_contact(c, r);
     else
         add_point_contact(c, r);
     return r;
+}
+
+const char* pressure_name(const contact::Case& c) {
+    if (contact::has_conical_tip(c)) return "mean pressure";
+    return contact::pressure_falls(c) ? "peak pressure" : "pressure at the centre";
 }
 
 }  // namespace tricontact::comparisons

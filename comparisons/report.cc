@@ -186,6 +186,8 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("audit", to_data(audit_table(summaries)));
     result.set("resolved_case", resolved_case);
     result.set("several_models", summaries.size() > 1);
+    result.set("round", contact::is_hertz_round(c));
+    result.set("ellipse", c.indenter.shape == contact::Case::Shape::ellipsoid);
     return result;
 }
 

@@ -88,10 +88,47 @@ void add_treatment(const Case& c, std::vector<Row>& rows) {
         "kinematics", c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed"));
 }
 
+std::string shape_name(const Case& c) {
+    switch (c.indenter.shape) {
+        case Case::Shape::sphere:
+            return "sphere";
+        case Case::Shape::cylinder:
+            return "cylinder";
+        case Case::Shape::cone:
+            return "cone";
+        case Case::Shape::power_law:
+            return "power law <i>r</i><sup><i>n</i></sup>/(<i>n R</i><sup><i>n</i>−1</sup>)";
+        case Case::Shape::rounded_punch:
+            return "flat punch with rounded edge";
+        case Case::Shape::ellipsoid:
+            return "ellipsoid";
+        case Case::Shape::profile:
+            return "profile from a table";
+        default:
+            return "paraboloid";
+    }
+}
+
+/// Shape and lengths of the indenter.
+std::vector<Row> indenter_rows(const Case& c) {
+    const Case::IndenterData& body = c.indenter;
+    std::vector<Row> rows{text_row("indenter", shape_name(c))};
+    const auto add = [&](const char* label, double value, const char* unit) {
+        if (value != 0) rows.push_back(given_row(label, value, unit));
+    };
+    add("radius <i>R</i>", body.radius, "m");
+    add("radius across <i>R</i><sub>y</sub>", body.radius_y, "m");
+    add("length <i>L</i>", body.length, "m");
+    add("radius of the flat part <i>b</i>", body.flat_radius, "m");
+    add("exponent <i>n</i>", body.exponent, "");
+    if (body.angle != 0)
+        rows.push_back({"flank to the surface", "°", {as_given(degrees(body.angle))}});
+    if (!body.profile.empty()) add("radius of its last point", body.profile.back().radius, "m");
+    return rows;
+}
+
 Table bodies_table(const Case& c) {
-    const bool sphere = c.indenter.shape == Case::Shape::sphere;
-    std::vector<Row> rows{text_row("indenter", sphere ? "sphere" : "paraboloid"),
-                          given_row("radius <i>R</i>", c.indenter.radius, "m")};
+    std::vector<Row> rows = indenter_rows(c);
     if (c.indenter.material) {
         rows.push_back(
             given_row("indenter <i>E</i><sub>1</sub>", c.indenter.material->young, "Pa"));
@@ -173,7 +210,9 @@ Table derived_table(const Case& c) {
         ratio_row("Dundurs’ <i>β</i>", pair.dundurs_beta()),
         row("contact radius <i>a</i>", r.hertz.contact_radius, "m"),
         row("indentation <i>d</i>", r.hertz.indentation, "m"),
-        row("peak pressure <i>p</i><sub>0</sub>", r.hertz.peak_pressure, "Pa"),
+        row(fmt::format("{} <i>p</i><sub>{}</sub>", pressure_name(c),
+                        contact::has_conical_tip(c) ? "m" : "0"),
+            r.hertz.peak_pressure, "Pa"),
         row("normal force <i>F</i><sub>N</sub>", r.hertz.normal_force, "N"),
         row("friction limit <i>μF</i><sub>N</sub>", c.friction_coefficient * r.hertz.normal_force,
             "N"),
@@ -184,7 +223,9 @@ Table derived_table(const Case& c) {
     if (r.limit_tangential_ratio)
         rows.push_back(
             ratio_row("limit of shakedown <i>f</i><sub>T,lim</sub>", *r.limit_tangential_ratio));
-    return {"Derived", {"value"}, {{"Derived (Hertz)", rows}}};
+    return {"Derived",
+            {"value"},
+            {{contact::is_hertz_round(c) ? "Derived (Hertz)" : "Derived (half-space)", rows}}};
 }
 
 /// "energy_balance" -> "energy balance", safe in HTML.

@@ -105,7 +105,7 @@ Table::Group pressed_group(const RowMaker& make, const Reference& r) {
                  r.hertz.indentation),
              make.quantity_row(
                  "peak pressure <i>p</i><sub>0</sub>", "Pa",
-                 [](const auto& s) { return s.peak_pressure; }, r.hertz.peak_pressure),
+                 [](const auto& s) { return s.peak_pressure; }, r.peak_pressure),
              make.quantity_row(
                  "unit of shift <i>U</i><sub>max</sub>", "m",
                  [](const auto& s) { return s.unit_shift; }, r.hertz.unit_shift),
@@ -151,7 +151,7 @@ Table::Group rolling_group(const RowMaker& make, const Reference& r) {
                        [](const auto& s) { return significant(s.shift_increment_ratio); }),
          make.quantity_row(
              "mapping parameter <i>κ</i>", "", [](const auto& s) { return s.kappa; },
-             u ? Value(theory::mdr_mapping) : Value()),
+             u && r.has_mapping ? Value(theory::mdr_mapping) : Value()),
          make.quantity_row("ratcheting slope <i>η</i>", "", [](const auto& s) { return s.eta; })}};
 }
 

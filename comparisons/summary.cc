@@ -6,6 +6,7 @@
 
 #include "comparisons/json_number.h"
 #include "comparisons/reference.h"
+#include "theory/body_rolling.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/oscillating_rolling.h"
@@ -23,7 +24,7 @@ std::optional<double> finite(double value) {
 }
 
 std::optional<double> mapping_parameter(const contact::Case& c, const ModelSummary& s) {
-    if (c.is_line_contact()) return {};
+    if (!contact::is_hertz_round(c)) return {};
     const double w = s.amplitude_ratio, u = s.final_shift_ratio;
     const bool defined = w * u > least_mapping_product && in_unit_range(w) && in_unit_range(u) &&
                          in_unit_range(s.tangential_ratio);
@@ -31,11 +32,17 @@ std::optional<double> mapping_parameter(const contact::Case& c, const ModelSumma
     return finite(theory::mapping_parameter(w, s.tangential_ratio, u));
 }
 
+/// w_lim of the half-space at f.
+std::optional<double> amplitude_limit(const contact::Case& c, double f) {
+    if (c.is_line_contact()) return theory::line_amplitude_limit(f);
+    return theory::has_body_theory(c) ? theory::amplitude_limit(c, f) : std::nullopt;
+}
+
 std::optional<double> ratcheting_slope(const contact::Case& c, const ModelSummary& s) {
     if (s.state != State::ratcheting || !in_unit_range(s.tangential_ratio)) return {};
-    const double limit = c.is_line_contact() ? theory::line_amplitude_limit(s.tangential_ratio)
-                                             : theory::amplitude_limit(s.tangential_ratio);
-    const double excess = s.amplitude_ratio - limit;
+    const auto limit = amplitude_limit(c, s.tangential_ratio);
+    if (!limit) return {};
+    const double excess = s.amplitude_ratio - *limit;
     return excess > 0 ? finite(*s.shift_increment_ratio / excess) : std::nullopt;
 }
 
@@ -64,7 +71,9 @@ void add_periods(const contact::Case& c, const History& history, ModelSummary& s
         s.shift_increment_ratio = s.shift_ratio_per_period.back() - before;
         s.state = history.state;
     }
-    const double unit = in_unit_range(s.tangential_ratio) ? unit_dissipation(c, s, history) : 0;
+    const bool closed = c.is_line_contact() || contact::is_hertz_round(c);
+    const bool known = closed && in_unit_range(s.tangential_ratio);
+    const double unit = known ? unit_dissipation(c, s, history) : 0;
     for (const double work : history.dissipation_per_period)
         s.dissipation_ratio_per_period.push_back(finite(work / unit));
 }

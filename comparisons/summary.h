@@ -33,17 +33,18 @@ struct ModelSummary {
     double limit_tangential_ratio = 0;  ///< f_T,lim from the computed pressures
 
     /// Mapping parameter of f_T = 1 - kappa w u - (1-u)^(3/2) (3.2.16), u the final shift ratio.
-    /// Empty unless the model shook down under constant loads, 0 <= w, u <= 1 and w u > 1e-5 (an
-    /// error of f_T counts 1/(w u) times), and of a line contact, which has no such formula.
+    /// Empty unless a paraboloid's or sphere's model shook down under constant loads, 0 <= w, u <=
+    /// 1 and w u > 1e-5 (an error of f_T counts 1/(w u) times).
     std::optional<double> kappa;
     /// Ratcheting slope eta = Du/(w - w_lim), Du the shift increment ratio of the last period and
-    /// 1 - 3/2 w_lim + 1/2 w_lim^3 = f_T, of a line contact (3.5.27). Empty unless ratcheting under
-    /// constant loads, w > w_lim.
+    /// w_lim the half-space's limit at f_T (theory::amplitude_limit), of a line contact (3.5.27).
+    /// Empty unless ratcheting under constant loads, w > w_lim.
     std::optional<double> eta;
 
     /// Frictional work per period over W0, the work of one cycle of oscillating F_T (Mindlin and
     /// Deresiewicz 1953; of a line contact line_cycle_dissipation()) with the model's own F_N, a
-    /// and f_T. Elements empty when f_T = 0.
+    /// and f_T. Elements empty when f_T = 0 and for bodies that are no paraboloid, sphere or
+    /// cylinder.
     std::vector<std::optional<double>> dissipation_ratio_per_period;
 
     int steps = 0;

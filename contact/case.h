@@ -9,6 +9,7 @@
 #include "contact/height_map.h"
 #include "contact/indenter.h"
 #include "contact/material.h"
+#include "contact/profile_curve.h"
 #include "contact/relaxation.h"
 #include "contact/roughness.h"
 
@@ -53,6 +54,7 @@ struct Case {
         std::optional<double> spacing;    ///< of a height map whose file does not say it [m]
         std::optional<double> unit;       ///< 1 of that file's heights [m]
         std::shared_ptr<const HeightMap> height_map;  ///< what the file holds
+        std::vector<ProfileCurve::Point> profile;     ///< likewise
         std::optional<Roughness> roughness;           ///< upon the shape
         std::optional<Material> material;             ///< empty: rigid
     };
@@ -202,13 +204,20 @@ struct Case {
 /// solution for paraboloid and sphere, see line_contact_scales.h for the cylinder, rough_scales.h
 /// for nominally flat bodies. SI units.
 struct HalfSpaceScales {
-    double contact_radius;  ///< a [m]; half width of a line contact
+    double contact_radius;  ///< a [m]; half width of a line contact, of an ellipse the geometric
+                            ///< mean of both half axes
     double indentation;     ///< d [m]
     double normal_force;    ///< F_N [N]
-    double peak_pressure;   ///< p0 [Pa]
-    double unit_shift;      ///< U_max = mu (E*/G*) d [m]
+    double peak_pressure;   ///< p0 [Pa] at the centre; the mean under a conical tip: infinite there
+    double unit_shift;      ///< U_max = mu (E*/G*) d [m]; see half_space_scales.cc for ellipses
+    Vector2 half_widths{};  ///< of the contact along x and y [m]
 };
 HalfSpaceScales half_space_scales(const Case& c);
+
+/// Paraboloid or sphere: what formulas with one radius R are about.
+bool is_hertz_round(const Case& c);
+/// Whether the pressure at the centre is infinite.
+bool has_conical_tip(const Case& c);
 
 /// W [m] of the case, `reference_radius` being the contact radius that a ratio refers to [m].
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius);

@@ -24,21 +24,27 @@ double half_width_squared(double m1, double m2) {
 
 }  // namespace
 
+double counted_radius(const ContactPoints& points, const std::vector<double>& pressure) {
+    double area = 0;
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+        if (pressure[i] > 0) area += points.area[i];
+    return points.line_length > 0 ? area / (2 * points.line_length)
+                                  : std::sqrt(area / std::numbers::pi);
+}
+
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre) {
     const bool line = points.line_length > 0;
-    double area = 0, force = 0, second = 0, fourth = 0;
+    double force = 0, second = 0, fourth = 0;
     for (std::size_t i = 0; i < pressure.size(); ++i) {
         if (!(pressure[i] > 0)) continue;
         const double x = points.x[i] - centre[0], y = points.y[i] - centre[1];
         const double s = x * x + (line ? 0 : y * y), f = points.area[i] * pressure[i];
-        area += points.area[i];
         force += f;
         second += f * s;
         fourth += f * s * s;
     }
-    const double counted =
-        line ? area / (2 * points.line_length) : std::sqrt(area / std::numbers::pi);
+    const double counted = counted_radius(points, pressure);
     const double m1 = second / force, m2 = fourth / force;
     const double square = line ? half_width_squared(m1, m2) : radius_squared(m1, m2);
     if (!(square >= 0)) return counted;

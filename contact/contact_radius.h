@@ -15,4 +15,7 @@ namespace tricontact::contact {
 double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
                       const Vector2& centre);
 
+/// Radius [m] of a disc as large as the points with pressure.
+double counted_radius(const ContactPoints& points, const std::vector<double>& pressure);
+
 }  // namespace tricontact::contact

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "contact/error.h"
+#include "contact/profile_transform.h"
 
 namespace tricontact::contact {
 
@@ -29,9 +30,21 @@ Vector2 AxisymmetricIndenter::slope(double x, double y) const {
     return {slope * x / r, slope * y / r};
 }
 
+double AxisymmetricIndenter::slope_moment(double x, int k) const {
+    return transformed_slope_moment(*this, x, k);
+}
+
+double AxisymmetricIndenter::centre_pressure(double x) const {
+    return transformed_centre_pressure(*this, x);
+}
+
 Paraboloid::Paraboloid(double radius) : radius_(checked_radius(radius)) {}
 double Paraboloid::outer_radius() const {
     return infinity;
+}
+
+double Paraboloid::slope_moment(double x, int k) const {
+    return (k == 0 ? x : 2. / 3 * x * x * x) / radius_;
 }
 
 Sphere::Sphere(double radius) : radius_(checked_radius(radius)) {}

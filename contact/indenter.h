@@ -16,6 +16,9 @@ class Indenter {
     virtual double height(double x, double y) const = 0;
     /// Gradient of the height [-]; only inside the body.
     virtual Vector2 slope(double x, double y) const = 0;
+    /// Whether the pressure under it is about sqrt(1 - r^2/a^2) times a linear function of r^2, as
+    /// under a ball: what moments of the pressure tell a by.
+    virtual bool presses_like_a_ball() const { return true; }
 };
 
 /// Body of revolution, profile h(r) with h(0) = 0.
@@ -30,9 +33,23 @@ class AxisymmetricIndenter : public Indenter {
     virtual double profile_slope(double r) const = 0;
     /// Largest radius at which the profile is defined [m].
     virtual double outer_radius() const = 0;
-    /// Radii in (0, outer radius) at which the slope jumps, increasing [m]; integrals over the
-    /// profile are split there.
+    /// Radii in (0, outer radius) at which the profile is not smooth, increasing [m]; integrals
+    /// over the profile are split there.
     virtual std::vector<double> kinks() const { return {}; }
+
+    // Frictionless contact of the radius x with a half-space of the effective modulus E*; Sneddon
+    // (1965), Int. J. Eng. Sci. 3. `x`: 0 < x <= outer radius [m].
+
+    /// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k] for k = 0 and 2; by quadrature (see
+    /// profile_transform.h) unless the shape has a closed form.
+    virtual double slope_moment(double x, int k) const;
+    /// p(0)/E* [-], the pressure at the centre: 1/pi ∫_0^x g'/s ds; infinite under a conical tip.
+    virtual double centre_pressure(double x) const;
+    /// g(x) [m], x >= 0: the indentation d that the contact radius x belongs to, and the plane
+    /// profile of the method of dimensionality reduction; Popov and Hess (2015), eq. 3.27.
+    double plane_profile(double x) const { return x == 0 ? 0 : x * slope_moment(x, 0); }
+    /// F_N/E* [m^2] at the contact radius x.
+    double pressed_area(double x) const { return 2 * slope_moment(x, 2); }
 };
 
 /// h = r^2 / (2 R): what Hertz' theory calls a sphere.
@@ -43,6 +60,7 @@ class Paraboloid final : public AxisymmetricIndenter {
     double profile(double r) const override { return r * r / (2 * radius_); }
     double profile_slope(double r) const override { return r / radius_; }
     double outer_radius() const override;
+    double slope_moment(double x, int k) const override;
 
   private:
     double radius_;

@@ -64,7 +64,8 @@ HalfSpaceScales line_contact_scales(const Case& c) {
             .normal_force = force,
             .peak_pressure = 2 * force / (pi * a * body.length),
             .unit_shift = c.friction_coefficient * a * a / (2 * body.radius) *
-                          line_shift_factor(materials, body.length / a)};
+                          line_shift_factor(materials, body.length / a),
+            .half_widths = {a, body.length / 2}};
 }
 
 double line_shift_factor(const MaterialPair& materials, double length_ratio) {

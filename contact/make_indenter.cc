@@ -2,8 +2,11 @@
 
 #include "contact/case.h"
 #include "contact/cylinder.h"
+#include "contact/ellipsoid.h"
 #include "contact/error.h"
+#include "contact/power_law.h"
 #include "contact/rough_indenter.h"
+#include "contact/rounded_punch.h"
 
 namespace tricontact::contact {
 
@@ -37,6 +40,8 @@ std::unique_ptr<Indenter> smooth_body(const Case& c) {
             return mapped(c);
         case Case::Shape::cylinder:
             return std::make_unique<Cylinder>(c.indenter.radius, c.indenter.length);
+        case Case::Shape::ellipsoid:
+            return std::make_unique<Ellipsoid>(c.indenter.radius, c.indenter.radius_y);
         default:
             return c.make_axisymmetric_indenter();
     }
@@ -50,6 +55,16 @@ std::unique_ptr<AxisymmetricIndenter> Case::make_axisymmetric_indenter() const {
             return std::make_unique<Paraboloid>(indenter.radius);
         case Shape::sphere:
             return std::make_unique<Sphere>(indenter.radius);
+        case Shape::cone:
+            return std::make_unique<PowerLaw>(std::tan(indenter.angle), 1);
+        case Shape::power_law: {
+            const double n = indenter.exponent;
+            return std::make_unique<PowerLaw>(std::pow(indenter.radius, 1 - n) / n, n);
+        }
+        case Shape::rounded_punch:
+            return std::make_unique<RoundedPunch>(indenter.flat_radius, indenter.radius);
+        case Shape::profile:
+            return std::make_unique<ProfileCurve>(indenter.profile);
         default:
             throw InputError("indenter.shape: no body of revolution, which is what this needs");
     }

@@ -36,12 +36,14 @@ HalfSpaceScales rough_scales(const Case& c) {
     const MaterialPair materials = c.materials();
     const auto [height, slope] = spread(c.indenter);
     const double area = nominal_area(c), pressure = materials.effective_modulus() * slope / 2;
-    return {.contact_radius = std::sqrt(area / std::numbers::pi),
+    const double radius = std::sqrt(area / std::numbers::pi);
+    return {.contact_radius = radius,
             .indentation = height,
             .normal_force = c.load.normal_force.value_or(pressure * area),
             .peak_pressure = pressure,
             .unit_shift = c.friction_coefficient * materials.effective_modulus() /
-                          materials.effective_shear_modulus() * height};
+                          materials.effective_shear_modulus() * height,
+            .half_widths = {radius, radius}};
 }
 
 }  // namespace tricontact::contact

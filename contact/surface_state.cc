@@ -23,7 +23,9 @@ Scales SurfaceModel::scales() const {
     for (std::size_t i = 1; i < bound_.size(); ++i)
         if (distance(i) < distance(centre)) centre = i;
     return {.normal_force = normal_->force,
-            .contact_radius = contact_radius(points, normal_->pressure, offset_),
+            .contact_radius = indenter_->presses_like_a_ball()
+                                  ? contact_radius(points, normal_->pressure, offset_)
+                                  : counted_radius(points, normal_->pressure),
             .indentation = normal_->indentation,
             .peak_pressure = *std::max_element(normal_->pressure.begin(), normal_->pressure.end()),
             .unit_shift = displacement.x[centre]};

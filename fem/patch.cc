@@ -48,6 +48,11 @@ double whole_elements(double length, double size) {
 
 }  // namespace
 
+double narrowness(const Case& c) {
+    const Vector2 half = half_space_scales(c).half_widths;
+    return std::min(half[0], half[1]) / std::max(half[0], half[1]);
+}
+
 contact::NormalControl hardest_press(const Case& c) {
     contact::NormalControl control = contact::press_step(c).normal;
     control.value *= 1 + std::abs(c.load.normal_amplitude_ratio);
@@ -88,10 +93,11 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
 double probe_radius(const Case& c, const contact::NormalControl& control, Workshop& workshop) {
     Case still = c;  // pressed only
     still.rolling.reset();
-    double guess = half_space_scales(c).contact_radius *
-                   std::sqrt(control.value / contact::press_step(c).normal.value);
+    const Vector2 half = half_space_scales(c).half_widths;
+    double guess =
+        std::max(half[0], half[1]) * std::sqrt(control.value / contact::press_step(c).normal.value);
     for (;; guess *= enlargement) {
-        const double size = guess / probe_elements;
+        const double size = narrowness(c) * guess / probe_elements;
         const auto compliance =
             workshop.make(make_layer_mesh(spec_for(still, size, probe_margin * guess)));
         const double radius = pressed_radius(c, control, *compliance);

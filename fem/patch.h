@@ -13,6 +13,9 @@ contact::NormalControl hardest_press(const contact::Case& c);
 /// Whether the case's path and load are symmetric about the plane y = 0.
 bool is_symmetric(const contact::Case& c);
 
+/// Short over long half axis of the case's contact on the half-space, 1 of a circle.
+double narrowness(const contact::Case& c);
+
 /// Distance of the sides from the load at which they are hardly felt, in thicknesses.
 double far_sides(const contact::Case& c);
 

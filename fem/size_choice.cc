@@ -31,7 +31,9 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     press.friction = false;
     model.advance(press);
     const contact::Scales s = model.scales();
-    return {s.indentation, s.normal_force, s.peak_pressure, s.unit_shift};
+    // The pressure under a conical tip has no limit.
+    const double tip = contact::has_conical_tip(c) ? 1 : s.peak_pressure;
+    return {s.indentation, s.normal_force, tip, s.unit_shift};
 }
 
 /// The least size found whose condensation is predicted to fit [m]; 0: none was.
@@ -59,7 +61,8 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 }  // namespace
 
 double size_for_accuracy(const Case& c, double radius, Workshop& workshop) {
-    const double coarse = radius / coarse_elements, fine = radius / fine_elements;
+    const double narrow = narrowness(c) * radius;
+    const double coarse = narrow / coarse_elements, fine = narrow / fine_elements;
     const auto at_coarse = pressed_values(c, coarse, radius, workshop);
     const auto at_fine = pressed_values(c, fine, radius, workshop);
     const double rest = 1 / (std::pow(coarse / fine, assumed_order) - 1);

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/rough_scales.h"
 #include "io/bem_checks.h"
 #include "io/fem_checks.h"
 #include "io/layer_checks.h"
 #include "io/line_contact_checks.h"
+#include "io/messages.h"
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
 #include "io/rough_bodies.h"
@@ -36,7 +38,7 @@ void check_scales(const HalfSpaceScales& s, const Document& document) {
          {s.contact_radius, s.indentation, s.normal_force, s.peak_pressure, s.unit_shift})
         if (!(scale > 0) || !std::isfinite(scale))
             refuse(document, used(document, "load.normal_force", "load.indentation"),
-                   "contact radius, force or pressure of Hertz' solution overflow double precision",
+                   "contact radius, force or pressure on the half-space overflow double precision",
                    "check the units of radius, moduli and load");
 }
 
@@ -59,10 +61,33 @@ void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& docum
                "reduce the load or enlarge indenter.radius");
 }
 
+auto find_mdr(const Case& c) {
+    return std::find_if(c.models.begin(), c.models.end(),
+                        [](const auto& model) { return model == "mdr" || model == "mdr-layer"; });
+}
+
+/// The scales of the case's body; what is wrong with it is a matter of its load.
+HalfSpaceScales scales_of(const Case& c, const Document& document) {
+    try {
+        return contact::half_space_scales(c);
+    } catch (const contact::InputError& error) {
+        const Entry& load = *document.find(used(document, "load.normal_force", "load.indentation"));
+        fail(load.place, load.subject(), error.what(), {});
+    }
+}
+
+void check_revolution(const Case& c, const Document& document) {
+    const auto mdr = find_mdr(c);
+    if (mdr == c.models.end() || c.indenter.shape != Case::Shape::ellipsoid) return;
+    refuse(
+        document, "indenter.shape",
+        "the contact of an ellipsoid is no disc, which the method of dimensionality reduction (" +
+            *mdr + ") needs",
+        "leave out " + *mdr + ", or take a body of revolution");
+}
+
 void check_coupling(const Case& c, const Document& document) {
-    const auto mdr = std::find_if(c.models.begin(), c.models.end(), [](const auto& model) {
-        return model == "mdr" || model == "mdr-layer";
-    });
+    const auto mdr = find_mdr(c);
     const double beta = c.materials().dundurs_beta();
     if (mdr == c.models.end() || !c.contact.coupling || std::abs(beta) <= largest_beta) return;
     refuse(document, "substrate.poisson",
@@ -169,19 +194,23 @@ double largest_contact_radius(const Case& c, const HalfSpaceScales& s) {
 void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
     const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
-    if (s.contact_radius < fewest_cells * h)
+    const double radius = std::min(s.half_widths[0], s.half_widths[1]);
+    if (radius < fewest_cells * h)
         refuse(document, key,
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
-                   rounded(s.contact_radius) + " m: too coarse",
-               "use a spacing of at most " + rounded(s.contact_radius / 10) + " m");
+                   rounded(radius) + " m: too coarse",
+               "use a spacing of at most " + rounded(radius / 10) + " m");
     const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
     const double a = largest_contact_radius(c, s);
     const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
-    const double n_x =
-        whole_period ? *c.bem.period / h : 2 * (a + w * std::abs(std::cos(angle))) / h;
-    const double n_y = whole_period          ? n_x
-                       : c.is_line_contact() ? 1
-                                             : 2 * (a + w * std::abs(std::sin(angle))) / h;
+    const double grown = a / s.contact_radius;
+    const double n_x = whole_period
+                           ? *c.bem.period / h
+                           : 2 * (grown * s.half_widths[0] + w * std::abs(std::cos(angle))) / h;
+    const double n_y = whole_period ? n_x
+                       : c.is_line_contact()
+                           ? 1
+                           : 2 * (grown * s.half_widths[1] + w * std::abs(std::sin(angle))) / h;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,
                "contact and rolling path need a grid of " + rounded(std::ceil(n_x)) + " x " +
@@ -213,7 +242,8 @@ void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 void check_case(const Case& c, const Document& document) {
     check_line_contact(c, document);
     check_rough_bodies(c, document);
-    const HalfSpaceScales scales = contact::half_space_scales(c);
+    check_revolution(c, document);
+    const HalfSpaceScales scales = scales_of(c, document);
     check_scales(scales, document);
     check_coupling(c, document);
     check_sphere(c, scales, document);

@@ -4,6 +4,7 @@
 
 #include "io/case_checks.h"
 #include "io/case_keys.h"
+#include "io/indenter_input.h"
 #include "io/indenter_keys.h"
 #include "io/input_file.h"
 #include "io/key_checks.h"
@@ -48,14 +49,14 @@ std::string absolute_path(const std::string& path, const Entry& entry, const Doc
 
 void make_paths_absolute(Case& c, const Document& document) {
     if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
-    if (c.indenter.file)
-        c.indenter.file =
-            absolute_path(*c.indenter.file, *document.find("indenter.file"), document);
     if (c.bem.influence)
         c.bem.influence =
             absolute_path(*c.bem.influence, *document.find("bem.influence"), document);
     if (!c.fem.cache.empty() && c.fem.cache != "none")
         c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
+    if (c.indenter.file)
+        c.indenter.file =
+            absolute_path(*c.indenter.file, *document.find("indenter.file"), document);
     if (auto& dma = c.relaxation_input.dma)
         dma = absolute_path(*dma, *document.find("substrate.relaxation.dma"), document);
 }
@@ -76,6 +77,7 @@ Case resolve(const Document& document) {
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);
+    resolve_indenter_file(c, document);
     check_case(c, document);
     return c;
 }

@@ -140,12 +140,18 @@ double growth_at_crest(const Case& c) {
 }  // namespace
 
 RadiusBounds contact_radius_bounds(const Case& c) {
-    const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const double hertz = scales.contact_radius * growth_at_crest(c);
     const double b = *c.layer.thickness;
     double softer = 0;
     for (const auto& below : c.layer.lower)
         softer =
             std::max(softer, below.material.plane_compliance() / c.substrate.plane_compliance());
+    // A cone's contact, which grows with d, is 2.4 times as wide on a thin incompressible layer;
+    // no other body's grows faster or is wider.
+    if (!contact::is_hertz_round(c))
+        return {0, 3 * (1 + std::abs(c.load.normal_amplitude_ratio)) * std::max(1., softer) *
+                       std::max(scales.half_widths[0], scales.half_widths[1])};
     if (c.load.normal_force) {
         // Lubrication theory of a thin incompressible layer: a^6 = 32 R b^3 F/(pi G); with Hertz'
         // a_H^3 = 3 F R/(16 G): a^2 = 1.946^2 b a_H.

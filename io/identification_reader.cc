@@ -197,6 +197,16 @@ void check_lengths(const Input& input, double radius, const Entry& data) {
              "check the units of the table and of indenter.radius");
 }
 
+/// Hertz' theory is one of the models, and the others are laid over its radius.
+void check_round(const Document& document) {
+    const Entry* shape = document.find("indenter.shape");
+    if (!shape) return;
+    const auto* word = std::get_if<std::string>(&shape->value);
+    if (word && (*word == "paraboloid" || *word == "sphere")) return;
+    fail(shape->place, shape->subject(), "material constants are identified under a round indenter",
+         "take \"paraboloid\" or \"sphere\"");
+}
+
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const Document& document) {
     Document rig = document;
@@ -208,6 +218,7 @@ contact::Case rig_of(const Input& input, const Document& document) {
     });
     const std::string& place = input.data_file;
     const bool sheared = input.measurement == Measurement::static_shift;
+    check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
     check_lengths(input, radius, *document.find("data"));
     std::vector<Entry> guesses{

@@ -1,6 +1,7 @@
 #include "io/indenter_keys.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "io/key_declarations.h"
 #include "io/refusal.h"
@@ -25,6 +26,11 @@ const std::vector<ShapeKeys>& shapes() {
         {"paraboloid", paraboloid, {"radius"}},
         {"sphere", sphere, {"radius"}},
         {"cylinder", cylinder, {"radius", "length"}},
+        {"cone", cone, {"angle"}},
+        {"power-law", power_law, {"radius", "exponent"}},
+        {"rounded-punch", rounded_punch, {"radius", "flat_radius"}},
+        {"ellipsoid", ellipsoid, {"radius", "radius_y"}},
+        {"profile", profile, {"file"}},
         {"flat", flat, {}},
         {"height-map", height_map, {"file", "spacing", "unit"}}};
     return all;
@@ -50,30 +56,30 @@ bool is_of_shape(std::string_view key) {
         shapes(), [&](const ShapeKeys& one) { return std::ranges::count(one.keys, key) > 0; });
 }
 
+/// The place of a key that some shapes only take.
+Field of_shape(const Case& c, std::string_view key, Field place) {
+    return takes(c.indenter.shape, key) ? place : Field();
+}
+
 }  // namespace
 
 void add_indenter_keys(std::vector<CaseKey>& keys) {
-    keys.push_back(
-        {{.path = "indenter.shape",
-          .kind = Kind::choice,
-          .choices = shape_choices(),
-          .default_value = R"("paraboloid")",
-          .example = R"("paraboloid")",
-          .text =
-              "paraboloid r^2/(2R), the exact sphere, a cylinder x^2/(2R) along y, a plane with "
-              "roughness, or a measured surface"},
-         [](Case& c) -> Field { return &c.indenter.shape; }});
+    keys.push_back({{.path = "indenter.shape",
+                     .kind = Kind::choice,
+                     .choices = shape_choices(),
+                     .default_value = R"("paraboloid")",
+                     .example = R"("paraboloid")",
+                     .text = "see the table of indenters"},
+                    [](Case& c) -> Field { return &c.indenter.shape; }});
     keys.push_back({{.path = "indenter.radius",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
                      .range = above_zero(1e6),
                      .required = true,
                      .example = R"("40 mm")",
-                     .text = "radius R of curvature"},
-                    [](Case& c) -> Field {
-                        return takes(c.indenter.shape, "radius") ? Field(&c.indenter.radius)
-                                                                 : Field();
-                    }});
+                     .text = "radius R of curvature, of an ellipsoid in the x-z plane; unit of "
+                             "length of a power law"},
+                    [](Case& c) { return of_shape(c, "radius", &c.indenter.radius); }});
     keys.push_back({{.path = "indenter.length",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
@@ -81,37 +87,60 @@ void add_indenter_keys(std::vector<CaseKey>& keys) {
                      .required = true,
                      .example = R"("80 mm")",
                      .text = "length L along y"},
-                    [](Case& c) -> Field {
-                        return takes(c.indenter.shape, "length") ? Field(&c.indenter.length)
-                                                                 : Field();
-                    }});
+                    [](Case& c) { return of_shape(c, "length", &c.indenter.length); }});
+    keys.push_back({{.path = "indenter.radius_y",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .required = true,
+                     .example = R"("90 mm")",
+                     .text = "radius of curvature in the y-z plane"},
+                    [](Case& c) { return of_shape(c, "radius_y", &c.indenter.radius_y); }});
+    keys.push_back({{.path = "indenter.angle",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::angle,
+                     .range = above_zero(std::numbers::pi / 4),
+                     .reason = "small slopes are assumed",
+                     .required = true,
+                     .example = R"("5 deg")",
+                     .text = "of a cone's flank to the surface"},
+                    [](Case& c) { return of_shape(c, "angle", &c.indenter.angle); }});
+    keys.push_back({{.path = "indenter.exponent",
+                     .kind = Kind::number,
+                     .range = {1, 100},
+                     .reason = "below 1 the tip is a spike of infinite slope",
+                     .required = true,
+                     .example = "4",
+                     .text = "n of the power law"},
+                    [](Case& c) { return of_shape(c, "exponent", &c.indenter.exponent); }});
+    keys.push_back({{.path = "indenter.flat_radius",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .required = true,
+                     .example = R"("5 mm")",
+                     .text = "radius b of a punch's flat face"},
+                    [](Case& c) { return of_shape(c, "flat_radius", &c.indenter.flat_radius); }});
     keys.push_back({{.path = "indenter.file",
                      .kind = Kind::text,
                      .required = true,
-                     .example = R"("surface.npy")",
-                     .text = "file of a height map: .npy, .sdf, .csv or .txt"},
-                    [](Case& c) -> Field {
-                        return takes(c.indenter.shape, "file") ? Field(&c.indenter.file) : Field();
-                    }});
+                     .example = R"("profile.csv")",
+                     .text = "table of a profile, or a height map: .npy, .sdf, .csv or .txt"},
+                    [](Case& c) { return of_shape(c, "file", &c.indenter.file); }});
     keys.push_back({{.path = "indenter.spacing",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
                      .range = above_zero(1e6),
                      .example = R"("1 um")",
                      .text = "between the nodes of a height map; .sdf says it itself"},
-                    [](Case& c) -> Field {
-                        return takes(c.indenter.shape, "spacing") ? Field(&c.indenter.spacing)
-                                                                  : Field();
-                    }});
+                    [](Case& c) { return of_shape(c, "spacing", &c.indenter.spacing); }});
     keys.push_back({{.path = "indenter.unit",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,
                      .range = above_zero(1e6),
                      .example = R"("1 nm")",
                      .text = "what a 1 of a height map means; .sdf says it itself"},
-                    [](Case& c) -> Field {
-                        return takes(c.indenter.shape, "unit") ? Field(&c.indenter.unit) : Field();
-                    }});
+                    [](Case& c) { return of_shape(c, "unit", &c.indenter.unit); }});
     keys.push_back({{.path = "indenter.young",
                      .kind = Kind::quantity,
                      .dimension = Dimension::pressure,

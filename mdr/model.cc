@@ -30,9 +30,10 @@ double amplitude(const contact::Case& c, const PlaneProfile& profile) {
 }  // namespace
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
-    // A table of the profile over twice the Hertz radius; a flatter indenter meets the rim.
+    // A table of the profile over twice the half-space's radius, which grows at most with the load
+    // (a cone's does with d); a flatter indenter meets the rim.
     const double peak_factor = 1 + std::abs(c.load.normal_amplitude_ratio);
-    const double table = 2 * std::sqrt(peak_factor) * contact::half_space_scales(c).contact_radius;
+    const double table = 2 * peak_factor * contact::half_space_scales(c).contact_radius;
     BedData data;
     data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
     data.effective_modulus = c.materials().effective_modulus();

@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "mdr/profile_transform.h"
+#include "contact/increasing_root.h"
+#include "contact/power_law.h"
 #include "mdr/tabulated_profile.h"
 
 namespace tricontact::mdr {
@@ -19,25 +18,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Root a in (0, range] of an increasing function of the half width that is negative at 0.
+// Half width a in (0, range] at which an increasing function of it vanishes.
 template <typename Function>
 double half_width_root(Function function, double range, double start) {
-    double low = 0, high = std::min(start, range);
-    while (function(high) < 0) {
-        if (high >= range)
-            throw contact::InputError(fmt::format(
-                "indenter: the contact reaches the rim of its profile at {:.6g} m; reduce the load "
-                "or enlarge the indenter",
-                range));
-        low = high;
-        high = std::min(2 * high, range);
-    }
-    const boost::math::tools::eps_tolerance<double> full_precision(
-        std::numeric_limits<double>::digits - 1);
-    std::uintmax_t evaluations = 300;
-    const auto [left, right] =
-        boost::math::tools::toms748_solve(function, low, high, full_precision, evaluations);
-    return std::midpoint(left, right);
+    if (const auto root = contact::increasing_root(function, start, range)) return *root;
+    throw contact::InputError(fmt::format(
+        "indenter: the contact reaches the rim of its profile at {:.6g} m; reduce the load or "
+        "enlarge the indenter",
+        range));
 }
 
 }  // namespace
@@ -54,7 +42,7 @@ double PlaneProfile::half_width_of_area(double area) const {
 }
 
 PowerLawProfile::PowerLawProfile(double coefficient, double exponent)
-    : factor_(coefficient * power_law_factor(exponent)), exponent_(exponent) {
+    : factor_(coefficient * contact::power_law_factor(exponent)), exponent_(exponent) {
     if (!(coefficient > 0) || !std::isfinite(coefficient))
         throw std::domain_error("PowerLawProfile: the coefficient must be positive and finite");
 }
@@ -94,6 +82,8 @@ std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricInde
                                                  double range) {
     if (const auto* paraboloid = dynamic_cast<const contact::Paraboloid*>(&indenter))
         return std::make_unique<PowerLawProfile>(1 / (2 * paraboloid->radius()), 2);
+    if (const auto* power = dynamic_cast<const contact::PowerLaw*>(&indenter))
+        return std::make_unique<PowerLawProfile>(power->coefficient(), power->exponent());
     // A rim may be vertical, as a ball's: g is infinite there.
     const double rim = 0.999 * indenter.outer_radius();
     return std::make_unique<TabulatedProfile>(indenter, std::min(range, rim));

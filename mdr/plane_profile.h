@@ -49,8 +49,8 @@ class PowerLawProfile final : public PlaneProfile {
     double factor_, exponent_;
 };
 
-/// The closed form where the indenter has one (paraboloid), else a table over |x| <= range [m],
-/// cut off just inside the indenter's outer radius.
+/// The closed form where the indenter has one (paraboloid, power law), else a table over |x| <=
+/// range [m], cut off just inside the indenter's outer radius.
 std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricIndenter& indenter,
                                                  double range);
 

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "mdr/profile_transform.h"
 
 namespace tricontact::mdr {
 
@@ -26,6 +25,7 @@ TabulatedProfile::TabulatedProfile(const contact::AxisymmetricIndenter& indenter
     : range_(range), conical_(indenter.profile_slope(0) > 0) {
     if (!(range > 0 && range <= indenter.outer_radius()) || !std::isfinite(range))
         throw std::domain_error("TabulatedProfile: the range must lie in (0, outer radius]");
+    largest_slope_ = indenter.slope_moment(range, 0);
     double begin = 0;
     for (const double kink : indenter.kinks()) {
         if (kink >= range) break;
@@ -55,7 +55,7 @@ TabulatedProfile::Panel TabulatedProfile::fit(const contact::AxisymmetricIndente
     for (int j = 0; j < n_terms; ++j) {
         const double angle = std::numbers::pi * (j + 0.5) / n_terms;
         const double x = begin + (end - begin) * (1 + std::cos(angle)) / 2;
-        const double slope = transformed_mean_slope(indenter, x);
+        const double slope = indenter.slope_moment(x, 0);
         for (int k = 0; k < n_terms; ++k)
             panel.coefficients[k] += (k == 0 ? 1. : 2.) / n_terms * slope * std::cos(k * angle);
     }
@@ -69,7 +69,9 @@ void TabulatedProfile::tabulate(const contact::AxisymmetricIndenter& indenter, d
     // Beyond a kink g has a square root: panels shrink towards it, down to a width that no spring
     // falls into.
     const double tail = std::max(std::abs(c[n_terms - 1]), std::abs(c[n_terms - 2]));
-    if (tail <= 1e-12 * std::abs(c[0]) || end - begin <= narrowest_panel * range_) {
+    // Where g itself vanishes, beside a flat part, only rounding is left of its relative accuracy.
+    const double accepted = std::max(1e-12 * std::abs(c[0]), 1e-14 * largest_slope_);
+    if (tail <= accepted || end - begin <= narrowest_panel * range_) {
         panels_.push_back(panel);
         return;
     }

@@ -38,7 +38,8 @@ class TabulatedProfile final : public PlaneProfile {
     const Panel& panel_at(double distance) const;
 
     double range_;
-    bool conical_;  // h'(0) > 0
+    bool conical_;              // h'(0) > 0
+    double largest_slope_ = 0;  // of g(x)/x
     std::vector<Panel> panels_;
 };
 

@@ -13,7 +13,6 @@
 #include "contact/error.h"
 #include "theory/contact_search.h"
 #include "theory/layer_equation.h"
-#include "theory/plane_profile.h"
 
 namespace tricontact::theory {
 
@@ -105,7 +104,7 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
     const auto kinks = indenter.kinks();
     auto parts_at = [&](double radius, int n) {
         return solve_parts(layer, LineMesh(radius, kinks, n),
-                           [&](double x) { return plane_profile(indenter, x); });
+                           [&](double x) { return indenter.plane_profile(x); });
     };
     auto excess = [&](double radius) {
         const Parts parts = parts_at(radius, points_for(radius / b));

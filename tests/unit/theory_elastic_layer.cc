@@ -13,7 +13,6 @@
 #include "theory/elastic_layer.h"
 #include "theory/hertz.h"
 #include "theory/layer_equation.h"
-#include "theory/plane_profile.h"
 
 namespace tricontact {
 namespace {
@@ -137,18 +136,6 @@ TEST(ElasticLayer, SphereTendsToTheParaboloid) {
     const double near = difference(.04), far = difference(.08);
     EXPECT_LT(std::abs(near), .01);   // (a/R)^2 = 1.2 %
     EXPECT_NEAR(near / far, 4, .05);  // second order in a/R, the next one is 1 %
-}
-
-TEST(ElasticLayer, TransformsProfiles) {
-    for (const double x : {1e-4, .011, .039}) {
-        EXPECT_NEAR(theory::plane_profile(contact::Paraboloid(.04), x) / (x * x / .04), 1, 1e-14);
-        EXPECT_NEAR(
-            theory::plane_profile(contact::Sphere(.04), x) / mdr_test::transformed_sphere(.04, x),
-            1, 1e-13);
-    }
-    const mdr_test::TwoCones kinked(.2, 1.1, .01);
-    for (const double x : {.005, .0100001, .03})
-        EXPECT_NEAR(theory::plane_profile(kinked, x) / kinked.transformed(x), 1, 1e-13);
 }
 
 TEST(ElasticLayer, KinkedIndenter) {

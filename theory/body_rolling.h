@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "contact/case.h"
+
+namespace tricontact::theory {
+
+// Friction and oscillating rolling of the case's body on a half-space under constant loads, normal
+// and tangential contact uncoupled; what oscillating_rolling.h says of paraboloid and sphere, for
+// all bodies whose pressure is known. Dimensionless: f = F_T/(mu F_N), w = W/a over the contact
+// radius of contact::half_space_scales, u = U/U_max, all in [0, 1], else std::domain_error.
+
+/// Whether what follows knows the case's body: a smooth one, not a cylinder, roller or rough.
+bool has_body_theory(const contact::Case& c);
+
+/// Shift under F_T applied once, 1 - d((1-f) F_N)/d(F_N): the traction is mu p less that of the
+/// smaller load whose contact is the stick zone. Jaeger (1995), Ciavarella (1998); of ellipses
+/// Vermeulen and Johnson (1964). Neglects a transverse traction as Cattaneo and Mindlin do.
+double static_shift_ratio(const contact::Case& c, double f);
+
+/// Largest f that shakes down: (1/F_N) ∫ min p dA over the path of the case's direction. Where the
+/// pressure falls with r it is that of the bed; where it does not (power laws of n > 2, punches),
+/// the middle of the path counts too: quadrature to 1e-4. Of ellipses that of a paraboloid, W over
+/// their half axis in the direction of rolling. Empty for the profile of a table.
+std::optional<double> shakedown_limit(const contact::Case& c, double w);
+/// Its inverse, the largest w that shakes down; along the longer axis of an ellipse it may
+/// exceed 1.
+std::optional<double> amplitude_limit(const contact::Case& c, double f);
+
+// The method of dimensionality reduction (MDR), P(x) being the force and g(x) the indentation at
+// which the contact has the radius x; bodies of revolution only.
+
+/// Largest f that the bed shakes down: 1 - [P(W) + 2 E* W (d - g(W))]/F_N, the springs of
+/// W < |x| < a over all; of h ~ r^n: 1 - ((n + 1) w - w^(n+1))/n.
+std::optional<double> bed_limit(const contact::Case& c, double w);
+
+/// Shift of the bed after shakedown; the stick zone has the radius x - W, where u = 1 - g(x)/d and
+///   f = 1 - P(x)/F_N - 2 E* W d u/F_N;
+/// of h ~ r^n: f = 1 - (1 - u)^((n+1)/n) - (n + 1)/n w u. Empty above the limit.
+std::optional<double> bed_settled_shift_ratio(const contact::Case& c, double w, double f);
+
+}  // namespace tricontact::theory
