@@ -20,7 +20,7 @@ std::string text_of(const std::string& indenter) {
            "[load]\nnormal_force = \"20 N\"\ntangential_ratio = 0.3\n";
 }
 
-TEST(Bodies, ComeBackFromAResolvedCase) {
+TEST(IoBodies, ComeBackFromAResolvedCase) {
     const std::string table = TRICONTACT_SOURCE_DIR "/cases/body_profile.csv";
     for (const std::string& indenter :
          {std::string("shape = \"cone\"\nangle = \"7 deg\""),
@@ -41,7 +41,7 @@ TEST(Bodies, ComeBackFromAResolvedCase) {
     }
 }
 
-TEST(Bodies, ProfileTablesHaveUnitsAndKinks) {
+TEST(IoBodies, ProfileTablesHaveUnitsAndKinks) {
     const auto points =
         parse_profile_table("h [um]; r [mm]; kink\n0;0;1\n5;1;0\n9;2.5;1\n", "t.csv");
     ASSERT_EQ(points.size(), 3U);
@@ -52,7 +52,7 @@ TEST(Bodies, ProfileTablesHaveUnitsAndKinks) {
     EXPECT_FALSE(parse_profile_table("r [mm],h [um]\n0,0\n1,1\n", "t.csv")[1].kink);
 }
 
-TEST(Bodies, ProfileTablesAreRefusedByRow) {
+TEST(IoBodies, ProfileTablesAreRefusedByRow) {
     const auto message = [](const std::string& text) -> std::string {
         try {
             parse_profile_table(text, "t.csv");
