@@ -38,7 +38,7 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
         if (pressure[i] > 0) active.push_back(i);
     SteadySystem system(compliance, active, {false, false});
     system.set_zones(std::vector<std::uint8_t>(active.size()), std::vector<Vector2>(active.size()),
-                     std::vector<double>(active.size()));
+                     std::vector<double>(active.size()), 0);
     LinearCreep creep{};
     for (int c = 0; c < 3; ++c) {
         TangentialField slip(points.size());

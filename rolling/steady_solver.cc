@@ -20,6 +20,9 @@ using contact::TangentialField;
 using contact::Vector2;
 
 constexpr int max_newton_steps = 100;
+// Far from the solution all may slip, and a long step of the creepage leads farther away; close to
+// full sliding only long ones arrive.
+constexpr int careful_steps = 20;
 constexpr double force_tolerance = 1e-10;  // over sum bound A, as in contact::TangentialSolver
 
 class Newton {
@@ -51,7 +54,7 @@ class Newton {
             update_residual();
             if (solution_.residual <= tolerance_ && solution_.force_residual <= force_tolerance)
                 return;
-            move(solve_linear_system());
+            move(solve_linear_system(step < careful_steps ? .5 : 10));
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
@@ -107,6 +110,19 @@ class Newton {
         w.lateral = problem_.drive.creepage[1].value_or(w.lateral);
         w.spin = problem_.drive.spin;
         solution_.iterations = 0;
+        set_sliding_creepage();
+    }
+
+    /// What slides without creepage, and what tractions make slide.
+    void set_sliding_creepage() {
+        const TangentialField by_pressure =
+            forward_gradient(points_, active_, problem_.displacement);
+        double sliding = 0;
+        for (const std::size_t i : active_)
+            sliding = std::max(sliding, std::hypot(by_pressure.x[i], by_pressure.y[i]) +
+                                            std::abs(problem_.drive.spin) *
+                                                std::hypot(points_.x[i], points_.y[i]));
+        sliding_creepage_ = alpha_ * mean_bound_ + sliding;
     }
 
     void update_slip() {
@@ -144,8 +160,9 @@ class Newton {
         }
     }
 
-    /// One Newton step on the present zones.
-    SteadySystem::Result solve_linear_system() {
+    /// One Newton step on the present zones; `farthest`: how far the creepage may go, over the
+    /// sliding one, before it is held back.
+    SteadySystem::Result solve_linear_system(double farthest) {
         std::vector<Vector2> tangent(active_.size());
         std::vector<double> curvature(active_.size(), 0.0);
         for (std::size_t k = 0; k < active_.size(); ++k) {
@@ -155,15 +172,20 @@ class Newton {
             tangent[k] = {-t[1] / bound, t[0] / bound};
             curvature[k] = std::max(0.0, contact::dot(slip_at(active_[k]), t) / bound) / bound;
         }
-        system_.set_zones(slipping_, std::move(tangent), std::move(curvature));
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing =
             std::clamp(0.01 * std::max(solution_.residual, solution_.force_residual), 1e-10, 1e-2);
-        return system_.solve(solution_.slip, missing_force_, forcing);
+        SteadySystem::Result result;
+        for (const double relief : {0., 1.}) {
+            system_.set_zones(slipping_, tangent, curvature, relief);
+            result = system_.solve(solution_.slip, missing_force_, forcing);
+            solution_.iterations += result.iterations;
+            if (norm(result.creepage) <= farthest * sliding_creepage_) break;
+        }
+        return result;
     }
 
     void move(const SteadySystem::Result& result) {
-        solution_.iterations += result.iterations;
         solution_.creepage.longitudinal += result.creepage[0];
         solution_.creepage.lateral += result.creepage[1];
         for (std::size_t k = 0; k < active_.size(); ++k) {
@@ -200,6 +222,7 @@ class Newton {
     std::vector<std::uint8_t> slipping_;  // per active point
     Vector2 missing_force_{};
     double total_bound_ = 0, mean_bound_ = 0;
+    double sliding_creepage_ = 0;  // the unit of its steps [-]
 };
 
 }  // namespace

@@ -10,7 +10,6 @@ namespace tricontact::rolling {
 namespace {
 
 constexpr int max_iterations = 400;
-constexpr double no_answer = 1e-9;  // share of the tractions that a creepage changes
 
 }  // namespace
 
@@ -36,7 +35,8 @@ SteadySystem::SteadySystem(const contact::Compliance& compliance,
 }
 
 void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
-                             std::vector<contact::Vector2> tangent, std::vector<double> curvature) {
+                             std::vector<contact::Vector2> tangent, std::vector<double> curvature,
+                             double relief) {
     slipping_ = std::move(slipping);
     tangent_ = std::move(tangent);
     curvature_ = std::move(curvature);
@@ -52,10 +52,9 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
         if (!force_controlled_[d]) continue;
         for (int e = 0; e < 2; ++e) force(d, e) = force_controlled_[e] ? total(answer_[e])[d] : 0;
     }
-    for (int d = 0; d < 2; ++d) {
-        relief_[d] = force_controlled_[d] && std::abs(force(d, d)) < no_answer ? 1 : 0;
-        force(d, d) += relief_[d];
-    }
+    relief_ = relief;
+    for (int d = 0; d < 2; ++d)
+        if (force_controlled_[d]) force(d, d) += relief_;
     force_inverse_ = force.inverse();
 }
 
@@ -112,7 +111,7 @@ Eigen::VectorXd SteadySystem::product(const Eigen::VectorXd& z) const {
         all[k] += curvature_[k % m] * z[k] + local_ * (z[k] - admissible[k]);
     const Eigen::Vector2d force = total(admissible);
     for (int d = 0; d < 2; ++d)
-        all[2 * m + d] = force_controlled_[d] ? force[d] + relief_[d] * z[2 * m + d] : z[2 * m + d];
+        all[2 * m + d] = force_controlled_[d] ? force[d] + relief_ * z[2 * m + d] : z[2 * m + d];
     return all;
 }
 

@@ -39,9 +39,11 @@ class SteadySystem {
     /// Slip over traction of a cell by itself [1/Pa], the scale of M.
     double local() const { return local_; }
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
-    /// disc and the curvature D [1/Pa].
+    /// disc and the curvature D [1/Pa]. `relief` r [-]: the force balance becomes
+    /// C' z + r C'C w/local = c, a step of the proximal point method (Rockafellar 1976) for the
+    /// creepage. Where nearly all slip along the force, hardly any rotation carries more of it.
     void set_zones(std::vector<std::uint8_t> slipping, std::vector<contact::Vector2> tangent,
-                   std::vector<double> curvature);
+                   std::vector<double> curvature, double relief);
     /// `r` [-] on the points, `c` [N]: right-hand sides. `tolerance`: on the residual over the
     /// first.
     Result solve(const contact::TangentialField& r, const contact::Vector2& c,
@@ -69,9 +71,7 @@ class SteadySystem {
     std::vector<double> curvature_;
     bool all_stick_ = true;
     std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
-    // Where all slip along the force no rotation carries more of it: creepage follows the missing
-    // force then, until some stick or turn round.
-    std::array<double, 2> relief_{};
+    double relief_ = 0;
     Eigen::Matrix2d force_inverse_;
 };
 

@@ -89,6 +89,21 @@ TEST(SteadyRolling, SaturatesAtLargeCreepage) {
     EXPECT_EQ(state.stick_area, 0);
 }
 
+// Where the pressure of dissimilar bodies alone makes nearly all slip, or the force is nearly what
+// friction carries, creepage has far to go.
+TEST(SteadyRolling, ConvergesWhereNearlyAllSlips) {
+    Rig rig{.n = 6};
+    rig.substrate.poisson = 0;
+    rig.friction = .05;
+    RollingProblem problem = rig.sphere(.4);
+    problem.tolerance = 1e-7;
+    EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
+    rig.substrate.poisson = .5;
+    problem = rig.sphere(.998);
+    problem.drive.spin = 9 * rig.friction / rig.radius;
+    EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
+}
+
 // Mirror the contact at the plane of rolling: lateral creepage, force and spin change their signs.
 TEST(SteadyRolling, IsSymmetricToThePlaneOfRolling) {
     const Rig rig{.n = 8};
