@@ -8,6 +8,8 @@
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"
 #include "tests/unit/rolling_problems.h"
+#include "theory/case_layers.h"
+#include "theory/kalker.h"
 
 namespace tricontact {
 namespace {
@@ -42,7 +44,7 @@ void expect_transient_ends_there(const Rig& rig, std::shared_ptr<const contact::
 
 // What rolling on still changes falls by ten in about three half lengths.
 TEST(SteadyRolling, IsWhereTransientRollingEnds) {
-    Rig rig{.n = 7};
+    const Rig rig{.n = 6};
     expect_transient_ends_there(rig, rig.sphere_grid(), rig.sphere(.6), 16 * rig.half_length, 1e-6);
     RollingProblem spinning = rig.sphere(.3);
     spinning.drive.spin = .8 * rig.friction / rig.radius;
@@ -53,10 +55,43 @@ TEST(SteadyRolling, IsWhereTransientRollingEnds) {
 }
 
 TEST(SteadyRolling, IsWhereTransientRollingEndsOfCoupledBodies) {
-    Rig rig{.substrate = {3e6, .2}, .n = 6};
+    const Rig rig{.substrate = {3e6, .2}, .n = 5};
     RollingProblem problem = rig.sphere(.4);
     problem.tolerance = 1e-7;
     expect_transient_ends_there(rig, rig.sphere_grid(), problem, 14 * rig.half_length, 1e-5);
+}
+
+TEST(SteadyRolling, IsWhereTransientRollingEndsOnALayer) {
+    const Rig rig{.n = 5};
+    contact::Case layered;
+    layered.substrate = {3e6, .4};
+    layered.layer.thickness = 1.3 * rig.half_length;
+    const int beside = 9;
+    const contact::Vector2 first = {-beside * rig.cell(), -beside * rig.cell()};
+    const std::shared_ptr<const contact::Compliance> grid =
+        bem::layer_compliance(theory::layers_of("bem-layer", layered), std::nullopt,
+                              contact::ContactPoints::grid(2 * beside + 1, 2 * beside + 1, first,
+                                                           {rig.cell(), rig.cell()}),
+                              1);
+    RollingProblem problem = rig.sphere(.4);
+    problem.tolerance = 1e-7;
+    problem.drive.spin = .3 * rig.friction / rig.radius;
+    expect_transient_ends_there(rig, grid, problem, 14 * rig.half_length, 1e-5);
+}
+
+// Kalker's C23: to the left when turning to the left, and nothing along the way.
+TEST(SteadyRolling, SpinAlonePushesSideways) {
+    const Rig rig{.n = 15};
+    RollingProblem problem = rig.sphere(0);
+    problem.drive.creepage = {0, 0};
+    problem.drive.spin = .02 * rig.friction / rig.radius;
+    const auto state = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
+    const auto linear =
+        theory::kalker_force(theory::combined_material(rig.materials()), rig.half_length,
+                             rig.half_length, {.spin = problem.drive.spin});
+    // A thirtieth of the contact's width to a cell, and slip at its trailing edge: some percent.
+    EXPECT_NEAR(state.force[1] / linear.lateral, 1, .08);
+    EXPECT_NEAR(state.force[0] / linear.lateral, 0, 1e-6);
 }
 
 // Carter (1926); Johnson (1985), eq. 8.26: one cell's step is first order, 3 % at 20 cells.
