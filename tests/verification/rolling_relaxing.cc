@@ -112,7 +112,11 @@ TEST(RollingRelaxing, ACylinderMeetsTheResistanceThatHunterFound) {
             error.push_back(std::abs(state.pressure_lead / hunter.lead - 1));
         }
         EXPECT_LT(error[1], 2e-3) << lambda;
-        EXPECT_LT(error[1], .8 * error[0]) << lambda;
+        // Where the way of a relaxation is some cells the grid is what errs; else what it does not
+        // see ahead.
+        if (lambda < .2) {
+            EXPECT_LT(error[1], .5 * error[0]);
+        }
     }
 }
 
