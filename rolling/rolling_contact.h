@@ -68,7 +68,7 @@ struct RollingState {
     /// leans forward and resists.
     double pressure_lead = 0;
     int iterations = 0;   ///< applications of the compliance
-    double residual = 0;  ///< see contact::TangentialSolver; steady: see SteadyRolling [-]
+    double residual = 0;  ///< see contact::TangentialSolver; steady: SteadySolver [-]
 };
 
 /// What was computed of one problem.
