@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -9,9 +10,11 @@
 #include "app/commands.h"
 #include "app/point_runs.h"
 #include "app/sweep_points.h"
+#include "comparisons/line_fit_document.h"
 #include "comparisons/reference.h"
 #include "comparisons/study_fit.h"
 #include "contact/error.h"
+#include "contact/line_contact_scales.h"
 #include "contact/load_path.h"
 #include "io/atomic_file.h"
 #include "io/result_store.h"
@@ -55,6 +58,28 @@ void require_constant_rolling(const io::Study& study, const SweepPoint& point) {
                                   ": kappa and eta belong to rolling under constant loads; leave "
                                   "out load.normal_amplitude_ratio and "
                                   "load.tangential_amplitude_ratio");
+}
+
+/// lambda of a study of line contacts; empty where there is none.
+std::optional<double> line_shift_factor(const io::Study& study,
+                                        const std::vector<SweepPoint>& points) {
+    constexpr double rounding = 1e-9;
+    std::optional<double> factor;
+    for (const SweepPoint& point : points) {
+        if (!point.c.is_line_contact()) {
+            if (!factor && &point == &points.front()) return {};
+            throw contact::InputError(study.name + ": line contacts are evaluated by themselves; "
+                                                   "take one indenter.shape");
+        }
+        const double ratio = point.c.indenter.length / half_space_scales(point.c).contact_radius;
+        const double here = contact::line_shift_factor(point.c.materials(), ratio);
+        if (factor && std::abs(here / *factor - 1) > rounding)
+            throw contact::InputError(study.name +
+                                      ": of line contacts the shift depends on L/a and poisson; "
+                                      "vary amplitude, F_T and thickness only");
+        factor = here;
+    }
+    return factor;
 }
 
 RollingRun run_of(const io::Study& study, const SweepPoint& point, const std::string& results) {
@@ -144,12 +169,15 @@ void fit_command(const FitOptions& options) {
     fit.confidence = options.confidence;
     fit.settings = settings_of(study, points.size(), options);
     fit.points = comparisons::rolling_points(stored_runs(study, points, folder, options));
-    comparisons::evaluate(fit);
+    const auto line_factor = line_shift_factor(study, points);
+    if (!line_factor) comparisons::evaluate(fit);
 
     io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
-    io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
+    if (!line_factor) io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
     io::write_file(folder + "/fit.html",
-                   comparisons::document_html(comparisons::fit_document(fit)));
+                   comparisons::document_html(
+                       line_factor ? comparisons::line_fit_document(fit, *line_factor)
+                                   : comparisons::fit_document(fit)));
     if (!options.quiet)
         std::cerr << fmt::format("{} points of {} runs: open {}/fit.html\n", fit.points.size(),
                                  points.size(), folder);

@@ -91,12 +91,14 @@ std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories
     if (theory.shakedown_shift_ratio)
         curves += fmt::format(
             "{} with lines dashtype 2 linewidth 1.4 linecolor rgb '{}' title "
-            "'u_{{sd}}, MDR closed form', ",
-            *theory.shakedown_shift_ratio, theory_colour);
+            "'u_{{sd}}, {}', ",
+            *theory.shakedown_shift_ratio, theory_colour,
+            c.is_line_contact() ? "exact, half-space" : "MDR closed form");
     curves += fmt::format(
         "{} with lines dashtype 3 linewidth 1.4 linecolor rgb '{}' title "
-        "'u_{{stat}}, Cattaneo–Mindlin'",
-        theory.static_shift_ratio, theory_colour);
+        "'u_{{stat}}, {}'",
+        theory.static_shift_ratio, theory_colour,
+        c.is_line_contact() ? "Cattaneo, half-space" : "Cattaneo–Mindlin");
     const std::string script =
         data + plot_style() +
         fmt::format(
@@ -145,8 +147,10 @@ std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& his
                                    most_periods + 1, curves);
     return {{"dissipation",
              "Frictional work per period",
-             "Over W₀, the work of one cycle of a tangential force oscillating between ±F_T "
-             "(Mindlin and Deresiewicz). Periods without any dissipation are not drawn.",
+             fmt::format("Over W₀, the work of one cycle of a tangential force oscillating between "
+                         "±F_T ({}). Periods without any dissipation are not drawn.",
+                         c.is_line_contact() ? "line contact, Masing’s rule"
+                                             : "Mindlin and Deresiewicz"),
              {640, 400, script}}};
 }
 

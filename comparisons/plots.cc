@@ -9,9 +9,12 @@ namespace tricontact::comparisons {
 
 std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories) {
     std::vector<Plot> plots;
-    for (const auto maker :
-         {shift_plots, dissipation_plots, traction_plots, zone_maps, surface_plots})
+    const auto add = [&](const auto& maker) {
         for (Plot& plot : maker(c, histories)) plots.push_back(std::move(plot));
+    };
+    for (const auto maker : {shift_plots, dissipation_plots, traction_plots}) add(maker);
+    if (c.is_line_contact()) return plots;  // nothing varies along y
+    for (const auto maker : {zone_maps, surface_plots}) add(maker);
     return plots;
 }
 

@@ -1,0 +1,241 @@
+#include "comparisons/line_fit_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "comparisons/fit_curves.h"
+#include "comparisons/fit_figures.h"
+#include "comparisons/format.h"
+#include "theory/oscillating_cylinder.h"
+#include "theory/thesis_cylinder.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+/// Loads from which a settled point counts as near its limit.
+constexpr double near_limit = 0.97;
+
+double same(double x) {
+    return x;
+}
+
+/// u_sd of the half-space at load f.
+double exact_shift(double w, double f, double lambda) {
+    const auto stick = theory::line_stick_half_width(w, f);
+    return stick ? theory::line_settled_shift_ratio(w, *stick, lambda) : std::nan("");
+}
+
+class LineFigures {
+  public:
+    LineFigures(const StudyFit& fit, double lambda) : lambda_(lambda), models_(model_names(fit)) {
+        for (const RollingPoint& p : fit.points) {
+            points_.push_back(&p);
+            amplitudes_.insert(std::round(p.amplitude_ratio * 1e3) / 1e3);
+        }
+    }
+
+    std::vector<Figure> all() const {
+        std::vector<Figure> figures;
+        for (Figure figure : {settled(), limits(), limit_shifts(), increments()}) {
+            std::erase_if(figure.curves, [](const Curve& c) { return c.x.empty(); });
+            const bool has_points = std::any_of(figure.curves.begin(), figure.curves.end(),
+                                                [](const Curve& c) { return !c.theory; });
+            if (has_points) figures.push_back(std::move(figure));
+        }
+        return figures;
+    }
+
+  private:
+    // Colours of closed forms, after those of the models.
+    int thesis_colour() const { return static_cast<int>(models_.size()); }
+    int exact_colour() const { return thesis_colour() + 1; }
+
+    Figure settled() const {
+        Figure f{.id = "figure_3_43",
+                 .title = "Settled shift over the load (as figure 3.43 of the thesis)",
+                 .caption = "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
+                            "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
+                            "the limit; the lowest is u_stat (w = 0).",
+                 .x = {"f_T"},
+                 .y = {"u_sd [U_max]"}};
+        std::set<double> amplitudes = amplitudes_;
+        amplitudes.insert(0);
+        for (const double w : amplitudes) {
+            const double limit = theory::line_shakedown_limit(w);
+            f.curves.push_back(closed_form(
+                "exact, half-space", 0, limit, same,
+                [&](double load) { return exact_shift(w, std::min(load, limit), lambda_); },
+                exact_colour()));
+            f.curves.push_back(closed_form(
+                "thesis (3.5.26)", 0, limit, same,
+                [&](double load) {
+                    return theory::thesis_line_settled_shift_ratio(w, std::min(load, limit))
+                        .value();
+                },
+                thesis_colour()));
+        }
+        add_model_points(f, models_, points_, [](const RollingPoint& p) {
+            return p.settled_shift ? std::optional(std::pair(p.tangential_ratio, *p.settled_shift))
+                                   : std::nullopt;
+        });
+        return f;
+    }
+
+    Figure limits() const {
+        Figure f{.id = "figure_3_44",
+                 .title = "Largest amplitude that settles (as figure 3.44 of the thesis)",
+                 .caption = "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
+                            "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
+                 .x = {"f_T,lim"},
+                 .y = {"w_lim"}};
+        f.curves.push_back(closed_form("exact, half-space", 0, 1, theory::line_shakedown_limit,
+                                       same, exact_colour()));
+        f.curves.push_back(closed_form("thesis (3.5.28)", 0, 1, same,
+                                       theory::thesis_line_amplitude_limit, thesis_colour()));
+        add_model_points(f, models_, points_, once_per_amplitude([](const RollingPoint& p) {
+                             return std::optional(
+                                 std::pair(p.limit.value, Computed{p.amplitude_ratio}));
+                         }));
+        return f;
+    }
+
+    Figure limit_shifts() const {
+        Figure f{.id = "figure_3_45",
+                 .title = "Shift at the limit (as figure 3.45 of the thesis)",
+                 .caption = fmt::format("Points: settled shifts at {} of the model's limit or more. "
+                                        "Thesis: its fit u_lim = f^0.87 (3.5.29).",
+                                        near_limit),
+                 .x = {"f_T,lim"},
+                 .y = {"u_lim [U_max]"}};
+        f.curves.push_back(closed_form(
+            "exact, half-space", 0, 1, theory::line_shakedown_limit,
+            [&](double w) { return theory::line_settled_shift_ratio(w, 0, lambda_); },
+            exact_colour()));
+        f.curves.push_back(closed_form("thesis (3.5.29)", 0, 1, same,
+                                       theory::thesis_line_limit_shift_ratio, thesis_colour()));
+        add_model_points(
+            f, models_, points_,
+            [](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
+                if (!p.settled_shift || p.tangential_ratio < near_limit * p.limit.value) return {};
+                return std::pair(p.tangential_ratio, *p.settled_shift);
+            });
+        return f;
+    }
+
+    Figure increments() const {
+        Figure f{.id = "figure_3_46",
+                 .title = "Shift per period over the load (as figure 3.46 of the thesis)",
+                 .caption = "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
+                            "amplitudes of the points.",
+                 .x = {"f_T"},
+                 .y = {"Δu [U_max]"}};
+        for (const double w : amplitudes_)
+            f.curves.push_back(closed_form(
+                "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, same,
+                [&](double load) { return theory::thesis_line_increment(w, load); },
+                thesis_colour()));
+        add_model_points(f, models_, points_, [](const RollingPoint& p) {
+            return p.increment ? std::optional(std::pair(p.tangential_ratio, *p.increment))
+                               : std::nullopt;
+        });
+        return f;
+    }
+
+    double lambda_;
+    std::vector<std::string> models_;
+    std::vector<const RollingPoint*> points_;
+    std::set<double> amplitudes_;
+};
+
+WithError cell(const Computed& value) {
+    return {value.value, value.error};
+}
+
+/// "+1.2" of a ratio 1.012.
+double percent_above(double ratio) {
+    return 100 * (ratio - 1);
+}
+
+DocumentTable settled_table(const StudyFit& fit, double lambda) {
+    DocumentTable table{.id = "settled",
+                        .title = "Settled shifts",
+                        .note = "Exact: the uncoupled half-space at the model's own w. Differences "
+                                "are of the closed forms from the model.",
+                        .columns = {{"model"},
+                                    {"group"},
+                                    {"w", 3},
+                                    {"f_T", 3},
+                                    {"f_T,lim", 4},
+                                    {"u_sd"},
+                                    {"exact", 5},
+                                    {"difference [%]", 2},
+                                    {"(3.5.26)", 5},
+                                    {"difference [%]", 2}},
+                        .rows = {}};
+    for (const RollingPoint& p : fit.points) {
+        if (!p.settled_shift) continue;
+        const double w = p.amplitude_ratio, f = p.tangential_ratio, u = p.settled_shift->value;
+        const double exact = exact_shift(w, f, lambda);
+        const double thesis =
+            theory::thesis_line_settled_shift_ratio(w, f).value_or(std::nan(""));
+        table.rows.push_back({display_name(p.model), p.group, w, f, p.limit.value,
+                              cell(*p.settled_shift), exact, percent_above(exact / u), thesis,
+                              percent_above(thesis / u)});
+    }
+    return table;
+}
+
+DocumentTable increment_table(const StudyFit& fit) {
+    DocumentTable table{.id = "increments",
+                        .title = "Shift per period beyond the limit",
+                        .note = "Δu/(f_T (w − w_lim)): with w_lim of (3.5.27), where the thesis has "
+                                "0.64 and its fit of w_lim.",
+                        .columns = {{"model"},
+                                    {"group"},
+                                    {"w", 3},
+                                    {"f_T", 3},
+                                    {"Δu"},
+                                    {"Δu/(f_T (w − w_lim))", 3},
+                                    {"(3.5.30)", 4},
+                                    {"difference [%]", 2}},
+                        .rows = {}};
+    for (const RollingPoint& p : fit.points) {
+        if (!p.increment) continue;
+        const double w = p.amplitude_ratio, f = p.tangential_ratio, du = p.increment->value;
+        const double excess = w - theory::line_amplitude_limit(f);
+        const double thesis = theory::thesis_line_increment(w, f);
+        table.rows.push_back({display_name(p.model), p.group, w, f, cell(*p.increment),
+                              excess > 0 ? du / (f * excess) : std::nan(""), thesis,
+                              percent_above(thesis / du)});
+    }
+    return table;
+}
+
+}  // namespace
+
+Document line_fit_document(const StudyFit& fit, double shift_factor) {
+    Document document{.kind = "Line contacts of a sweep",
+                      .title = fit.title,
+                      .lead = "Settled shifts, limits and increments of a rolling cylinder beside "
+                              "the exact solution on the half-space and the fits of the thesis. w, "
+                              "f_T and u are ratios to each model's own half width, friction limit "
+                              "and U_max.",
+                      .settings = fit.settings,
+                      .files = {{"all numbers (JSON)", "fit.json"}},
+                      .command = fit.command,
+                      .version = fit.version};
+    DocumentSection section{.id = "thesis",
+                            .heading = "Figures of the thesis",
+                            .paragraphs = {"Closed forms are dashed. Bars are numerical errors."},
+                            .figures = LineFigures(fit, shift_factor).all()};
+    for (DocumentTable table : {settled_table(fit, shift_factor), increment_table(fit)})
+        if (!table.rows.empty()) section.tables.push_back(std::move(table));
+    document.sections.push_back(std::move(section));
+    return document;
+}
+
+}  // namespace tricontact::comparisons
