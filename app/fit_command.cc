@@ -49,10 +49,11 @@ void require_constant_rolling(const io::Study& study, const SweepPoint& point) {
         throw contact::InputError(study.name +
                                   ": a case without [rolling] has neither kappa nor eta; give it "
                                   "rolling.amplitude_ratio, or vary it");
-    if (!contact::is_hertz_round(point.c))
+    if (!contact::is_hertz_round(point.c) && !point.c.is_line_contact())
         throw contact::InputError(study.name +
-                                  ": kappa and eta are those of a paraboloid or sphere; give it "
-                                  "such an indenter.shape");
+                                  ": kappa and eta are those of a paraboloid or sphere, the line "
+                                  "contact's figures those of a cylinder; give it such an "
+                                  "indenter.shape");
     if (!comparisons::constant_loads(point.c))
         throw contact::InputError(study.name +
                                   ": kappa and eta belong to rolling under constant loads; leave "
@@ -68,8 +69,9 @@ std::optional<double> line_shift_factor(const io::Study& study,
     for (const SweepPoint& point : points) {
         if (!point.c.is_line_contact()) {
             if (!factor && &point == &points.front()) return {};
-            throw contact::InputError(study.name + ": line contacts are evaluated by themselves; "
-                                                   "take one indenter.shape");
+            throw contact::InputError(study.name +
+                                      ": line contacts are evaluated by themselves; "
+                                      "take one indenter.shape");
         }
         const double ratio = point.c.indenter.length / half_space_scales(point.c).contact_radius;
         const double here = contact::line_shift_factor(point.c.materials(), ratio);
@@ -174,10 +176,10 @@ void fit_command(const FitOptions& options) {
 
     io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
     if (!line_factor) io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
-    io::write_file(folder + "/fit.html",
-                   comparisons::document_html(
-                       line_factor ? comparisons::line_fit_document(fit, *line_factor)
-                                   : comparisons::fit_document(fit)));
+    io::write_file(
+        folder + "/fit.html",
+        comparisons::document_html(line_factor ? comparisons::line_fit_document(fit, *line_factor)
+                                               : comparisons::fit_document(fit)));
     if (!options.quiet)
         std::cerr << fmt::format("{} points of {} runs: open {}/fit.html\n", fit.points.size(),
                                  points.size(), folder);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/line_layer.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "theory/elastic_layer.h"
@@ -30,6 +31,10 @@ void add_exact(const Case& c, LayerComparison& result) {
     result.why_not = why_no_exact_theory(c);
     if (!result.why_not.empty()) return;
     try {
+        if (c.is_line_contact()) {
+            result.exact = line_pressed_values(c, exact_line_contact(c).value());
+            return;
+        }
         const theory::LayerContact exact = solve(c);
         std::optional<double> shift = exact.unit_shift;
         if (shift) *shift *= c.friction_coefficient;
@@ -67,13 +72,18 @@ ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
     return result;
 }
 
+double half_space_stiffness(const Case& c, double contact_radius) {
+    return c.is_line_contact() ? line_stiffness(c, contact_radius)
+                               : 2 * c.materials().effective_modulus() * contact_radius;
+}
+
 PressedValues values_of(const Case& c, const History& history, const LoadingStudy& study) {
     const contact::Scales& s = history.scales;
     PressedValues values{s.contact_radius, s.indentation, s.normal_force,
                          s.peak_pressure,  s.unit_shift,  {}};
     const auto found = study.normal_stiffness.find(history.model);
     if (is_half_space(history.model))
-        values.normal_stiffness = 2 * c.materials().effective_modulus() * s.contact_radius;
+        values.normal_stiffness = half_space_stiffness(c, s.contact_radius);
     else if (found != study.normal_stiffness.end())
         values.normal_stiffness = found->second;
     return values;
@@ -123,9 +133,8 @@ const std::vector<PressedQuantity>& pressed_quantities() {
 
 PressedValues hertz_values(const Case& c) {
     const contact::HalfSpaceScales h = contact::half_space_scales(c);
-    return {h.contact_radius, h.indentation,
-            h.normal_force,   h.peak_pressure,
-            h.unit_shift,     2 * c.materials().effective_modulus() * h.contact_radius};
+    return {h.contact_radius, h.indentation, h.normal_force,
+            h.peak_pressure,  h.unit_shift,  half_space_stiffness(c, h.contact_radius)};
 }
 
 bool is_half_space(const std::string& model) {

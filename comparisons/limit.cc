@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "comparisons/layer.h"
+#include "comparisons/line_layer.h"
 #include "comparisons/reference.h"
 #include "contact/pressure_shape.h"
 #include "theory/layer_shakedown.h"
@@ -35,6 +36,7 @@ std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
 }
 
 std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
+    if (c.is_line_contact()) return line_layer_limit(c, variable);
     if (!contact::pressure_falls(c)) return {};  // as layer_shakedown.h wants it
     const auto exact = exact_layer_contact(c);
     if (!exact) return {};

@@ -57,9 +57,10 @@ class LineFigures {
     Figure settled() const {
         Figure f{.id = "figure_3_43",
                  .title = "Settled shift over the load (as figure 3.43 of the thesis)",
-                 .caption = "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
-                            "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
-                            "the limit; the lowest is u_stat (w = 0).",
+                 .caption =
+                     "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
+                     "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
+                     "the limit; the lowest is u_stat (w = 0).",
                  .x = {"f_T"},
                  .y = {"u_sd [U_max]"}};
         std::set<double> amplitudes = amplitudes_;
@@ -88,29 +89,31 @@ class LineFigures {
     Figure limits() const {
         Figure f{.id = "figure_3_44",
                  .title = "Largest amplitude that settles (as figure 3.44 of the thesis)",
-                 .caption = "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
-                            "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
+                 .caption =
+                     "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
+                     "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
                  .x = {"f_T,lim"},
                  .y = {"w_lim"}};
         f.curves.push_back(closed_form("exact, half-space", 0, 1, theory::line_shakedown_limit,
                                        same, exact_colour()));
         f.curves.push_back(closed_form("thesis (3.5.28)", 0, 1, same,
                                        theory::thesis_line_amplitude_limit, thesis_colour()));
-        add_model_points(f, models_, points_, once_per_amplitude([](const RollingPoint& p) {
-                             return std::optional(
-                                 std::pair(p.limit.value, Computed{p.amplitude_ratio}));
-                         }));
+        add_model_points(
+            f, models_, points_, once_per_amplitude([](const RollingPoint& p) {
+                return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
+            }));
         return f;
     }
 
     Figure limit_shifts() const {
-        Figure f{.id = "figure_3_45",
-                 .title = "Shift at the limit (as figure 3.45 of the thesis)",
-                 .caption = fmt::format("Points: settled shifts at {} of the model's limit or more. "
-                                        "Thesis: its fit u_lim = f^0.87 (3.5.29).",
-                                        near_limit),
-                 .x = {"f_T,lim"},
-                 .y = {"u_lim [U_max]"}};
+        Figure f{
+            .id = "figure_3_45",
+            .title = "Shift at the limit (as figure 3.45 of the thesis)",
+            .caption = fmt::format("Points: settled shifts at {} of the model's limit or more. "
+                                   "Thesis: its fit u_lim = f^0.87 (3.5.29).",
+                                   near_limit),
+            .x = {"f_T,lim"},
+            .y = {"u_lim [U_max]"}};
         f.curves.push_back(closed_form(
             "exact, half-space", 0, 1, theory::line_shakedown_limit,
             [&](double w) { return theory::line_settled_shift_ratio(w, 0, lambda_); },
@@ -129,8 +132,9 @@ class LineFigures {
     Figure increments() const {
         Figure f{.id = "figure_3_46",
                  .title = "Shift per period over the load (as figure 3.46 of the thesis)",
-                 .caption = "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
-                            "amplitudes of the points.",
+                 .caption =
+                     "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
+                     "amplitudes of the points.",
                  .x = {"f_T"},
                  .y = {"Δu [U_max]"}};
         for (const double w : amplitudes_)
@@ -163,8 +167,9 @@ double percent_above(double ratio) {
 DocumentTable settled_table(const StudyFit& fit, double lambda) {
     DocumentTable table{.id = "settled",
                         .title = "Settled shifts",
-                        .note = "Exact: the uncoupled half-space at the model's own w. Differences "
-                                "are of the closed forms from the model.",
+                        .note =
+                            "Exact: the uncoupled half-space at the model's own w. Differences "
+                            "are of the closed forms from the model.",
                         .columns = {{"model"},
                                     {"group"},
                                     {"w", 3},
@@ -180,8 +185,7 @@ DocumentTable settled_table(const StudyFit& fit, double lambda) {
         if (!p.settled_shift) continue;
         const double w = p.amplitude_ratio, f = p.tangential_ratio, u = p.settled_shift->value;
         const double exact = exact_shift(w, f, lambda);
-        const double thesis =
-            theory::thesis_line_settled_shift_ratio(w, f).value_or(std::nan(""));
+        const double thesis = theory::thesis_line_settled_shift_ratio(w, f).value_or(std::nan(""));
         table.rows.push_back({display_name(p.model), p.group, w, f, p.limit.value,
                               cell(*p.settled_shift), exact, percent_above(exact / u), thesis,
                               percent_above(thesis / u)});
@@ -192,8 +196,9 @@ DocumentTable settled_table(const StudyFit& fit, double lambda) {
 DocumentTable increment_table(const StudyFit& fit) {
     DocumentTable table{.id = "increments",
                         .title = "Shift per period beyond the limit",
-                        .note = "Δu/(f_T (w − w_lim)): with w_lim of (3.5.27), where the thesis has "
-                                "0.64 and its fit of w_lim.",
+                        .note =
+                            "Δu/(f_T (w − w_lim)): with w_lim of (3.5.27), where the thesis has "
+                            "0.64 and its fit of w_lim.",
                         .columns = {{"model"},
                                     {"group"},
                                     {"w", 3},
@@ -220,10 +225,11 @@ DocumentTable increment_table(const StudyFit& fit) {
 Document line_fit_document(const StudyFit& fit, double shift_factor) {
     Document document{.kind = "Line contacts of a sweep",
                       .title = fit.title,
-                      .lead = "Settled shifts, limits and increments of a rolling cylinder beside "
-                              "the exact solution on the half-space and the fits of the thesis. w, "
-                              "f_T and u are ratios to each model's own half width, friction limit "
-                              "and U_max.",
+                      .lead =
+                          "Settled shifts, limits and increments of a rolling cylinder beside "
+                          "the exact solution on the half-space and the fits of the thesis. w, "
+                          "f_T and u are ratios to each model's own half width, friction limit "
+                          "and U_max.",
                       .settings = fit.settings,
                       .files = {{"all numbers (JSON)", "fit.json"}},
                       .command = fit.command,

@@ -147,10 +147,10 @@ std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& his
                                    most_periods + 1, curves);
     return {{"dissipation",
              "Frictional work per period",
-             fmt::format("Over W₀, the work of one cycle of a tangential force oscillating between "
-                         "±F_T ({}). Periods without any dissipation are not drawn.",
-                         c.is_line_contact() ? "line contact, Masing’s rule"
-                                             : "Mindlin and Deresiewicz"),
+             fmt::format(
+                 "Over W₀, the work of one cycle of a tangential force oscillating between "
+                 "±F_T ({}). Periods without any dissipation are not drawn.",
+                 c.is_line_contact() ? "line contact, Masing’s rule" : "Mindlin and Deresiewicz"),
              {640, 400, script}}};
 }
 

@@ -10,7 +10,9 @@
 #include "comparisons/reference.h"
 #include "comparisons/surface_fields.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_cylinder.h"
 #include "theory/oscillating_rolling.h"
+#include "theory/thesis_cylinder.h"
 
 namespace tricontact::comparisons {
 
@@ -143,7 +145,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis, P
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& parts) {
-    if (!contact::is_hertz_round(c)) return;
+    if (!contact::is_hertz_round(c) && !c.is_line_contact()) return;
     parts.data += function_data("$bound", [](double x) { return least_bound(x, 0, 0); });
     parts.add_curve(
         "$bound with lines linewidth 1 linecolor rgb '#888888' title 'bound μp, upright'");
@@ -178,13 +180,43 @@ void add_theory(const contact::Case& c, const Reference& r, Parts& parts) {
                         theory_colour, title));
 }
 
+/// The same of a line contact; w = 0 is Cattaneo's.
+void add_line_theory(const contact::Case& c, const Reference& r, Parts& parts) {
+    const auto stick = c.rolling ? r.stick_ratio
+                       : in_unit_range(r.tangential_ratio)
+                           ? theory::line_stick_half_width(0, r.tangential_ratio)
+                           : std::nullopt;
+    if (!stick) return;
+    parts.data += function_data("$theory", [&](double x) {
+        return theory::line_shakedown_traction(x, r.amplitude_ratio, *stick);
+    });
+    parts.add_curve(
+        fmt::format("$theory with lines dashtype 2 linewidth 1.4 linecolor rgb '{}' title "
+                    "'exact, half-space'",
+                    theory_colour));
+    const bool ellipses = c.rolling && r.amplitude_ratio + *stick < 1;
+    const auto of_thesis =
+        ellipses ? theory::thesis_line_stick_half_width(r.amplitude_ratio, r.tangential_ratio)
+                 : std::nullopt;
+    if (!of_thesis) return;
+    parts.data += function_data("$thesis", [&](double x) {
+        return theory::thesis_line_traction(x, r.amplitude_ratio, *of_thesis);
+    });
+    parts.add_curve(
+        "$thesis with lines dashtype 4 linewidth 1 linecolor rgb '#555555' title "
+        "'thesis (3.5.22)'");
+}
+
 std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histories, Axis axis) {
     const Reference r = reference(c);
     Parts parts;
     add_models(c, histories, axis, parts);
     if (parts.models == 0) return {};
     add_bounds(c, r, axis, parts);
-    add_theory(c, r, parts);
+    if (c.is_line_contact())
+        add_line_theory(c, r, parts);
+    else
+        add_theory(c, r, parts);
     const char* letter = axis == Axis::x ? "x" : "y";
     // The axis' name stands beside the curves, above the names of the strips.
     const double strips_share = -parts.bottom / (1.03 - parts.bottom);
@@ -214,6 +246,7 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
 std::vector<Plot> traction_plots(const contact::Case& c, const Histories& histories) {
     std::vector<Plot> plots;
     for (const Axis axis : {Axis::x, Axis::y}) {
+        if (axis == Axis::y && c.is_line_contact()) continue;  // uniform
         for (Plot& plot : traction_plot(c, histories, axis)) plots.push_back(std::move(plot));
     }
     return plots;

@@ -72,6 +72,10 @@ Reference reference(const contact::Case& c) {
     return r;
 }
 
+std::string size_name(const contact::Case& c) {
+    return c.is_line_contact() ? "half width" : "contact radius";
+}
+
 const char* pressure_name(const contact::Case& c) {
     if (contact::has_conical_tip(c)) return "mean pressure";
     return contact::pressure_falls(c) ? "peak pressure" : "pressure at the centre";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "contact/case.h"
 #include "contact/history.h"
@@ -40,5 +41,8 @@ Reference reference(const contact::Case& c);
 /// What contact::HalfSpaceScales::peak_pressure is of the case's body: the peak, the pressure at
 /// the centre, or the mean.
 const char* pressure_name(const contact::Case& c);
+
+/// "contact radius", or "half width" of a line contact.
+std::string size_name(const contact::Case& c);
 
 }  // namespace tricontact::comparisons

@@ -208,7 +208,7 @@ Table derived_table(const Case& c) {
         row("effective modulus <i>E</i>*", pair.effective_modulus(), "Pa"),
         row("effective shear modulus <i>G</i>*", pair.effective_shear_modulus(), "Pa"),
         ratio_row("Dundurs’ <i>β</i>", pair.dundurs_beta()),
-        row("contact radius <i>a</i>", r.hertz.contact_radius, "m"),
+        row(size_name(c) + " <i>a</i>", r.hertz.contact_radius, "m"),
         row("indentation <i>d</i>", r.hertz.indentation, "m"),
         row(fmt::format("{} <i>p</i><sub>{}</sub>", pressure_name(c),
                         contact::has_conical_tip(c) ? "m" : "0"),

@@ -95,10 +95,10 @@ Table::Row body_row(const RowMaker& make) {
         "half-space");
 }
 
-Table::Group pressed_group(const RowMaker& make, const Reference& r) {
+Table::Group pressed_group(const contact::Case& c, const RowMaker& make, const Reference& r) {
     return {"Pressed and loaded",
             {make.quantity_row(
-                 "contact radius <i>a</i>", "m", [](const auto& s) { return s.contact_radius; },
+                 size_name(c) + " <i>a</i>", "m", [](const auto& s) { return s.contact_radius; },
                  r.hertz.contact_radius),
              make.quantity_row(
                  "indentation <i>d</i>", "m", [](const auto& s) { return s.indentation; },
@@ -188,7 +188,7 @@ Table::Group cost_group(const RowMaker& make, bool rolling) {
 Table results_table(const contact::Case& c, const std::vector<ModelSummary>& summaries) {
     const Reference r = reference(c);
     const RowMaker make(summaries, c.layer.thickness ? "half-space theory" : "theory");
-    Table table{"Results of the models and of theory", make.columns(), {pressed_group(make, r)}};
+    Table table{"Results of the models and of theory", make.columns(), {pressed_group(c, make, r)}};
     if (c.layer.thickness) {
         auto& rows = table.groups.front().rows;
         rows.insert(rows.begin(), body_row(make));

@@ -1,5 +1,5 @@
-// One row of boundary elements beside the exact line contact: settled shift, traction, limit, and the
-// layer in plane strain beside exact pressures and a Fourier integral.
+// One row of boundary elements beside the exact line contact: settled shift, traction, limit, and
+// the layer in plane strain beside exact pressures and a Fourier integral.
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,8 @@ TEST(BemOscillatingCylinder, SettlesAsTheExactSolution) {
             square += error * error * surface.spacing[0] / scales.contact_radius;
             // What stands below its least bound of the period.
             const double least = std::sqrt(std::max(0., 1 - std::pow(std::abs(x) + w, 2)));
-            n_stick += std::abs(x) < 1 - w && surface.tangential_traction_x[i] / unit < .997 * least;
+            n_stick +=
+                std::abs(x) < 1 - w && surface.tangential_traction_x[i] / unit < .997 * least;
         }
         // Root mean square over the contact. The traction ends in roots between cells: (h/a)^(1/2)
         // on the share h/a.
@@ -87,8 +88,7 @@ TEST(BemOscillatingCylinder, SettledShiftConverges) {
         const Case c = long_cylinder(.26, .6, cells);
         const auto history = contact::run(c, *bem::make_model(c, 1));
         errors.push_back(std::abs(history.shift_per_period.back() /
-                                      contact::half_space_scales(c).unit_shift /
-                                      exact_of(c).shift -
+                                      contact::half_space_scales(c).unit_shift / exact_of(c).shift -
                                   1));
     }
     EXPECT_LT(errors[2], 1e-4);
@@ -137,10 +137,9 @@ Case on_layer(double w, double cells) {
 }
 
 theory::LineContact exact_layer(const Case& c) {
-    return theory::solve_line_contact({c.substrate, *c.layer.thickness, theory::LayerBase::bonded},
-                                      c.indenter.radius,
-                                      {theory::LineControl::Kind::load,
-                                       *c.load.normal_force / c.indenter.length});
+    return theory::solve_line_contact(
+        {c.substrate, *c.layer.thickness, theory::LayerBase::bonded}, c.indenter.radius,
+        {theory::LineControl::Kind::load, *c.load.normal_force / c.indenter.length});
 }
 
 /// u_x at the centre under the pressure as a traction, (1/pi) ∫ C11 p^ dk; with p's modes
@@ -173,8 +172,8 @@ TEST(BemOscillatingCylinder, LayerInPlaneStrain) {
     EXPECT_NEAR(s.indentation / exact.indentation, 1, 1e-4);
     EXPECT_NEAR(history.limit_tangential_ratio,
                 exact.load_beyond(.26 * exact.half_width) / exact.load, 3e-4);
-    const double shift = c.friction_coefficient *
-                         shift_under(exact, {c.substrate, 5e-3, theory::LayerBase::bonded});
+    const double shift =
+        c.friction_coefficient * shift_under(exact, {c.substrate, 5e-3, theory::LayerBase::bonded});
     EXPECT_NEAR(s.unit_shift / shift, 1, 3e-4);
     EXPECT_EQ(history.state, contact::State::shakedown);
 }
