@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -102,10 +103,11 @@ struct SweepOptions {
     bool vtk = false;  ///< files for ParaView of each point, as output.vtk of the case says
     bool quiet = false;
     bool report = true;
+    std::function<void()> attend = {};  ///< called while points are computed; may throw
 };
 /// Computes the points of a study that its store has not yet, each stored as it ends, and writes
 /// the table of all and a report. Throws InputError; std::runtime_error at the end if points
-/// failed.
+/// failed; what `attend` throws, whereupon the same call later goes on.
 void sweep_command(const SweepOptions& options);
 
 struct DeviationOptions {

@@ -4,10 +4,9 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
-#include "app/models.h"
+#include "app/case_run.h"
 #include "app/run_model.h"
 #include "comparisons/point_results.h"
-#include "contact/run.h"
 #include "io/atomic_file.h"
 #include "io/case_writer.h"
 
@@ -16,15 +15,6 @@ namespace tricontact::app {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-contact::History history_of(const SweepPoint& point) {
-    const auto silent = [](const std::string&) {};
-    const auto model = make_model(point.model, point.c, 1, silent);
-    contact::History history = contact::run(point.c, *model);
-    history.audit = model->audit();
-    require_sound(history.audit, point.model);
-    return history;
-}
 
 std::string folder_of(const SweepPoint& point) {
     return "points/" + point.key;
@@ -44,7 +34,8 @@ contact::History history_with_files(const SweepPoint& point, const std::string& 
 
 json computed(const SweepPoint& point, const std::string& folder) {
     const contact::History history =
-        folder.empty() ? history_of(point) : history_with_files(point, folder);
+        folder.empty() ? history_of(point.model, point.c, 1, [](const std::string&) {})
+                       : history_with_files(point, folder);
     return {{"results", comparisons::point_results(point.c, history)},
             {"cpu_s", history.cpu_s},
             {"wall_s", history.wall_s}};

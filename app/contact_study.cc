@@ -43,7 +43,8 @@ class ContactStudy : public StudyRun {
                          .jobs = options_.jobs,
                          .retry_failed = options_.retry_failed,
                          .quiet = options_.quiet,
-                         .folder = options_.vtk ? folder : ""});
+                         .folder = options_.vtk ? folder : "",
+                         .attend = options_.attend});
     }
 
     std::string table(const io::ResultStore& store) const override {

@@ -3,12 +3,10 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/case_run.h"
 #include "app/commands.h"
-#include "app/models.h"
-#include "app/run_model.h"
 #include "comparisons/experiment_report.h"
 #include "contact/error.h"
-#include "contact/run.h"
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/experiment_reader.h"
@@ -78,11 +76,7 @@ class Predictions {
     }
 
     contact::History run(const std::string& name, const Case& c) const {
-        const auto model = make_model(name, c, options_.threads, [](const std::string&) {});
-        contact::History history = contact::run(c, *model);
-        history.audit = model->audit();
-        require_sound(history.audit, name);
-        return history;
+        return history_of(name, c, options_.threads, [](const std::string&) {});
     }
     void say(const std::string& line) const {
         if (!options_.quiet) std::cerr << line << '\n';

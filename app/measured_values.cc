@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/case_run.h"
 #include "app/models.h"
-#include "app/run_model.h"
 #include "comparisons/layer.h"
 #include "contact/load_path.h"
 #include "theory/cattaneo_mindlin.h"

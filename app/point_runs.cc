@@ -53,14 +53,17 @@ void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& sto
         store.add(outcome_of(points[i], report));
         bar.update(++n_done, static_cast<int>(open.size()));
     };
-    run_in_processes(open, runs.jobs, task, [&](std::size_t i, const WorkerReport& report) {
-        if (report.killed)
-            killed.push_back(i);
-        else
-            keep(i, report);
-    });
+    run_in_processes(
+        open, runs.jobs, task,
+        [&](std::size_t i, const WorkerReport& report) {
+            if (report.killed)
+                killed.push_back(i);
+            else
+                keep(i, report);
+        },
+        runs.attend);
     // Killed for want of memory it may do better alone; killed by hand it is no failure.
-    run_in_processes(killed, 1, task, keep);
+    run_in_processes(killed, 1, task, keep, runs.attend);
     if (!open.empty()) bar.finish();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,12 @@ struct PointRuns {
     bool retry_failed = false;  ///< points whose failure the store has
     bool quiet = false;         ///< no progress
     std::string folder = {};    ///< of the sweep, if points write files of their own (ParaView)
+    std::function<void()> attend = {};  ///< called while points are computed; may throw
 };
 
 /// Computes the points that the store has not yet, or whose files are asked for and not there, in
-/// processes side by side, each stored as it ends; prints how far it is. This process must not have
-/// threads; the BLAS of its children has one each. Throws contact::InputError if the store cannot
+/// processes side by side, each stored as it ends; prints how far it is. The BLAS of the processes
+/// has one thread each. Throws contact::InputError if the store cannot
 /// be written.
 void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
                      const PointRuns& runs);

@@ -2,9 +2,7 @@
 
 #include <string>
 
-#include "app/models.h"
-#include "app/run_model.h"
-#include "contact/run.h"
+#include "app/case_run.h"
 #include "rig/rolling.h"
 
 namespace tricontact::app {
@@ -21,11 +19,7 @@ double static_shift(const contact::RollingRig& rig, bool coupled) {
     c.load.tangential_ratio = rig::coupling_tangential_ratio;
     c.contact.coupling = coupled;
     c.bem.cells_per_radius = 22;
-    const auto silent = [](const std::string&) {};
-    const auto model = make_model(model_name, c, 1, silent);
-    const contact::History history = contact::run(c, *model);
-    require_sound(model->audit(), model_name);
-    return history.static_shift;
+    return history_of(model_name, c, 1, [](const std::string&) {}).static_shift;
 }
 
 }  // namespace tricontact::app

@@ -2,17 +2,12 @@
 
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
-#include "app/case_json.h"
+#include "app/case_run.h"
 #include "app/commands.h"
-#include "app/relaxation_study.h"
 #include "app/run_model.h"
 #include "bem/case_compliance.h"
-#include "comparisons/layer.h"
-#include "comparisons/relaxation_report.h"
 #include "comparisons/report.h"
-#include "comparisons/summary.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
@@ -22,8 +17,6 @@
 namespace tricontact::app {
 
 namespace {
-
-const std::string version = TRICONTACT_VERSION;
 
 contact::Case read(const RunOptions& options) {
     std::vector<std::string> overrides = options.overrides;
@@ -59,30 +52,17 @@ void run_command(const RunOptions& given) {
     const Say say = [&](const std::string& line) {
         if (!options.quiet) std::cerr << line << '\n';
     };
-    std::vector<contact::History> histories;
-    std::vector<comparisons::ModelSummary> summaries;
-    comparisons::ReportExtras extras;
-    for (const std::string& name : c.models) {
-        histories.push_back(
-            run_model(name, c, resolved, options, options.studies ? &extras.study : nullptr));
-        summaries.push_back(comparisons::summarise(c, histories.back()));
-        study_relaxation(c, histories.back(), options, say, extras.relaxation);
-    }
-    const auto layer = comparisons::compare_with_layer(c, histories, extras.study);
-    using json = nlohmann::ordered_json;
-    io::write_file(
-        options.output + "/summary.json",
-        comparisons::summary_json(
-            version, case_json(resolved), summaries,
-            {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
-             {"loading_variants", comparisons::loading_json(extras.study.variants)},
-             {"relaxation",
-              c.relaxation ? comparisons::relaxation_json(c, extras.relaxation) : json()}}));
+    const CaseRun run =
+        run_models(c, options, say, [&](const std::string& name, comparisons::LoadingStudy* study) {
+            return run_model(name, c, resolved, options, study);
+        });
+    io::write_file(options.output + "/summary.json", summary_of(run));
     io::write_file(options.output + "/" + io::paraview_macro_name,
                    std::string(io::paraview_macro()));
     if (options.report) {
         io::make_output_folder(options.output + "/plots");
-        for (const auto& file : comparisons::make_report(c, resolved, version, histories, extras))
+        for (const auto& file :
+             comparisons::make_report(c, resolved, TRICONTACT_VERSION, run.histories, run.extras))
             io::write_file(options.output + "/" + file.name, file.content);
     }
     if (!options.quiet)

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/case_run.h"
 #include "app/loading_study.h"
 #include "app/models.h"
 #include "contact/error.h"
@@ -66,13 +67,6 @@ class States {
 };
 
 }  // namespace
-
-void require_sound(const contact::Audit& audit, const std::string& name) {
-    for (const auto& check : audit.checks())
-        if (!check.passed())
-            throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
-                                                    check.name, check.worst, check.allowed));
-}
 
 contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
                            const RunOptions& options, comparisons::LoadingStudy* study) {

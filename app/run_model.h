@@ -20,7 +20,4 @@ contact::History run_model(const std::string& name, const contact::Case& c,
                            const std::string& resolved, const RunOptions& options,
                            comparisons::LoadingStudy* study = nullptr);
 
-/// Throws NotConverged if a check of the audit of the model called `name` failed.
-void require_sound(const contact::Audit& audit, const std::string& name);
-
 }  // namespace tricontact::app

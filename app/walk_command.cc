@@ -4,13 +4,12 @@
 #include <iostream>
 #include <vector>
 
-#include "app/case_json.h"
 #include "app/commands.h"
 #include "app/run_model.h"
+#include "app/walk_summary.h"
 #include "app/walk_text.h"
 #include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_document.h"
-#include "comparisons/walking/walk_json.h"
 #include "io/atomic_file.h"
 #include "io/walk_animation.h"
 #include "io/walk_reader.h"
@@ -34,12 +33,6 @@ void remove_old_results(const std::string& output) {
     for (const char* name :
          {"summary.json", "report.html", "windows.csv", "motion.csv", "animation/machine.pvd"})
         std::filesystem::remove(output + "/" + name, ignored);
-}
-
-std::string summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk) {
-    nlohmann::ordered_json json{{"version", TRICONTACT_VERSION}, {"case", case_json(resolved)}};
-    json.update(comparisons::walking::walk_json(walk_case, walk));
-    return json.dump(2) + '\n';
 }
 
 /// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
@@ -94,7 +87,7 @@ void walk_command(const WalkOptions& options) {
     io::write_file(output + "/" + resolved_case_name, resolved);
 
     const Walk walk = dynamics::walk(walk_case, report_recording);
-    io::write_file(output + "/summary.json", summary(walk_case, resolved, walk));
+    io::write_file(output + "/summary.json", walk_summary(walk_case, resolved, walk));
     io::write_file(output + "/windows.csv", comparisons::walking::windows_csv(walk_case, walk));
     io::write_file(output + "/motion.csv", comparisons::walking::motion_csv(walk_case, walk));
     write_animation(output, walk_case, walk);

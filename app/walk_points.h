@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,15 @@ std::vector<WalkPoint> walk_points(const io::Study& study);
 
 /// How they are computed.
 struct WalkRuns {
-    int jobs = 1;               ///< processes side by side
-    bool retry_failed = false;  ///< points whose failure the store has
-    bool quiet = false;         ///< no progress
+    int jobs = 1;                       ///< processes side by side
+    bool retry_failed = false;          ///< points whose failure the store has
+    bool quiet = false;                 ///< no progress
+    std::function<void()> attend = {};  ///< called while points are computed; may throw
 };
 
 /// Computes the points that the store has not yet, some dozens at a time in the lanes of the
 /// processor's vectors, each lot stored as it ends; prints how far it is. What a point comes to
-/// depends neither on its lot nor on the jobs. This process must not have threads. Throws
+/// depends neither on its lot nor on the jobs. Throws
 /// contact::InputError if the store cannot be written.
 void compute_missing(const std::vector<WalkPoint>& points, io::ResultStore& store,
                      const WalkRuns& runs);

@@ -137,14 +137,17 @@ void compute_missing(const std::vector<WalkPoint>& points, io::ResultStore& stor
         store.add(outcomes_of(points, lots[lot], report));
         bar.update(n_done += static_cast<int>(lots[lot].size()), static_cast<int>(open.size()));
     };
-    run_in_processes(all, runs.jobs, task, [&](std::size_t lot, const WorkerReport& report) {
-        if (report.killed)
-            killed.push_back(lot);
-        else
-            keep(lot, report);
-    });
+    run_in_processes(
+        all, runs.jobs, task,
+        [&](std::size_t lot, const WorkerReport& report) {
+            if (report.killed)
+                killed.push_back(lot);
+            else
+                keep(lot, report);
+        },
+        runs.attend);
     // Killed for want of memory it may do better alone; killed by hand it is no failure.
-    run_in_processes(killed, 1, task, keep);
+    run_in_processes(killed, 1, task, keep, runs.attend);
     if (!open.empty()) bar.finish();
 }
 

@@ -40,7 +40,8 @@ class WalkingStudy : public StudyRun {
         compute_missing(points_, store,
                         {.jobs = options_.jobs,
                          .retry_failed = options_.retry_failed,
-                         .quiet = options_.quiet});
+                         .quiet = options_.quiet,
+                         .attend = options_.attend});
     }
 
     std::string table(const io::ResultStore& store) const override {

@@ -38,6 +38,7 @@ constexpr char end_mark = '\n';
 // `_exit`: nothing of the parent's may be flushed, closed or removed twice.
 [[noreturn]] void work(std::size_t i, const Task& task, int fd, pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    ::signal(SIGINT, SIG_DFL);  // the handler of a host such as Python would let it live on
     if (::getppid() != parent) ::_exit(1);  // it ended before the line above
     write_all(fd, task(i) + end_mark);
     ::_exit(0);
@@ -119,24 +120,28 @@ class Worker {
     std::string text_;
 };
 
-void wait_for_any(const std::vector<Worker>& workers, std::vector<pollfd>& ends) {
+// Until one of them has something to say, a signal comes, or the patience ends [ms]; -1: never.
+void wait_for_any(const std::vector<Worker>& workers, std::vector<pollfd>& ends, int patience) {
     ends.clear();
     for (const Worker& worker : workers) ends.push_back({worker.fd(), POLLIN, 0});
-    while (::poll(ends.data(), ends.size(), -1) < 0)
-        if (errno != EINTR) fail("waiting for processes");
+    if (::poll(ends.data(), ends.size(), patience) < 0 && errno != EINTR)
+        fail("waiting for processes");
 }
 
 }  // namespace
 
 void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
-                      const std::function<void(std::size_t, const WorkerReport&)>& done) {
+                      const std::function<void(std::size_t, const WorkerReport&)>& done,
+                      const std::function<void()>& attend) {
+    constexpr int patience = 100;  // between two calls of `attend` [ms]
     std::vector<Worker> workers;
     std::vector<pollfd> ends;
     std::size_t next = 0;
     while (next < tasks.size() || !workers.empty()) {
         while (next < tasks.size() && workers.size() < static_cast<std::size_t>(n_workers))
             workers.emplace_back(tasks[next++], task);
-        wait_for_any(workers, ends);
+        wait_for_any(workers, ends, attend ? patience : -1);
+        if (attend) attend();
         // From behind: a worker that goes is replaced by none that has not been looked at.
         for (std::size_t k = workers.size(); k-- > 0;) {
             if (ends[k].revents == 0 || workers[k].read()) continue;

@@ -17,10 +17,12 @@ struct WorkerReport {
 /// Runs tasks in processes of their own, so that one that crashes takes no other with it; at most
 /// `n_workers` (at least 1) at a time, in the order given. `task` runs in the child and must
 /// not throw; `done` in this process, as they end. When this process ends, however, its children
-/// do. This process must not have threads. Throws std::system_error if no process can be started;
-/// whatever `done` throws ends the children.
+/// do. Other threads of this process must not hold what a task needs. `attend`, if there is one, is
+/// called again and again while they work. Throws std::system_error if no process can be started;
+/// whatever `done` or `attend` throws ends the children.
 void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers,
                       const std::function<std::string(std::size_t)>& task,
-                      const std::function<void(std::size_t, const WorkerReport&)>& done);
+                      const std::function<void(std::size_t, const WorkerReport&)>& done,
+                      const std::function<void()>& attend = {});
 
 }  // namespace tricontact::app

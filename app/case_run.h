@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/models.h"
+#include "comparisons/loading_study.h"
+#include "comparisons/report.h"
+#include "contact/case.h"
+#include "contact/history.h"
+#include "contact/run.h"
+
+namespace tricontact::app {
+
+/// What the models of a case came to, and what further runs beside them found.
+struct CaseRun {
+    contact::Case c;
+    std::string resolved;                     ///< the case as text
+    std::vector<contact::History> histories;  ///< in the order of the case's models
+    comparisons::ReportExtras extras;
+};
+
+/// Runs one model by its name; adds to the study, if there is one, what loading once more finds.
+using ModelRun =
+    std::function<contact::History(const std::string& name, comparisons::LoadingStudy* study)>;
+
+/// Runs the case's models one after another, and what `options` want beside them. Throws
+/// InputError, NotConverged.
+CaseRun run_models(const contact::Case& c, const RunOptions& options, const Say& say,
+                   const ModelRun& run_one);
+
+/// The text of summary.json.
+std::string summary_of(const CaseRun& run);
+
+/// The history of one model, sound by its audit, without any files. Throws InputError,
+/// NotConverged, and what the observer throws.
+contact::History history_of(const std::string& name, const contact::Case& c, int n_threads,
+                            const Say& say, const contact::Observer& observer = {},
+                            comparisons::LoadingStudy* study = nullptr);
+
+/// Throws NotConverged if a check of the audit of the model called `name` failed.
+void require_sound(const contact::Audit& audit, const std::string& name);
+
+}  // namespace tricontact::app
