@@ -8,4 +8,6 @@ if(NOT TARGET tricontact_dealii)
     target_include_directories(tricontact_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
     # Debugging symbols of its templates need more memory than the code.
     target_compile_options(tricontact_dealii INTERFACE -g0)
+    set_target_properties(tricontact_dealii PROPERTIES EXPORT_NAME dealii)
+    install(TARGETS tricontact_dealii EXPORT TricontactFem)
 endif()

@@ -1,15 +1,38 @@
 # What every target shares: warnings, include root, and a helper that makes one library per folder.
 
-add_library(tricontact_settings INTERFACE)
-target_include_directories(tricontact_settings INTERFACE ${PROJECT_SOURCE_DIR})
-target_compile_options(tricontact_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
-# Same source, same bytes: no contraction into fused multiply-adds behind the reader's back.
-target_compile_options(tricontact_settings INTERFACE -ffp-contract=off)
+include(GNUInstallDirs)
 
-# tricontact_library(name SOURCES ... DEPENDS ...): target tricontact_<name> from the current folder.
+add_library(tricontact_settings INTERFACE)
+target_include_directories(tricontact_settings INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/tricontact>)
+target_compile_features(tricontact_settings INTERFACE cxx_std_20)
+target_compile_options(tricontact_settings INTERFACE
+    $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wpedantic>
+    $<BUILD_INTERFACE:-Wshadow>
+    # Same source, same bytes: no contraction into fused multiply-adds behind the reader's back.
+    $<BUILD_INTERFACE:-ffp-contract=off>)
+set_target_properties(tricontact_settings PROPERTIES EXPORT_NAME settings)
+install(TARGETS tricontact_settings EXPORT Tricontact)
+
+# tricontact_library(name SOURCES ... DEPENDS ...): target tricontact_<name> from the current folder,
+# installed with the folder's headers for other projects as Tricontact::<name>; those that need the
+# finite elements' packages with the option FEM. PROGRAM_ONLY: not installed.
 function(tricontact_library name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "FEM;PROGRAM_ONLY" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
     add_library(tricontact_${name} STATIC ${ARG_SOURCES})
     target_link_libraries(tricontact_${name} PUBLIC tricontact_settings ${ARG_DEPENDS}
                                              PRIVATE ${ARG_PRIVATE_DEPENDS})
+    if(ARG_PROGRAM_ONLY)
+        return()
+    endif()
+    set(export Tricontact)
+    if(ARG_FEM)
+        set(export TricontactFem)
+    endif()
+    set_target_properties(tricontact_${name} PROPERTIES EXPORT_NAME ${name})
+    install(TARGETS tricontact_${name} EXPORT ${export} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+    file(GLOB headers CONFIGURE_DEPENDS *.h)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder})
 endfunction()

@@ -34,23 +34,25 @@ may_include comparisons contact theory
 may_include comparisons/walking contact theory dynamics comparisons
 may_include rig contact theory
 may_include app contact theory meshes dynamics mdr bem fem rolling io comparisons rig
+may_include python contact theory meshes dynamics mdr bem fem rolling io comparisons rig app
 
 # only_in FOLDER PATTERN: a library's headers stay in one folder.
 only_in() {
     local folder=$1 found
     found=$(grep -lrE "$2" --include='*.h' --include='*.cc' app bem comparisons contact dynamics fem \
-        io mdr meshes rig rolling theory | grep -vE "^$folder/" || true)
+        io mdr meshes python rig rolling theory | grep -vE "^$folder/" || true)
     [ -z "$found" ] || complain "$found: $2 belongs to $folder"
 }
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
+only_in python '#include <pybind11'
 only_in io '#include <(vtk|sqlite3)'
 only_in '(contact|comparisons)' '#include <gsl/gsl_multifit'
 
 while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
-done < <(find app bem benchmarks comparisons contact dynamics fem io mdr meshes rig rolling tests theory \
-    \( -name '*.cc' -o -name '*.h' -o -name '*.sh' \) -exec wc -l {} \;)
+done < <(find app bem benchmarks comparisons contact dynamics fem io mdr meshes python rig rolling tests theory \
+    \( -name '*.cc' -o -name '*.h' -o -name '*.sh' -o -name '*.py' \) -exec wc -l {} \;)
 
 # Links [text](path#anchor) relative to their document.
 n=0

@@ -1,0 +1,103 @@
+#include "contact/case.h"
+
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/case_json.h"
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+#include "io/walk_reader.h"
+#include "io/walk_writer.h"
+#include "python/bindings.h"
+
+namespace tricontact::python {
+
+namespace py = pybind11;
+using contact::Case;
+using contact::HalfSpaceScales;
+using dynamics::WalkCase;
+
+namespace {
+
+constexpr const char* dict_name = "<dict>";  // stands for the file in messages
+
+/// {"rolling.periods": 3} as the program's --set has them.
+std::vector<std::string> overrides_of(const py::dict& overrides) {
+    std::vector<std::string> texts;
+    for (const auto& [key, value] : overrides)
+        texts.push_back(py::str(key).cast<std::string>() + '=' + toml_value(value));
+    return texts;
+}
+
+/// What both kinds of case have, given their readers and writer.
+template <class C, class Read, class Parse, class Write>
+py::class_<C> add_kind(py::module_& module, const char* name, const char* text, Read read,
+                       Parse parse, Write write) {
+    return py::class_<C>(module, name, text)
+        .def_static(
+            "from_file",
+            [read](const py::object& path, const py::dict& overrides) {
+                const auto file = py::module_::import("os").attr("fspath")(path);
+                return read(file.template cast<std::string>(), overrides_of(overrides));
+            },
+            py::arg("path"), py::arg("overrides") = py::dict(),
+            "Read a case file; overrides such as {\"rolling.periods\": 3} replace its keys.\n\n"
+            "Raises InputError.")
+        .def_static(
+            "from_dict",
+            [parse](const py::dict& values, const py::dict& overrides) {
+                return parse(toml_text(values), dict_name, overrides_of(overrides));
+            },
+            py::arg("values"), py::arg("overrides") = py::dict(),
+            "Read a case from what a case file would hold, sections as dictionaries.\n\n"
+            "Raises InputError; its line counts in the dictionary written as a file.")
+        .def(
+            "to_dict", [write](const C& c) { return from_json(app::case_json(write(c)).dump()); },
+            "The resolved case with every default, quantities with their SI units.")
+        .def(
+            "to_toml", [write](const C& c) { return write(c); },
+            "The same as the text of a case file.")
+        .def_readonly("title", &C::title, "Title of the case.")
+        .def("__repr__", [name = std::string(name)](const C& c) {
+            return '<' + name + ' ' + py::repr(py::str(c.title)).template cast<std::string>() + '>';
+        });
+}
+
+}  // namespace
+
+void add_case(py::module_& module) {
+    py::class_<HalfSpaceScales>(
+        module, "HalfSpaceScales",
+        "What ratios refer to: the body pressed without friction on the half-space.")
+        .def_readonly("contact_radius", &HalfSpaceScales::contact_radius, "a [m]")
+        .def_readonly("indentation", &HalfSpaceScales::indentation, "d [m]")
+        .def_readonly("normal_force", &HalfSpaceScales::normal_force, "F_N [N]")
+        .def_readonly("peak_pressure", &HalfSpaceScales::peak_pressure, "p0 [Pa]")
+        .def_readonly("unit_shift", &HalfSpaceScales::unit_shift, "U_max [m]");
+
+    add_kind<Case>(
+        module, "Case", "A frictional contact, checked and resolved.",
+        [](const std::string& path, const auto& overrides) {
+            return io::read_case(path, overrides);
+        },
+        [](const std::string& text, const char* name, const auto& overrides) {
+            return io::parse_case(text, name, overrides);
+        },
+        io::write_case)
+        .def_readonly("models", &Case::models, "The models it names.")
+        .def_property_readonly("scales", &contact::half_space_scales,
+                               "What ratios refer to: see HalfSpaceScales.");
+
+    add_kind<WalkCase>(
+        module, "WalkCase", "A micro-walking machine, checked and resolved.",
+        [](const std::string& path, const auto& overrides) {
+            return io::read_walk_case(path, overrides);
+        },
+        [](const std::string& text, const char* name, const auto& overrides) {
+            return io::parse_walk_case(text, name, overrides);
+        },
+        io::write_walk_case);
+}
+
+}  // namespace tricontact::python

@@ -1,0 +1,51 @@
+#include "contact/error.h"
+#include "python/bindings.h"
+
+namespace tricontact::python {
+
+namespace py = pybind11;
+
+py::object from_json(const std::string& text) {
+    return py::module_::import("json").attr("loads")(text);
+}
+
+void SignalCheck::operator()() {
+    constexpr auto interval = std::chrono::milliseconds(50);
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_) return;
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    next_ = std::chrono::steady_clock::now() + interval;
+}
+
+namespace {
+
+template <class Error>
+void add_error(py::module_& module, const char* name, PyObject* base, const char* text) {
+    auto& error = py::register_exception<Error>(module, name, base);
+    error.attr("__doc__") = text;
+    error.attr("__module__") = "tricontact";
+}
+
+}  // namespace
+
+}  // namespace tricontact::python
+
+PYBIND11_MODULE(_core, module) {
+    using namespace tricontact;
+    namespace py = pybind11;
+    module.doc() = "What tricontact has from C++.";
+    module.attr("__version__") = TRICONTACT_VERSION;
+    python::add_error<contact::InputError>(
+        module, "InputError", PyExc_ValueError,
+        "Bad input: the text names place, value, rule and remedy.");
+    python::add_error<contact::NotConverged>(
+        module, "NotConverged", PyExc_RuntimeError,
+        "A solver did not reach its tolerance; no number of it is given out.");
+    python::add_case(module);
+    python::add_surface(module);
+    python::add_history(module);
+    python::add_run(module);
+    python::add_theory(module);
+    python::add_walk(module);
+}

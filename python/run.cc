@@ -1,0 +1,97 @@
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "app/case_run.h"
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+#include "python/bindings.h"
+
+namespace tricontact::python {
+
+namespace py = pybind11;
+using app::CaseRun;
+using contact::Case;
+
+namespace {
+
+/// A run with its summary, whose tables take a while.
+struct Result {
+    CaseRun run;
+    std::string summary;
+};
+
+int all_cores() {
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+/// The case with these models instead of its own, checked as a case file that names them.
+Case with_models(const Case& c, const std::vector<std::string>& models) {
+    const auto list = py::cast<py::object>(py::cast(models));
+    return io::parse_case(io::write_case(c), "case", {"models=" + toml_value(list)});
+}
+
+Result run(const Case& given, const std::optional<std::vector<std::string>>& models,
+           std::optional<int> threads, bool studies, const py::object& on_step) {
+    const Case c = models ? with_models(given, *models) : given;
+    app::RunOptions options;
+    options.threads = threads.value_or(all_cores());
+    if (options.threads < 1) throw py::value_error("threads: must be at least 1");
+    options.quiet = true;
+    options.studies = studies;
+    const bool tells = !on_step.is_none();
+
+    const py::gil_scoped_release free_the_lock;
+    SignalCheck check_signals;
+    const app::Say say = [&](const std::string&) { check_signals(); };
+    const app::ModelRun run_one = [&](const std::string& name, comparisons::LoadingStudy* study) {
+        const contact::Observer observer = [&](const contact::StepRecord&, contact::Model&,
+                                               const contact::Progress& progress) {
+            check_signals();
+            if (!tells) return;
+            const py::gil_scoped_acquire lock;
+            on_step(name, progress.step, progress.steps_at_most);
+        };
+        return app::history_of(name, c, options.threads, say, observer, study);
+    };
+    CaseRun done = app::run_models(c, options, say, run_one);
+    std::string summary = app::summary_of(done);
+    return {std::move(done), std::move(summary)};
+}
+
+py::object history(const py::object& self, const std::string& model) {
+    for (const contact::History& history : self.cast<const Result&>().run.histories)
+        if (history.model == model)
+            return py::cast(history, py::return_value_policy::reference_internal, self);
+    throw py::key_error(model);
+}
+
+}  // namespace
+
+void add_run(py::module_& module) {
+    py::class_<Result>(module, "Result", "What the models of a case came to: histories by name.")
+        .def_property_readonly(
+            "models", [](const Result& result) { return result.run.c.models; },
+            "Names of the models.")
+        .def("__getitem__", history, py::arg("model"), "History of a model. Raises KeyError.")
+        .def_property_readonly(
+            "case", [](const Result& result) { return result.run.c; }, "The case as it was run.")
+        .def_property_readonly(
+            "summary", [](const Result& result) { return from_json(result.summary); },
+            "The numbers of summary.json.");
+    module.def(
+        "run", run, py::arg("case"), py::kw_only(), py::arg("models") = py::none(),
+        py::arg("threads") = py::none(), py::arg("studies") = true, py::arg("on_step") = py::none(),
+        "Run the models of a case, or those named. threads: for large grids (all cores). studies:\n"
+        "also the further runs that the program makes for comparison. on_step(model, step,\n"
+        "steps_at_most) is called after each step; what it raises ends the run. Other threads go\n"
+        "on, and Ctrl-C ends the run between two steps.\n\n"
+        "Raises InputError, NotConverged.");
+}
+
+}  // namespace tricontact::python

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# The installed program runs its installed examples from any folder, with finite elements where it
+# has them, and also under a link.
+# usage: program.sh COPY
+set -uo pipefail
+copy=$(realpath "$1")
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+failures=0
+
+complain() {
+    failures=$((failures + 1))
+    printf 'FAILED: %s\n' "$*"
+}
+
+ln -s "$copy/bin/tricontact" linked
+./linked run "$copy/share/tricontact/cases/rig_sphere_parallel.toml" --models mdr --quiet \
+    --no-report --output mdr || complain "the program does not run a case"
+[ -s mdr/summary.json ] || complain "no summary.json"
+if ./linked list | grep -q '^  fem '; then
+    ./linked mesh "$copy/share/tricontact/cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' \
+        --output mesh >/dev/null || complain "the program does not find its finite elements"
+fi
+
+printf '%d failures\n' "$failures"
+exit $((failures > 0))

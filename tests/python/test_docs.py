@@ -1,0 +1,15 @@
+"""The examples of docs/python.md say what they say."""
+
+import doctest
+import os
+from pathlib import Path
+
+
+def test_examples(examples, tmp_path, monkeypatch):
+    for name in ("cases", "studies"):
+        (tmp_path / name).symlink_to(examples / name)
+    monkeypatch.chdir(tmp_path)
+    document = Path(os.environ["TRICONTACT_DOCS"]) / "python.md"
+    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+    failed, tried = doctest.testfile(str(document), module_relative=False, optionflags=flags)
+    assert tried > 10 and failed == 0
