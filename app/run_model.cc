@@ -47,9 +47,10 @@ class States {
     void add_last(double phase, contact::Model& model) {
         if (case_.output.volume == Case::VolumeOutput::last) add_volume(phase, model);
     }
+    const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }
     void finish() const {
         if (case_.output.vtk != Case::VtkOutput::none) surfaces_.finish();
-        if (has_volumes_) volumes_.finish();
+        if (subsurface_) volumes_.finish();
     }
 
   private:
@@ -57,13 +58,13 @@ class States {
         const auto inside = model.interior();
         if (!inside) return;
         volumes_.add(phase, *inside);
-        has_volumes_ = true;
+        subsurface_ = contact::subsurface_of(*inside, phase, model.surface().offset);
     }
 
     const Case& case_;
     io::Provenance provenance_;
     io::VtkSeries surfaces_, volumes_;
-    bool has_volumes_ = false;
+    std::optional<contact::Subsurface> subsurface_;  // of the last volume
 };
 
 }  // namespace
@@ -104,6 +105,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
         throw;
     }
     states.add_last(history.steps.back().phase, model);
+    history.subsurface = states.subsurface();
     history.audit = model.audit();
     require_sound(history.audit, name);
     bar.finish(c.rolling ? contact::name_of(history.state) : "");

@@ -13,6 +13,8 @@ void verify_half_space(bool brief, const Say& say, comparisons::Verification& al
 void verify_layer(bool brief, const Say& say, comparisons::Verification& all);
 /// bem and bem-layer under a cylinder: line contact and its oscillating rolling.
 void verify_cylinder(bool brief, const Say& say, comparisons::Verification& all);
+/// What bem finds below Hertz' contact.
+void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all);
 /// mdr and bem on a relaxing half-space under a constant force.
 void verify_creep(bool brief, const Say& say, comparisons::Verification& all);
 /// bem pressed with friction, the pressure dragging the surface sideways.

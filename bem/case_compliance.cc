@@ -20,6 +20,7 @@ namespace tricontact::bem {
 
 namespace {
 
+constexpr double default_depth = 3;    // of the volume, over Hertz' contact radius
 constexpr double first_margin = 1.08;  // grid over Hertz' contact
 constexpr double enlargement = 1.25;
 constexpr double max_cells = 4096. * 4096.;
@@ -122,6 +123,18 @@ bool covers(const contact::Compliance& compliance, const contact::Case& c,
     return !reaches_edge(compliance.points(), probe.pressure);
 }
 
+InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
+    const double radius = half_space_scales(c).contact_radius;
+    double depth = c.output.volume_depth.value_or(default_depth * radius);
+    InteriorBody inside{c.substrate, {}};
+    if (body == Body::layer) {
+        inside.layers = theory::layers_of("bem-layer", c);
+        inside.material = inside.layers->sheets.front().material;
+        depth = std::min(depth, inside.layers->thickness());
+    }
+    return {inside, interior_depths(spacing, radius, depth), n_threads};
+}
+
 std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body body,
                                                 const InfluenceTable* table,
                                                 contact::ContactPoints grid, int n_threads) {
@@ -129,10 +142,16 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
         return tabulated_compliance(*table, *c.bem.influence,
                                     body == Body::layer || is_coupled(c.materials()),
                                     std::move(grid), n_threads);
-    if (body == Body::half_space)
-        return half_space_compliance(c.materials(), std::move(grid), n_threads);
-    const auto make = c.is_line_contact() ? plane_layer_compliance : layer_compliance;
-    return make(theory::layers_of("bem-layer", c), c.indenter.material, std::move(grid), n_threads);
+    if (body == Body::layer && c.is_line_contact())
+        return plane_layer_compliance(theory::layers_of("bem-layer", c), c.indenter.material,
+                                      std::move(grid), n_threads);
+    const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
+    auto compliance =
+        body == Body::layer
+            ? layer_compliance(*view.body.layers, c.indenter.material, std::move(grid), n_threads)
+            : half_space_compliance(c.materials(), std::move(grid), n_threads);
+    compliance->set_view(view);
+    return compliance;
 }
 
 using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::ContactPoints grid)>;

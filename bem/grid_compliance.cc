@@ -124,6 +124,12 @@ void GridCompliance::precondition_tangential(const contact::TangentialField& r,
     periodic_.apply(*inverse_, r.x, r.y, z.x, z.y);
 }
 
+std::unique_ptr<const contact::Interior> GridCompliance::interior(
+    std::span<const double> p, const contact::TangentialField& t) const {
+    if (!view_) return nullptr;
+    return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
+}
+
 bool is_coupled(const contact::MaterialPair& materials) {
     return std::abs(materials.dundurs_beta()) > negligible_beta;
 }

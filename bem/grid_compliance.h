@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bem/grid_convolution.h"
+#include "bem/grid_interior.h"
 #include "bem/influence.h"
 #include "bem/influence_file.h"
 #include "contact/compliance.h"
@@ -38,6 +39,10 @@ class GridCompliance final : public contact::Compliance {
     InfluenceTable influence() const;
     void precondition_tangential(const contact::TangentialField& r,
                                  contact::TangentialField& z) const override;
+    /// What is below the surface, for `interior`, which knows nothing without.
+    void set_view(InteriorView view) { view_ = std::move(view); }
+    std::unique_ptr<const contact::Interior> interior(
+        std::span<const double> p, const contact::TangentialField& t) const override;
 
   private:
     using Coefficient = double InfluenceCoefficients::*;
@@ -48,6 +53,7 @@ class GridCompliance final : public contact::Compliance {
     void prepare_tangential() const;
 
     Influence influence_;
+    std::optional<InteriorView> view_;
     contact::ContactPoints grid_;
     bool coupled_;
     int n_threads_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "theory/line_load.h"
-
 namespace tricontact::bem {
 
 namespace {
@@ -14,12 +12,14 @@ const theory::LayerStack& checked(const theory::LayerStack& stack) {
     return stack;
 }
 
-/// The kernel varies over the thickness b: two points per direction leave (h/b)^4/4000 of it.
-int points_for(double width_over_thickness) {
-    return 2 + static_cast<int>(std::min(10., std::ceil(5 * width_over_thickness)));
-}
-
 }  // namespace
+
+theory::QuadratureRule cell_rule(double width_over_thickness) {
+    const double more = std::min(10., std::ceil(5 * width_over_thickness));
+    auto rule = theory::gauss_legendre(2 + static_cast<int>(more));
+    for (double& x : rule.points) x -= .5;
+    return rule;
+}
 
 LayerInfluence::LayerInfluence(const theory::LayerStack& stack,
                                const std::optional<contact::Material>& indenter, double width_x,
@@ -29,8 +29,7 @@ LayerInfluence::LayerInfluence(const theory::LayerStack& stack,
       width_x_(width_x),
       width_y_(width_y) {
     const double b = stack.sheets.front().thickness;
-    auto rule = theory::gauss_legendre(points_for(std::max(width_x, width_y) / b));
-    for (double& x : rule.points) x -= .5;
+    auto rule = cell_rule(std::max(width_x, width_y) / b);
     points_ = std::move(rule.points);
     weights_ = std::move(rule.weights);
 }

@@ -5,8 +5,13 @@
 
 #include "bem/influence.h"
 #include "bem/layer_kernel.h"
+#include "theory/line_load.h"
 
 namespace tricontact::bem {
+
+/// Points and weights on (-1/2, 1/2) that integrate what layers add over a cell. It varies over the
+/// thickness b: two points per direction leave (h/b)^4/4000 of it.
+theory::QuadratureRule cell_rule(double width_over_thickness);
 
 /// Influence coefficients of layers under a uniform traction on a rectangle, displacements relative
 /// to an elastic or rigid indenter: closed forms of the half-space plus the layers' difference

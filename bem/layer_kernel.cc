@@ -69,8 +69,7 @@ struct LayerKernel::Tables {
 LayerKernel::LayerKernel(const LayerStack& stack, double reach) : unit_(0) {
     theory::check(stack);
     unit_ = stack.sheets.front().thickness;
-    const bool glides = stack.base == theory::LayerBase::frictionless && !stack.half_space;
-    const double hold = glides ? frictionless_hold * stack.thickness() : 0;
+    const double hold = LayerKernel::hold(stack);
     const auto waves = kernel_waves(stack, std::max({reach, hold, unit_}));
 
     const int n = 1 + beyond + static_cast<int>(std::ceil(std::asinh(reach / unit_) / table_step));
@@ -84,6 +83,11 @@ LayerKernel::LayerKernel(const LayerStack& stack, double reach) : unit_(0) {
     }
     tables_ = std::make_unique<Tables>(
         Tables{spline(normal, 1), spline(mean, 1), spline(deviation, 1), spline(coupling, -1)});
+}
+
+double LayerKernel::hold(const LayerStack& stack) {
+    const bool glides = stack.base == theory::LayerBase::frictionless && !stack.half_space;
+    return glides ? frictionless_hold * stack.thickness() : 0;
 }
 
 LayerKernel::~LayerKernel() = default;

@@ -31,6 +31,8 @@ class LayerKernel {
     Values at(double r) const;
 
     static constexpr double frictionless_hold = 40;
+    /// Distance [m] at which layers are held; 0: they are not.
+    static double hold(const theory::LayerStack& stack);
 
   private:
     struct Tables;

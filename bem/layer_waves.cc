@@ -7,16 +7,15 @@ namespace tricontact::bem {
 
 namespace {
 
-constexpr double last_kb = 24;         // exp(-2 kb) (kb)^2 < 1e-18
 constexpr int points_per_panel = 10;   // Gauss: exact to rounding over half a wave
 constexpr double phase_per_panel = 4;  // of the waves of the argument k r
 
 /// Ends of panels over k b: finer towards zero, where what lies deep is seen, and never wider than
 /// the waves allow.
-std::vector<double> panels(double first, double farthest) {
+std::vector<double> panels(double first, double farthest, double last) {
     const double widest = std::min(0.5, phase_per_panel / farthest);
     std::vector<double> ends{0};
-    for (double width = std::min(widest, first); ends.back() < last_kb;
+    for (double width = std::min(widest, first); ends.back() < last;
          width = std::min(widest, 2 * width))
         ends.push_back(ends.back() + width);
     return ends;
@@ -24,10 +23,10 @@ std::vector<double> panels(double first, double farthest) {
 
 }  // namespace
 
-std::vector<Wave> layer_waves(const theory::LayerStack& stack, double farthest) {
+std::vector<Wave> layer_waves(const theory::LayerStack& stack, double farthest, double last) {
     using Rule = boost::math::quadrature::gauss<double, points_per_panel>;
     const double b = stack.sheets.front().thickness;
-    const auto ends = panels(theory::softest_wave_number(stack) * b, farthest / b);
+    const auto ends = panels(theory::softest_wave_number(stack) * b, farthest / b, last);
     std::vector<Wave> waves;
     for (std::size_t p = 1; p < ends.size(); ++p) {
         const double middle = (ends[p] + ends[p - 1]) / (2 * b),

@@ -11,10 +11,14 @@ struct Wave {
     double k, weight;
 };
 
-/// Quadrature over 0 < k < 24/b, b the thickness of the top layer, where layers differ from the
-/// half-space of that layer (their difference falls as exp(-2 k b)): to rounding for that
+/// Where the surfaces of layers and of the half-space of the top layer, b thick, no longer differ:
+/// exp(-2 k b) (k b)^2 < 1e-18.
+inline constexpr double last_surface_wave = 24;  // k b
+
+/// Quadrature over 0 < k < `last`/b, where layers differ from that half-space: to rounding for the
 /// difference times waves of the argument k r, r up to `farthest` [m].
-std::vector<Wave> layer_waves(const theory::LayerStack& stack, double farthest);
+std::vector<Wave> layer_waves(const theory::LayerStack& stack, double farthest,
+                              double last = last_surface_wave);
 
 /// Surface compliance of the half-space of this material at k > 0 [1/m], conventions of
 /// layer_compliance.h.

@@ -32,6 +32,10 @@ std::vector<Plot> zone_maps(const contact::Case& c, const Histories& histories);
 /// tau_x and u_x over the contact plane, per model on a grid.
 std::vector<Plot> surface_plots(const contact::Case& c, const Histories& histories);
 
+/// Von Mises' stress in the section below the contact, a map per model, and down the axis for all;
+/// none where no inside was written.
+std::vector<Plot> subsurface_plots(const contact::Case& c, const Histories& histories);
+
 /// All of the above, in the report's order.
 std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories);
 

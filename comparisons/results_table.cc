@@ -155,6 +155,33 @@ Table::Group rolling_group(const RowMaker& make, const Reference& r) {
          make.quantity_row("ratcheting slope <i>η</i>", "", [](const auto& s) { return s.eta; })}};
 }
 
+/// What the insides that were written tell; none without them.
+std::optional<Table::Group> inside_group(const RowMaker& make,
+                                         const std::vector<ModelSummary>& summaries) {
+    const auto known = [](const ModelSummary& s) { return s.subsurface.has_value(); };
+    if (std::none_of(summaries.begin(), summaries.end(), known)) return {};
+    const auto place = [](std::size_t d) {
+        return [d](const ModelSummary& s) {
+            return s.subsurface ? Value(s.subsurface->peak_position[d] / s.contact_radius)
+                                : Value();
+        };
+    };
+    return Table::Group{
+        "Inside the substrate",
+        {make.quantity_row("largest von Mises stress", "Pa",
+                           [](const auto& s) {
+                               return s.subsurface ? Value(s.subsurface->peak_von_mises) : Value();
+                           }),
+         make.quantity_row("the same over <i>p</i><sub>0</sub>", "",
+                           [](const auto& s) {
+                               return s.subsurface
+                                          ? Value(s.subsurface->peak_von_mises / s.peak_pressure)
+                                          : Value();
+                           }),
+         make.quantity_row("its place <i>x</i>/<i>a</i>", "", place(0)),
+         make.quantity_row("its place <i>z</i>/<i>a</i>", "", place(2))}};
+}
+
 Table::Group cost_group(const RowMaker& make, bool rolling) {
     Table::Group group{"Work and cost", {}};
     const auto work = [](bool last) {
@@ -194,6 +221,7 @@ Table results_table(const contact::Case& c, const std::vector<ModelSummary>& sum
         rows.insert(rows.begin(), body_row(make));
     }
     if (c.rolling) table.groups.push_back(rolling_group(make, r));
+    if (const auto inside = inside_group(make, summaries)) table.groups.push_back(*inside);
     table.groups.push_back(cost_group(make, c.rolling.has_value()));
     return table;
 }

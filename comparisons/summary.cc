@@ -78,6 +78,16 @@ void add_periods(const contact::Case& c, const History& history, ModelSummary& s
         s.dissipation_ratio_per_period.push_back(finite(work / unit));
 }
 
+/// The largest von Mises stress in the last inside that was written; null without one.
+json subsurface_json(const ModelSummary& s) {
+    if (!s.subsurface) return {};
+    const auto& [x, y, z] = s.subsurface->peak_position;
+    return {{"phase", number(s.subsurface->phase)},
+            {"peak_von_mises_Pa", number(s.subsurface->peak_von_mises)},
+            {"peak_von_mises_ratio", number(s.subsurface->peak_von_mises / s.peak_pressure)},
+            {"peak_position_m", {number(x), number(y), number(z)}}};
+}
+
 json to_json(const ModelSummary& s) {
     json audit = json::object();
     for (const auto& check : s.audit)
@@ -100,6 +110,7 @@ json to_json(const ModelSummary& s) {
             {"kappa", number(s.kappa)},
             {"eta", number(s.eta)},
             {"dissipation_ratio_per_period", numbers(s.dissipation_ratio_per_period)},
+            {"subsurface", subsurface_json(s)},
             {"steps", s.steps},
             {"cpu_s", number(s.cpu_s)},
             {"wall_s", number(s.wall_s)},
@@ -129,6 +140,7 @@ ModelSummary summarise(const contact::Case& c, const History& history) {
         s.kappa = mapping_parameter(c, s);
         s.eta = ratcheting_slope(c, s);
     }
+    s.subsurface = history.subsurface;
     s.steps = static_cast<int>(history.steps.size());
     s.cpu_s = history.cpu_s;
     s.wall_s = history.wall_s;

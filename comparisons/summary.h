@@ -47,6 +47,7 @@ struct ModelSummary {
     /// cylinder.
     std::vector<std::optional<double>> dissipation_ratio_per_period;
 
+    std::optional<contact::Subsurface> subsurface;  ///< empty where no inside was written
     int steps = 0;
     double cpu_s = 0, wall_s = 0;
     double max_force_residual_ratio = 0;  ///< worst force balance over F_N or mu F_N

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/audit.h"
+#include "contact/subsurface.h"
 #include "contact/surface.h"
 #include "contact/vector2.h"
 
@@ -59,6 +61,7 @@ struct History {
     State state = State::undecided;
     double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA
     std::vector<Snapshot> snapshots;
+    std::optional<Subsurface> subsurface;  ///< of the last inside that was written
     Audit audit;
     double cpu_s = 0, wall_s = 0;
 };

@@ -321,10 +321,10 @@ double SurfaceModel::limit_tangential_ratio() const {
 
 std::unique_ptr<const Interior> SurfaceModel::interior() {
     auto inside = substrate_->interior(tractions());
-    if (!inside) return nullptr;
+    if (!inside || !inside->base_reaction) return inside;
     double missing = 0, applied = 0;
     for (int d = 0; d < 3; ++d) {
-        missing = std::hypot(missing, inside->applied[d] + inside->base_reaction[d]);
+        missing = std::hypot(missing, inside->applied[d] + (*inside->base_reaction)[d]);
         applied = std::hypot(applied, inside->applied[d]);
     }
     audit_.record("interior_equilibrium", missing / applied,

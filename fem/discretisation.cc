@@ -66,7 +66,7 @@ contact::Interior Discretisation::interior(std::span<const double> displacement,
     interior.base_reaction = held_forces(space, unknowns, moduli, nodal);
     if (surface.points.mirrored) {
         interior.strain_energy *= 2;
-        for (auto* total : {&interior.applied, &interior.base_reaction})
+        for (auto* total : {&interior.applied, &*interior.base_reaction})
             *total = {2 * (*total)[0], 0, 2 * (*total)[2]};  // y cancels
     }
     return interior;

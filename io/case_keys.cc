@@ -125,6 +125,14 @@ void add_output(std::vector<CaseKey>& keys) {
                      .text = "interior written for ParaView where a model knows it: none, the last "
                              "state, each quarter period"},
                     [](Case& c) -> Field { return &c.output.volume; }});
+    keys.push_back({{.path = "output.volume_depth",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = above_zero(1e6),
+                     .example = R"("10 mm")",
+                     .text = "how deep the volumes of bem and bem-layer reach, at most through the "
+                             "layers; without it 3 contact radii (Hertz)"},
+                    [](Case& c) -> Field { return &c.output.volume_depth; }});
 }
 
 const std::vector<CaseKey>& declared_keys() {

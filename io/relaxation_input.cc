@@ -156,7 +156,7 @@ void check_relaxation(const Case& c, const Document& document) {
         if (stays == contact::Unrelaxed::nothing) continue;
         if (model == "mdr" || model == "mdr-layer")
             refuse_for_mdr(model, stays, c.layer.ground.has_value(), document);
-        if (model == "fem" && c.output.volume != Case::VolumeOutput::none)
+        if (c.output.volume != Case::VolumeOutput::none)
             refuse(document, "output.volume",
                    "fields inside are not known where a part of the stiffness relaxes",
                    "leave output.volume out");

@@ -20,8 +20,9 @@ struct VtkFile {
 /// z = 0). Throws std::invalid_argument where a field has another size than the surface.
 VtkFile vtk_file(double phase, const contact::Surface& surface, const Provenance& provenance);
 
-/// The inside of the substrate: `.vtu` of triquadratic hexahedra, with von Mises' stress and the
-/// mean pressure (compression positive) beside the stress. Throws std::invalid_argument.
+/// The inside of the substrate: `.vtu` of triquadratic hexahedra or `.vtr` of a rectilinear grid,
+/// point data, with von Mises' stress and the mean pressure (compression positive) beside the
+/// stress. Throws std::invalid_argument.
 VtkFile vtk_file(double phase, const contact::Interior& interior, const Provenance& provenance);
 
 }  // namespace tricontact::io

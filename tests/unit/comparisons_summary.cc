@@ -146,6 +146,7 @@ TEST(SummaryJson, ReadsBackBitForBitWithFixedKeys) {
                                             "kappa",
                                             "eta",
                                             "dissipation_ratio_per_period",
+                                            "subsurface",
                                             "steps",
                                             "cpu_s",
                                             "wall_s",

@@ -177,6 +177,7 @@ Case any_case() {
     c.output.vtk = one_of({Case::VtkOutput::none, Case::VtkOutput::quarters, Case::VtkOutput::all});
     c.output.volume =
         one_of({Case::VolumeOutput::none, Case::VolumeOutput::last, Case::VolumeOutput::quarters});
+    if (*rc::gen::arbitrary<bool>()) c.output.volume_depth = between(.1, 10) * a;
     const double w = c.rolling ? contact::rolling_amplitude(*c.rolling, a) : 0;
     if (fem || *rc::gen::arbitrary<bool>()) c.layer = any_layer(a, w, fem);
     const bool bem = std::find(c.models.begin(), c.models.end(), "bem") != c.models.end();
@@ -295,6 +296,7 @@ void same(const Case& a, const Case& b) {
     same(a.fem, b.fem);
     RC_ASSERT(a.output.vtk == b.output.vtk);
     RC_ASSERT(a.output.volume == b.output.volume);
+    same(a.output.volume_depth, b.output.volume_depth);
 }
 
 TEST(CaseWriter, ReadingBackGivesTheSameBits) {
