@@ -191,7 +191,9 @@ Table load_table(const Case& c) {
         rows.push_back(given_row("rolling amplitude <i>W</i>", *rolling.amplitude, "m"));
     if (rolling.amplitude_ratio)
         rows.push_back(given_row(rolling.amplitude_reference == Case::AmplitudeReference::hertz
-                                     ? "rolling amplitude over Hertz’ radius"
+                                     ? contact::is_hertz_round(c)
+                                           ? "rolling amplitude over Hertz’ radius"
+                                           : "rolling amplitude over the half-space’s radius"
                                      : "rolling amplitude over the model’s radius",
                                  *rolling.amplitude_ratio, ""));
     rows.push_back({"angle of rolling to load", "°", {as_given(degrees(rolling.angle))}});
