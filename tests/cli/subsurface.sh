@@ -27,6 +27,6 @@ grep -m 1 peak_von_mises_ratio inside/summary.json | grep -qE ': 0\.6[12][0-9]*'
 grep -q '"subsurface": null' none/summary.json || complain "an inside that was not asked for"
 [ ! -e none/bem/volume.pvd ] || complain "a volume that was not asked for"
 
-refused 'output.volume_depth' run "$case_file" --set 'output.volume_depth="0 mm"'
+refused 'output.volume_depth' run "$case_file" --models bem --set 'output.volume_depth="0 mm"'
 
 finish
