@@ -48,10 +48,10 @@ for kind in csv sdf; do
     "$program" run "$kind.toml" --quiet --no-studies --no-report --output "$kind" >"$kind.txt" 2>&1 ||
         complain "$kind: $(cat "$kind.txt")"
 done
-cmp -s csv/bem.csv sdf/bem.csv || complain "the same wave from .csv and .sdf differs"
+cmp -s csv/bem/history.csv sdf/bem/history.csv || complain "the same wave from .csv and .sdf differs"
 # Westergaard: at half of p* = pi E* A/lambda = 4 pi 10^4 Pa strips of half the wavelength, but for a
 # row of cells on either side.
-column contact_area_m2 csv/bem.csv | awk '{ if ($1 < 0.39e-8 || $1 > 0.61e-8) exit 1 }' ||
-    complain "contact area $(column contact_area_m2 csv/bem.csv)"
+column contact_area_m2 csv/bem/history.csv | awk '{ if ($1 < 0.39e-8 || $1 > 0.61e-8) exit 1 }' ||
+    complain "contact area $(column contact_area_m2 csv/bem/history.csv)"
 
 finish
