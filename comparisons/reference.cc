@@ -2,6 +2,7 @@
 
 #include "contact/line_contact_scales.h"
 #include "contact/pressure_shape.h"
+#include "contact/rough_scales.h"
 #include "theory/body_rolling.h"
 #include "theory/oscillating_cylinder.h"
 
@@ -54,6 +55,7 @@ void add_point_contact(const contact::Case& c, Reference& r) {
 Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
+    r.is_nominal = contact::is_nominally_flat(c);
     const double friction_limit = c.friction_coefficient * r.hertz.normal_force;
     r.tangential_ratio = c.load.tangential_ratio
                              ? *c.load.tangential_ratio

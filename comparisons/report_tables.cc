@@ -104,6 +104,10 @@ std::string shape_name(const Case& c) {
             return "ellipsoid";
         case Case::Shape::profile:
             return "profile from a table";
+        case Case::Shape::flat:
+            return "plane";
+        case Case::Shape::height_map:
+            return "height map";
         default:
             return "paraboloid";
     }
@@ -124,6 +128,18 @@ std::vector<Row> indenter_rows(const Case& c) {
     if (body.angle != 0)
         rows.push_back({"flank to the surface", "°", {as_given(degrees(body.angle))}});
     if (!body.profile.empty()) add("radius of its last point", body.profile.back().radius, "m");
+    if (const auto& map = body.height_map) {
+        add("rms height", rms_height(*map), "m");
+        add("rms slope", rms_slope(*map), "");
+    }
+    if (const auto& r = body.roughness) {
+        add("roughness: rms height", rms_height(*r), "m");
+        add("rms slope", r->rms_slope, "");
+        add("Hurst exponent", r->hurst, "");
+        add("longest wave", r->long_wavelength, "m");
+        add("roll-off", r->roll_off, "m");
+        add("shortest wave", r->short_wavelength, "m");
+    }
     return rows;
 }
 
@@ -227,7 +243,10 @@ Table derived_table(const Case& c) {
             ratio_row("limit of shakedown <i>f</i><sub>T,lim</sub>", *r.limit_tangential_ratio));
     return {"Derived",
             {"value"},
-            {{contact::is_hertz_round(c) ? "Derived (Hertz)" : "Derived (half-space)", rows}}};
+            {{contact::is_hertz_round(c) ? "Derived (Hertz)"
+              : r.is_nominal             ? "Derived (nominal)"
+                                         : "Derived (half-space)",
+              rows}}};
 }
 
 /// "energy_balance" -> "energy balance", safe in HTML.

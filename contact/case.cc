@@ -9,7 +9,9 @@ double Case::Layer::total_thickness() const {
 }
 
 bool is_hertz_round(const Case& c) {
-    return c.indenter.shape == Case::Shape::paraboloid || c.indenter.shape == Case::Shape::sphere;
+    const bool round =
+        c.indenter.shape == Case::Shape::paraboloid || c.indenter.shape == Case::Shape::sphere;
+    return round && !c.indenter.roughness;
 }
 
 bool has_conical_tip(const Case& c) {

@@ -214,7 +214,7 @@ struct HalfSpaceScales {
 };
 HalfSpaceScales half_space_scales(const Case& c);
 
-/// Paraboloid or sphere: what formulas with one radius R are about.
+/// A smooth paraboloid or sphere: what formulas with one radius R are about.
 bool is_hertz_round(const Case& c);
 /// Whether the pressure at the centre is infinite.
 bool has_conical_tip(const Case& c);
