@@ -8,6 +8,7 @@
 #include "comparisons/line_layer.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/rough_scales.h"
 #include "theory/elastic_layer.h"
 #include "theory/hertz.h"
 
@@ -100,6 +101,8 @@ theory::ElasticLayer elastic_layer(const Case& c) {
 std::string why_no_exact_theory(const Case& c) {
     if (c.indenter.shape == Case::Shape::ellipsoid)
         return "the exact theory knows bodies of revolution, the indenter is an ellipsoid";
+    if (c.indenter.roughness || contact::is_nominally_flat(c))
+        return "the exact theory knows smooth bodies, the indenter is rough";
     if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
     if (c.layer.base == Case::Base::half_space)
         return "the exact theory knows a rigid ground, that of the case is elastic";
