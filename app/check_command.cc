@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/models.h"
 #include "app/walk_scales.h"
+#include "comparisons/tractive/creep_theory.h"
 #include "comparisons/reference.h"
 #include "contact/error.h"
 #include "io/any_case.h"
@@ -37,6 +38,9 @@ std::string derived_values(const contact::Case& c) {
     line("E*", materials.effective_modulus() * 1e-6, "MPa", "effective modulus");
     line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
     line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
+    if (c.tractive_rolling)
+        line("xi_unit", comparisons::tractive::creepage_unit(c), "-", "unit of creepage, mu a/R");
+    if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
     const double limit = c.friction_coefficient * hertz.normal_force;
     const double force =
         c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);

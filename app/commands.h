@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparisons/limit_variable.h"
+#include "contact/case.h"
 
 namespace tricontact::app {
 
@@ -163,6 +164,23 @@ struct WalkOptions {
 /// Runs a case of the micro-walking machine and judges it: case.toml, summary.json, windows.csv,
 /// motion.csv, files for ParaView, report.html, and a table on standard output. Throws InputError.
 void walk_command(const WalkOptions& options);
+
+struct RollOptions {
+    std::string case_file;
+    std::string output;                  ///< empty: results/<name of the case file>
+    std::vector<std::string> models;     ///< empty: those of the case
+    std::vector<std::string> overrides;  ///< key=value
+    int points = 12;                     ///< of the creep curve; 0: none
+    int threads = 1;
+    bool quiet = false;
+    bool report = true;  ///< write report.html
+};
+/// Rolls a case on, from rest to steady rolling: case.toml, summary.json, creep.csv, of each model
+/// history.csv and surfaces for ParaView, report.html, and a table on standard output. Throws
+/// InputError, NotConverged.
+void roll_command(const RollOptions& options);
+/// Throws InputError if the case rolls on, which no other command computes.
+void refuse_rolling_on(const contact::Case& c, const std::string& case_file);
 
 struct RigOptions {
     std::string rig_file;

@@ -79,6 +79,7 @@ void deviation_command(const DeviationOptions& given) {
         options.output =
             "results/" + std::filesystem::path(options.case_file).stem().string() + "_deviation";
     const contact::Case c = io::read_case(options.case_file, options.overrides);
+    refuse_rolling_on(c, options.case_file);
     HalfSpaceDeviation deviation = exact_deviation(options, c);
     io::make_output_folder(options.output);
     if (options.runs) add_runs(options, deviation);

@@ -73,6 +73,22 @@ const CLI::App* add_walk(CLI::App& app, tricontact::app::WalkOptions& options) {
     return walk;
 }
 
+const CLI::App* add_roll(CLI::App& app, tricontact::app::RollOptions& options) {
+    auto* roll = app.add_subcommand("roll", "Roll on: from rest to steady rolling, creep curves");
+    add_case_arguments(*roll, options.case_file, options.overrides);
+    roll->add_option("--output", options.output, "Folder (results/<case>)")->type_name("DIR");
+    roll->add_option("--models", options.models, "Run these models instead of the case's")
+        ->type_name("NAME,NAME")
+        ->delimiter(',');
+    roll->add_option("--points", options.points, "Of the creep curve of each model (12; 0: none)")
+        ->check(CLI::Range(0, 1000));
+    roll->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    roll->add_flag("!--no-report", options.report, "Leave out report.html");
+    roll->add_flag("--quiet", options.quiet, "No progress, no closing line");
+    return roll;
+}
+
 const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options) {
     auto* sweep = app.add_subcommand("sweep", "Run the points of a study side by side; resumable");
     sweep->add_option("study", options.study_file, "Study file (TOML)")
@@ -236,6 +252,9 @@ int run_program(int argc, char** argv) {
     verify->add_flag("--quiet", verify_options.quiet, "No progress");
     tricontact::app::WalkOptions walk_options;
     const auto* walk = add_walk(app, walk_options);
+    tricontact::app::RollOptions roll_options;
+    roll_options.threads = options.threads;
+    const auto* roll = add_roll(app, roll_options);
     tricontact::app::SweepOptions sweep_options;
     sweep_options.jobs = options.threads;
     const auto* sweep = add_sweep(app, sweep_options);
@@ -279,6 +298,7 @@ int run_program(int argc, char** argv) {
     if (*limit) tricontact::app::limit_command(limit_options);
     if (*verify && !tricontact::app::verify_command(verify_options)) return exit_failed;
     if (*walk) tricontact::app::walk_command(walk_options);
+    if (*roll) tricontact::app::roll_command(roll_options);
     if (*sweep) tricontact::app::sweep_command(sweep_options);
     if (*experiment) tricontact::app::experiment_command(experiment_options);
     if (*deviation) tricontact::app::deviation_command(deviation_options);

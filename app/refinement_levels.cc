@@ -60,6 +60,7 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
 
 Start read_start(const RefineOptions& options, const Say& say) {
     const Case all = io::read_case(options.case_file, options.overrides);
+    refuse_rolling_on(all, options.case_file);
     if (std::find(all.models.begin(), all.models.end(), options.model) == all.models.end())
         throw contact::InputError(fmt::format(
             "{}: models: {} is not among the models of the case; add it, or name another with "

@@ -40,6 +40,7 @@ void remove_old_results(const std::string& output, const std::vector<std::string
 void run_command(const RunOptions& given) {
     RunOptions options = given;
     const contact::Case c = read(options);
+    refuse_rolling_on(c, options.case_file);
     bem::check_influence_file(c);  // before anything is written
     if (options.output.empty())
         options.output = "results/" + std::filesystem::path(options.case_file).stem().string();

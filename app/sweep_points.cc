@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands.h"
 #include "app/models.h"
 #include "app/point_key.h"
 #include "app/study_combinations.h"
@@ -71,6 +72,7 @@ SweepPoint point_of(const Study& study, const Combination& combination, const st
         entries.push_back(models_entry(model));
         SweepPoint point =
             make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
+        refuse_rolling_on(point.c, study.base.name);
         point.values = combination.values;
         return point;
     } catch (const contact::InputError& error) {

@@ -17,6 +17,8 @@ void verify_cylinder(bool brief, const Say& say, comparisons::Verification& all)
 void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all);
 /// mdr and bem on a relaxing half-space under a constant force.
 void verify_creep(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr and bem in steady rolling beside closed forms and Kalker's table.
+void verify_rolling(bool brief, const Say& say, comparisons::Verification& all);
 /// bem pressed with friction, the pressure dragging the surface sideways.
 void verify_friction_pressing(const Say& say, comparisons::Verification& all);
 /// Shifts of bem and bem-layer beside those of other programs (comparisons/peer_shifts.h).

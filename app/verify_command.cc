@@ -21,6 +21,7 @@ Verification verify(bool brief, const Say& say) {
     verify_cylinder(brief, say, all);
     verify_creep(brief, say, all);
     verify_subsurface(brief, say, all);
+    verify_rolling(brief, say, all);
     if (brief) return all;
     verify_friction_pressing(say, all);
     verify_peer_shifts(say, all);

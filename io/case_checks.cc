@@ -15,6 +15,7 @@
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
 #include "io/rough_bodies.h"
+#include "io/tractive_checks.h"
 
 namespace tricontact::io {
 
@@ -121,7 +122,8 @@ double largest_ratio(const Case::Load& load, double mean_ratio) {
 
 // With a prescribed indentation the models find F_N, and they check.
 void check_friction_limit(const Case& c, const Document& document) {
-    if (!c.load.normal_force) return;
+    const bool has_force = c.load.tangential_ratio || c.load.tangential_force;
+    if (!c.load.normal_force || !has_force) return;
     const double mean =
         c.load.tangential_ratio
             ? *c.load.tangential_ratio
@@ -167,6 +169,7 @@ double steps_per_period(const Case::Rolling& rolling, double amplitude) {
 }
 
 double check_steps(const Case& c, const HalfSpaceScales& s, const Document& document) {
+    if (c.tractive_rolling) return steps_of_tractive_rolling(c, s);
     if (!c.rolling) return 2;
     const double amplitude = rolling_amplitude(c, s);
     const bool increment = c.rolling->steps == Case::Steps::increment;
@@ -247,6 +250,7 @@ void check_case(const Case& c, const Document& document) {
     check_scales(scales, document);
     check_coupling(c, document);
     check_sphere(c, scales, document);
+    check_tractive_rolling(c, document);
     check_oscillation(c, document);
     check_relaxation(c, document);
     check_ground(c, document);

@@ -147,6 +147,7 @@ const std::vector<CaseKey>& declared_keys() {
         add_friction(all);
         add_contact_keys(all);
         add_loading_keys(all);
+        add_tractive_keys(all);
         add_bem(all);
         add_mdr(all);
         add_fem_keys(all);

@@ -29,6 +29,7 @@ void make_optional_parts(Case& c, const Document& document) {
     if (document.find_section("substrate.relaxation")) c.relaxation = contact::Relaxation{};
     if (document.find_section("lower_layer")) c.lower_layers_input = Case::LowerLayersInput{};
     if (document.find_section("ground")) c.layer.ground = contact::Material{};
+    if (document.find_section("tractive_rolling")) c.tractive_rolling = Case::TractiveRolling{};
     if (!document.find_section("rolling")) return;
     c.rolling = Case::Rolling{};
     if (document.find("rolling.increment")) c.rolling->steps = Case::Steps::increment;

@@ -24,6 +24,8 @@ void add_indenter_keys(std::vector<CaseKey>& keys);
 void add_roughness_keys(std::vector<CaseKey>& keys);
 /// Declarations of the sections [load] and [rolling].
 void add_loading_keys(std::vector<CaseKey>& keys);
+/// Declarations of the section [tractive_rolling].
+void add_tractive_keys(std::vector<CaseKey>& keys);
 /// Declarations of the substrate's finite size, in [substrate], [lower_layer] and [ground].
 void add_layer_keys(std::vector<CaseKey>& keys);
 /// Declarations of the section [substrate.relaxation].

@@ -21,7 +21,7 @@ struct Traits {
 };
 
 const Traits& traits(Dimension dimension) {
-    static constexpr std::array<Traits, 15> all{
+    static constexpr std::array<Traits, 16> all{
         {{"pure number", "a pure number", "1", "0.5"},
          {"length", "a length", "m", "40 mm"},
          {"pressure", "a pressure", "Pa", "5.2 MPa"},
@@ -36,7 +36,8 @@ const Traits& traits(Dimension dimension) {
          {"density", "a density", "kg/m3", "1100 kg/m3"},
          {"stiffness", "a stiffness", "N/m", "2e7 N/m"},
          {"acceleration", "an acceleration", "m/s2", "9.81 m/s2"},
-         {"moment of inertia", "a moment of inertia", "kg m2", "1.7e-4 kg m2"}}};
+         {"moment of inertia", "a moment of inertia", "kg m2", "1.7e-4 kg m2"},
+         {"rotation per length", "a rotation per length", "rad/m", "0.5 rad/m"}}};
     return all[static_cast<std::size_t>(dimension)];
 }
 
@@ -180,7 +181,8 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
              {Dimension::length, Dimension::pressure, Dimension::force, Dimension::angle,
               Dimension::time, Dimension::velocity, Dimension::viscosity, Dimension::frequency,
               Dimension::angular_frequency, Dimension::mass, Dimension::density,
-              Dimension::stiffness, Dimension::acceleration, Dimension::moment_of_inertia})
+              Dimension::stiffness, Dimension::acceleration, Dimension::moment_of_inertia,
+              Dimension::rotation_per_length})
             if (other != dimension && database.has_dimension(unit.get(), other))
                 refuse(shown + " is a unit of " + std::string(traits(other).name) +
                            ", but this is " + std::string(name_of(dimension)),

@@ -21,7 +21,8 @@ enum class Dimension {
     density,
     stiffness,
     acceleration,
-    moment_of_inertia
+    moment_of_inertia,
+    rotation_per_length
 };
 
 std::string_view name_of(Dimension dimension);     ///< "a length"

@@ -31,6 +31,7 @@ may_include fem/distributed contact meshes fem
 may_include rolling contact theory
 may_include io contact dynamics
 may_include comparisons contact theory
+may_include comparisons/tractive contact theory comparisons rolling
 may_include comparisons/walking contact theory dynamics comparisons
 may_include rig contact theory
 may_include app contact theory meshes dynamics mdr bem fem rolling io comparisons rig

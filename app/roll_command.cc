@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "app/case_json.h"
+#include "app/commands.h"
+#include "app/roll_models.h"
+#include "app/run_model.h"
+#include "bem/case_compliance.h"
+#include "comparisons/format.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/rolling_csv.h"
+#include "comparisons/tractive/rolling_document.h"
+#include "comparisons/tractive/rolling_json.h"
+#include "contact/error.h"
+#include "io/atomic_file.h"
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+#include "io/paraview_macro.h"
+#include "io/progress.h"
+#include "io/vtk_series.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::tractive::RollingReport;
+using comparisons::tractive::RollingRun;
+using contact::Case;
+
+const std::string version = TRICONTACT_VERSION;
+const std::string command = std::string("tricontact roll ") + resolved_case_name;
+
+Case read(const RollOptions& options) {
+    std::vector<std::string> overrides = options.overrides;
+    if (!options.models.empty())
+        overrides.push_back(fmt::format("models=[\"{}\"]", fmt::join(options.models, "\", \"")));
+    Case c = io::read_case(options.case_file, overrides);
+    if (!c.tractive_rolling)
+        throw contact::InputError(options.case_file +
+                                  ": there is no [tractive_rolling], so that nothing rolls on; "
+                                  "add that section, or take tricontact run");
+    return c;
+}
+
+/// Results of an earlier run must not stand beside a new case as if they were its own.
+void remove_old_results(const std::string& output, const std::vector<std::string>& models) {
+    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
+    for (const char* name : {"summary.json", "creep.csv", "report.html"})
+        std::filesystem::remove(output + "/" + name, ignored);
+    for (const std::string& model : models)
+        for (const char* name : {"history.csv", "surface.pvd", "steady.pvd"})
+            std::filesystem::remove(output + "/" + model + "/" + name, ignored);
+}
+
+RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
+    const std::string folder = options.output + "/" + model;
+    io::make_output_folder(folder);
+    const io::Provenance provenance{version, command};
+    io::VtkSeries surfaces(folder, "surface", provenance), steady(folder, "steady", provenance);
+    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
+    RollRuns runs{.points = options.points,
+                  .threads = options.threads,
+                  .progress = [&](int step, int steps) { bar.update(step, steps); },
+                  .show = {},
+                  .show_all = c.output.vtk == Case::VtkOutput::all};
+    if (c.output.vtk != Case::VtkOutput::none)
+        runs.show = [&](double way, const contact::Surface& surface) {
+            std::isfinite(way) ? surfaces.add(way, surface) : steady.add(0, surface);
+        };
+    RollingRun run = model == "mdr" ? roll_springs(c, runs) : roll_grid(model, c, runs);
+    bar.finish("");
+    if (runs.show) {
+        surfaces.finish();
+        steady.finish();
+    }
+    io::write_file(folder + "/history.csv", comparisons::tractive::history_csv(run));
+    return run;
+}
+
+std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
+    std::vector<std::pair<std::string, std::string>> files{{"all numbers", "summary.json"},
+                                                           {"creep curves", "creep.csv"}};
+    for (const std::string& model : c.models) {
+        const std::string name = comparisons::display_name(model);
+        files.emplace_back(name + ", step by step", model + "/history.csv");
+        if (c.output.vtk == Case::VtkOutput::none) continue;
+        files.emplace_back(name + ", for ParaView", model + "/surface.pvd");
+        files.emplace_back(name + " in steady rolling, for ParaView", model + "/steady.pvd");
+    }
+    files.emplace_back("the case, resolved", resolved_case_name);
+    return files;
+}
+
+/// A row per model, and what closed forms say.
+std::string table_of(const RollingReport& report) {
+    namespace tractive = comparisons::tractive;
+    const double mu = report.c.friction_coefficient;
+    std::string text = fmt::format("{:<22} {:>12} {:>12} {:>12} {:>8}\n", "", "xi", "F_x/(mu F_N)",
+                                   "F_y/(mu F_N)", "stick");
+    for (const RollingRun& run : report.runs) {
+        const auto& s = run.history.steady;
+        text += fmt::format("{:<22} {:>12.5g} {:>12.5f} {:>12.5f} {:>8.4f}\n", run.model,
+                            s.creepage.longitudinal, tractive::force_ratio(s, mu),
+                            s.force[1] / (mu * s.normal_force), s.stick_area / s.contact_area);
+    }
+    if (!tractive::straight(report.c)) return text;
+    const auto& first = report.runs.front().history.steady;
+    const double f = tractive::force_ratio(first, mu), xi = first.creepage.longitudinal;
+    for (const auto& theory : tractive::creep_theories(report.c))
+        if (f >= 0 && f < 1 && xi >= 0)
+            text += tractive::by_creepage(report.c)
+                        ? fmt::format("{:<22} {:>12.5g} {:>12.5f}\n", theory.key, xi,
+                                      theory.force_ratio(xi))
+                        : fmt::format("{:<22} {:>12.5g} {:>12.5f}\n", theory.key,
+                                      theory.creepage(f), f);
+    return text;
+}
+
+void write(const RollingReport& report, const std::string& resolved, const RollOptions& options) {
+    nlohmann::ordered_json json{{"version", version}, {"case", case_json(resolved)}};
+    json.update(comparisons::tractive::rolling_json(report));
+    io::write_file(options.output + "/summary.json", json.dump(2) + '\n');
+    io::write_file(options.output + "/creep.csv", comparisons::tractive::creep_csv(report));
+    io::write_file(options.output + "/" + io::paraview_macro_name,
+                   std::string(io::paraview_macro()));
+    if (options.report)
+        io::write_file(options.output + "/report.html",
+                       comparisons::document_html(comparisons::tractive::rolling_document(report)));
+}
+
+}  // namespace
+
+void refuse_rolling_on(const Case& c, const std::string& case_file) {
+    if (c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": [tractive_rolling]: the indenter rolls on and does not come "
+                                  "back; tricontact roll computes such a case");
+}
+
+void roll_command(const RollOptions& given) {
+    RollOptions options = given;
+    const Case c = read(options);
+    bem::check_influence_file(c);  // before anything is written
+    if (options.output.empty())
+        options.output = "results/" + std::filesystem::path(options.case_file).stem().string();
+    io::make_output_folder(options.output);
+    remove_old_results(options.output, c.models);
+    const std::string resolved = io::write_case(c);
+    io::write_file(options.output + "/" + resolved_case_name, resolved);
+
+    RollingReport report{
+        .c = c, .runs = {}, .files = files_of(c), .command = command, .version = version};
+    for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
+    write(report, resolved, options);
+    std::cout << table_of(report);
+    if (!options.quiet)
+        std::cerr << "results in " << options.output
+                  << (options.report ? " (open report.html)" : "") << '\n';
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,102 @@
+#include <cmath>
+#include <limits>
+
+#include "app/roll_models.h"
+#include "bem/model.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "contact/load_path.h"
+#include "rolling/steady_rolling.h"
+#include "rolling/transient_rolling.h"
+#include "theory/kalker.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::tractive::centre_line;
+using comparisons::tractive::RollingRun;
+using contact::Case;
+using rolling::RollingProblem;
+
+/// F_N [N] of the pressed contact, which a prescribed indentation does not tell.
+double normal_force(const Case& c, const contact::Substrate& substrate,
+                    const RollingProblem& problem) {
+    if (c.load.normal_force) return *c.load.normal_force;
+    RollingProblem pressing = problem;
+    pressing.drive = {};
+    return rolling::TransientRolling(substrate, pressing).press().normal_force;
+}
+
+RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
+    const Case::TractiveRolling& given = *c.tractive_rolling;
+    RollingProblem problem{
+        .indenter = c.make_indenter(),
+        .friction_coefficient = c.friction_coefficient,
+        .normal = contact::press_step(c).normal,
+        .drive = {.creepage = {given.longitudinal_creepage, given.lateral_creepage},
+                  .force = {},
+                  .spin = given.spin},
+        .coupling = c.contact.coupling,
+        .tolerance = c.bem.tolerance};
+    if (given.longitudinal_creepage) return problem;
+    problem.drive.force[0] = c.load.tangential_force
+                                 ? *c.load.tangential_force
+                                 : *c.load.tangential_ratio * c.friction_coefficient *
+                                       normal_force(c, substrate, problem);
+    return problem;
+}
+
+/// Rolls from rest; keeps the lines at line_distances.
+void roll_on(const Case& c, const contact::Substrate& substrate, const RollingProblem& problem,
+             const RollRuns& runs, RollingRun& run) {
+    rolling::TransientRolling rolling(substrate, problem);
+    const double a = contact::half_space_scales(c).contact_radius;
+    const double cell = substrate.relaxed().points().spacing[0];
+    const int n_steps = static_cast<int>(std::lround(c.tractive_rolling->distance * a / cell));
+    LineSchedule schedule;
+    const auto note = [&](const rolling::RollingState& state) {
+        run.history.transient.push_back(state);
+        const double way = state.distance / a;
+        const bool line = schedule.due(way + cell / a / 2);  // the nearest step
+        if (line)
+            run.lines.push_back(
+                centre_line(rolling.surface(), c.friction_coefficient, state.distance));
+        if (runs.show && (line || runs.show_all)) runs.show(way, rolling.surface());
+    };
+    note(rolling.press());
+    for (int step = 1; step <= n_steps; ++step) {
+        note(rolling.roll());
+        if (runs.progress) runs.progress(step, n_steps);
+    }
+}
+
+/// At which all slides, about: by Kalker's stiffness of a circle, or Carter's plane.
+double sliding_creepage(const Case& c) {
+    const double unit = comparisons::tractive::creepage_unit(c);
+    if (c.is_line_contact()) return unit;
+    const double nu = theory::combined_material(c.materials()).poisson;
+    return unit * (4 - 3 * nu) / (4 * (1 - nu));  // see theory/creep_law.h
+}
+
+}  // namespace
+
+RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& runs) {
+    const auto substrate = bem::make_substrate(
+        c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer);
+    RollingProblem problem = problem_of(c, *substrate);
+    RollingRun run{.model = model, .history = {}, .lines = {}, .creep_curve = {}};
+    roll_on(c, *substrate, problem, runs, run);
+    rolling::SteadyRolling steady = rolling::steady_rolling(substrate->compliance(), problem);
+    run.lines.push_back(centre_line(steady.surface, c.friction_coefficient,
+                                    std::numeric_limits<double>::infinity()));
+    run.history.steady = steady.state;
+    run.history.surface = std::move(steady.surface);
+    if (runs.show) runs.show(std::numeric_limits<double>::infinity(), run.history.surface);
+    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
+        problem.drive.creepage[0] = creepage;
+        run.creep_curve.push_back(rolling::steady_rolling(substrate->compliance(), problem).state);
+    }
+    return run;
+}
+
+}  // namespace tricontact::app

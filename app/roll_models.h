@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "comparisons/tractive/rolling_report.h"
+#include "contact/case.h"
+
+namespace tricontact::app {
+
+/// Which states of a transient the report draws: the first at each of its ways.
+class LineSchedule {
+  public:
+    /// `way` rolled over the half length a, growing from call to call.
+    bool due(double way);
+
+  private:
+    std::size_t next_ = 0;
+};
+
+/// How the models of a case roll on.
+struct RollRuns {
+    int points = 12;  ///< of the creep curve; 0: none
+    int threads = 1;
+    /// Of the transient, per step: how far it is.
+    std::function<void(int step, int steps)> progress;
+    /// Receives states of the surface: those of which the report draws lines, or all; the way is
+    /// rolled over the half length a, infinite for the steady state.
+    std::function<void(double way, const contact::Surface&)> show;
+    bool show_all = false;
+};
+
+/// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
+/// creep curve of steady states. Throws contact::InputError, contact::NotConverged.
+comparisons::tractive::RollingRun roll_grid(const std::string& model, const contact::Case& c,
+                                            const RollRuns& runs);
+
+/// The springs of MDR, one after the other under the profile. Exact but for their spacing. The
+/// steady state is where rolling on ends; the creep curve is rolled point by point.
+comparisons::tractive::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
+
+/// Creepages of a curve of `n` points [-]: from small ones to beyond `sliding`, at which all
+/// slides; where the cubic law holds, at equal steps of the force.
+std::vector<double> curve_creepages(double sliding, int n);
+
+}  // namespace tricontact::app

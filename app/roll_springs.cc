@@ -1,0 +1,174 @@
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "app/roll_models.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "mdr/model.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::tractive::centre_line;
+using comparisons::tractive::RollingRun;
+using contact::Case;
+using contact::TangentialControl;
+using rolling::RollingState;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A bed of springs under a profile that rolls on from one end, a spring a step.
+class RollingBed {
+  public:
+    /// `distance` [m] as far as it is to roll; farther the bed grows.
+    RollingBed(const Case& c, double distance) : mu_(c.friction_coefficient) {
+        const double a = contact::half_space_scales(c).contact_radius;
+        const double n_springs = c.mdr.springs + c.mdr.springs % 2;
+        steps_per_radius_ =
+            std::max(1, static_cast<int>(n_springs * a / (bed_margin * (2 * a + distance))));
+        step_length_ = a / steps_per_radius_;
+        // Ends of the contact halfway between springs, before each step as after it: what depends
+        // on where springs stand is then the same at each step.
+        start_ = -std::round(distance / 2 / step_length_) * step_length_;
+        model_ = model_of(c, static_cast<int>(n_springs), n_springs * step_length_ / bed_margin);
+        step_ = contact::press_step(c);
+        step_.offset[0] = start_;
+        model_->advance(step_);
+    }
+
+    double friction_limit() const { return mu_ * model_->scales().normal_force; }
+    int steps_per_radius() const { return steps_per_radius_; }
+    const contact::Model& model() const { return *model_; }
+
+    /// Applies the force [N], or none before creepage is prescribed.
+    RollingState press(double force) {
+        step_.tangential[0] = {TangentialControl::Kind::force, force};
+        last_ = model_->advance(step_);
+        return state(0, 0);
+    }
+
+    /// Rolls on by a step, at the creepage or under the force of before.
+    RollingState roll(const std::optional<double>& creepage) {
+        ++n_rolled_;
+        step_.offset[0] = start_ + n_rolled_ * step_length_;
+        const double before = last_.shift[0];
+        if (creepage)
+            step_.tangential[0] = {TangentialControl::Kind::shift,
+                                   before + *creepage * step_length_};
+        last_ = model_->advance(step_);
+        return state((last_.shift[0] - before) / step_length_, last_.dissipation / step_length_);
+    }
+
+  private:
+    /// Of mdr::make_model: its bed over contact and path.
+    static constexpr double bed_margin = 1.01;
+
+    /// `length` [m] of contact and path, as long as makes a spring's distance the step.
+    static std::unique_ptr<contact::Model> model_of(Case c, int n_springs, double length) {
+        c.tractive_rolling.reset();
+        c.mdr.springs = n_springs;
+        c.rolling.emplace().amplitude = length / 2 - contact::half_space_scales(c).contact_radius;
+        return mdr::make_model(c);
+    }
+
+    RollingState state(double creepage, double dissipation) const {
+        const contact::Scales scales = model_->scales();
+        return {.distance = n_rolled_ * step_length_,
+                .creepage = {.longitudinal = creepage},
+                .normal_force = last_.normal_force,
+                .indentation = last_.indentation,
+                .force = last_.tangential_force,
+                .half_length = scales.contact_radius,
+                .half_width = scales.contact_radius,
+                .peak_pressure = scales.peak_pressure,
+                .contact_area = last_.contact_area,
+                .stick_area = last_.stick_area,
+                .slip_area = last_.slip_area,
+                .dissipation = dissipation,
+                .iterations = last_.normal_iterations + last_.tangential_iterations,
+                .residual = last_.tangential_residual};
+    }
+
+    double mu_, start_ = 0;
+    std::unique_ptr<contact::Model> model_;
+    int steps_per_radius_ = 1, n_rolled_ = 0;
+    double step_length_ = 0;
+    contact::LoadStep step_;
+    contact::StepRecord last_;
+};
+
+/// Rolls on until a contact length changes the creepage no more than rounding does the sum of it.
+RollingState steady_state(RollingBed& bed, const std::optional<double>& creepage,
+                          double creepage_unit) {
+    constexpr double negligible = 1e-7;
+    constexpr int most_lengths = 1000;
+    RollingState before = bed.roll(creepage);
+    for (int length = 0; length < most_lengths; ++length) {
+        RollingState now;
+        for (int step = 0; step < 2 * bed.steps_per_radius(); ++step) now = bed.roll(creepage);
+        const double change = std::abs(now.creepage.longitudinal - before.creepage.longitudinal);
+        if (length > 0 && change <= negligible * creepage_unit) return now;
+        before = now;
+    }
+    throw contact::NotConverged(
+        "mdr: the rolling bed does not become steady within 1000 contact lengths");
+}
+
+/// Steady as soon as every spring in contact came in at this creepage.
+RollingState state_at(const Case& c, double creepage) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    constexpr double way = 2.2;  // a contact length and a little, over a
+    RollingBed bed(c, way * a);
+    RollingState state = bed.press(0);
+    for (int step = 0; step < way * bed.steps_per_radius(); ++step) state = bed.roll(creepage);
+    return state;
+}
+
+double sliding_creepage(const Case& c) {
+    const contact::MaterialPair materials = c.materials();
+    return 2 * materials.effective_modulus() / materials.effective_shear_modulus() *
+           comparisons::tractive::creepage_unit(c);
+}
+
+}  // namespace
+
+RollingRun roll_springs(const Case& c, const RollRuns& runs) {
+    const Case::TractiveRolling& given = *c.tractive_rolling;
+    const double a = contact::half_space_scales(c).contact_radius;
+    RollingBed bed(c, given.distance * a);
+    RollingRun run{.model = "mdr", .history = {}, .lines = {}, .creep_curve = {}};
+    LineSchedule schedule;
+    const auto keep = [&](double way, double distance) {
+        const contact::Surface surface = bed.model().surface();
+        run.lines.push_back(centre_line(surface, c.friction_coefficient, distance));
+        if (runs.show) runs.show(way, surface);
+    };
+    const auto note = [&](const RollingState& state, int step) {
+        run.history.transient.push_back(state);
+        const double way = step / static_cast<double>(bed.steps_per_radius());
+        if (schedule.due(way)) keep(way, state.distance);
+    };
+    double force = 0;
+    if (!given.longitudinal_creepage)
+        force = c.load.tangential_force ? *c.load.tangential_force
+                                        : *c.load.tangential_ratio * bed.friction_limit();
+    note(bed.press(force), 0);
+    const int n_steps = static_cast<int>(std::lround(given.distance * bed.steps_per_radius()));
+    for (int step = 1; step <= n_steps; ++step) {
+        note(bed.roll(given.longitudinal_creepage), step);
+        if (runs.progress) runs.progress(step, n_steps);
+    }
+    run.history.steady =
+        steady_state(bed, given.longitudinal_creepage, comparisons::tractive::creepage_unit(c));
+    run.history.steady.distance = infinite;
+    run.history.surface = bed.model().surface();
+    keep(infinite, infinite);
+    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points))
+        run.creep_curve.push_back(state_at(c, creepage));
+    return run;
+}
+
+}  // namespace tricontact::app

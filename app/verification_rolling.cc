@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/roll_models.h"
+#include "app/verification_problems.h"
+#include "bem/case_compliance.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "contact/load_path.h"
+#include "contact/normal_solver.h"
+#include "contact/placement.h"
+#include "rolling/linear_creep.h"
+#include "theory/carter.h"
+#include "theory/creep_law.h"
+#include "theory/kalker.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Verification;
+using comparisons::VerificationRow;
+using contact::Case;
+
+constexpr double force = .56;
+
+Case rolling_on(double nu) {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {5.2e6, nu};
+    c.friction_coefficient = .57;
+    c.contact.coupling = false;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = force;
+    c.tractive_rolling.emplace().distance = .01;
+    return c;
+}
+
+Case cylinder() {
+    Case c = rolling_on(.5);
+    c.indenter.shape = Case::Shape::cylinder;
+    c.indenter.length = 80e-3;
+    return c;
+}
+
+/// Errors of cells are of the first order: what two grids, one half as fine as the other, lead to.
+/// One value fewer than given.
+std::vector<double> led_to(const std::vector<double>& values) {
+    std::vector<double> result;
+    for (std::size_t i = 1; i < values.size(); ++i) result.push_back(2 * values[i] - values[i - 1]);
+    return result;
+}
+
+void verify_springs(bool brief, const Say& say, Verification& all) {
+    VerificationRow row{.problem = "Springs of MDR rolled on",
+                        .quantity = "xi, f_T = 0.56, nu = 1/2",
+                        .model = "mdr",
+                        .source = "Wetter, thesis (TU Berlin 2016), eqs. 2.2.24 and 2.2.27",
+                        .reference = 0,
+                        .tolerance = brief ? 2e-2 : 2e-3,
+                        .least_order = .9};
+    for (const int factor : {1, 2, 4}) {
+        Case c = rolling_on(.5);
+        c.tractive_rolling->distance = 5;
+        c.mdr.springs = (brief ? 400 : 2500) * factor;
+        say(fmt::format("mdr, rolling on, {} springs", c.mdr.springs));
+        row.sizes.push_back(7. / c.mdr.springs);
+        row.values.push_back(roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal);
+        for (const auto& theory : comparisons::tractive::creep_theories(c))
+            if (theory.key == "mdr_closed_form") row.reference = theory.creepage(force);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+void verify_carter(bool brief, const Say& say, Verification& all) {
+    VerificationRow creepage{.problem = "Carter",
+                             .quantity = "xi R/(mu a), f_T = 0.56",
+                             .model = "bem",
+                             .source =
+                                 "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; "
+                                 "extrapolated from this and twice the size of cells",
+                             .reference = theory::carter_creepage_ratio(force),
+                             .tolerance = brief ? 2e-2 : 3e-3};
+    VerificationRow stick = creepage;
+    stick.quantity = "c/a, f_T = 0.56";
+    stick.reference = theory::carter_stick_ratio(force);
+    stick.source = "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick";
+    stick.tolerance = brief ? .05 : 3e-3;
+    std::vector<double> creepages, sticks;
+    for (const int factor : {1, 2, 4, 8}) {
+        Case c = cylinder();
+        c.bem.cells_per_radius = (brief ? 10 : 40) * factor;
+        say(fmt::format("bem, rolling cylinder, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        creepages.push_back(steady.creepage.longitudinal / comparisons::tractive::creepage_unit(c));
+        sticks.push_back(steady.stick_area / steady.contact_area);
+        if (factor == 1) continue;
+        for (VerificationRow* row : {&creepage, &stick})
+            row->sizes.push_back(1 / *c.bem.cells_per_radius);
+    }
+    creepage.values = led_to(creepages);
+    stick.values = led_to(sticks);
+    all.rows.push_back(std::move(creepage));
+    all.rows.push_back(std::move(stick));
+}
+
+/// C11, C22, C23 and C33 of the pressed contact, a circle of the area that its pressure has.
+std::array<double, 4> coefficients(const Case& c) {
+    const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+    const auto pressed =
+        contact::NormalSolver(*compliance, 1e-9)
+            .solve(contact::heights_over(compliance->points(), *c.make_indenter(), {}),
+                   contact::press_step(c).normal);
+    const auto creep = rolling::linear_creep(*compliance, pressed.pressure);
+    const double a = contact::half_space_scales(c).contact_radius;
+    const double stiffness = theory::combined_material(c.materials()).shear_modulus * a * a;
+    return {creep[0][0] / stiffness, creep[1][1] / stiffness, creep[1][2] / (stiffness * a),
+            creep[2][2] / (stiffness * a * a)};
+}
+
+void verify_kalker(bool brief, const Say& say, Verification& all) {
+    constexpr const char* names[] = {"C11", "C22", "C23", "C33"};
+    for (const double nu : {0., .25, .5}) {
+        std::array<std::vector<double>, 4> values;
+        std::vector<double> sizes;
+        for (const int factor : {1, 2, 4, 8}) {
+            Case c = rolling_on(nu);
+            c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+            say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
+                            *c.bem.cells_per_radius));
+            const auto found = coefficients(c);
+            for (std::size_t i = 0; i < 4; ++i) values[i].push_back(found[i]);
+            if (factor > 1) sizes.push_back(1 / *c.bem.cells_per_radius);
+        }
+        const theory::KalkerCoefficients table = theory::kalker_coefficients(1, nu);
+        const double expected[] = {table.longitudinal, table.lateral, table.spin, table.moment};
+        for (std::size_t i = 0; i < 4; ++i)
+            all.rows.push_back({.problem = "Linear creep",
+                                .quantity = fmt::format("{}, nu = {}", names[i], nu),
+                                .model = "bem",
+                                .source = "Kalker (1990), Three-Dimensional Elastic Bodies in "
+                                          "Rolling Contact, table E.3, three digits; extrapolated "
+                                          "from this and twice the size of cells",
+                                .reference = expected[i],
+                                .sizes = sizes,
+                                .values = led_to(values[i]),
+                                .tolerance = brief ? 3e-2 : 1e-2});
+    }
+}
+
+}  // namespace
+
+void verify_rolling(bool brief, const Say& say, Verification& all) {
+    verify_springs(brief, say, all);
+    verify_carter(brief, say, all);
+    verify_kalker(brief, say, all);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/rolling_sections.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+using tricontact::rolling::RollingState;
+
+constexpr int theory_points = 200;
+
+Figure creep_figure(const RollingReport& report) {
+    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const bool across = !straight(report.c);
+    Figure figure{.id = "creep",
+                  .title = "Creep curve",
+                  .caption =
+                      "Steady states at prescribed creepages ξ, each solved by itself; "
+                      "lateral drive and spin are those of the case.",
+                  .x = {fmt::format("creepage ξ over {} [-]", significant(unit, 4))},
+                  .y = {"force over μ F_N [-]"}};
+    double farthest = 0;
+    for (const RollingRun& run : report.runs) {
+        const std::string name = display_name(run.model);
+        Curve along{.name = name, .x = {}, .y = {}, .kind = Curve::Kind::line_and_points};
+        Curve lateral{
+            .name = name + ", F_y", .x = {}, .y = {}, .kind = Curve::Kind::line_and_points};
+        for (const RollingState& s : run.creep_curve) {
+            along.x.push_back(s.creepage.longitudinal / unit);
+            along.y.push_back(force_ratio(s, mu));
+            lateral.y.push_back(s.force[1] / (mu * s.normal_force));
+        }
+        if (along.x.empty()) continue;
+        farthest = std::fmax(farthest, along.x.back());
+        lateral.x = along.x;
+        figure.curves.push_back(std::move(along));
+        if (across) figure.curves.push_back(std::move(lateral));
+    }
+    if (across) return figure;
+    for (const CreepTheory& theory : creep_theories(report.c)) {
+        Curve curve{.name = theory.name,
+                    .x = {},
+                    .y = {},
+                    .theory = true,
+                    .colour = static_cast<int>(figure.curves.size())};
+        for (int i = 0; i <= theory_points; ++i) {
+            curve.x.push_back(farthest * i / theory_points);
+            curve.y.push_back(theory.force_ratio(curve.x.back() * unit));
+        }
+        figure.curves.push_back(std::move(curve));
+    }
+    return figure;
+}
+
+/// MDR's creepage over that of another model at the same force.
+DocumentTable ratio_table(const RollingReport& report) {
+    DocumentTable table{
+        .id = "creep_ratio",
+        .title = "MDR's creepage over that of three dimensions",
+        .note = fmt::format(
+            "ξ of MDR at the same force over ξ of the other model, between the points of the creep "
+            "curves. The thesis has 4(2 - nu)/(4 - 3 nu) = {} for all forces (2.2.31).",
+            significant(thesis_creep_ratio(report.c), 4)),
+        .columns = {{"F_x/(μ F_N)", 2}},
+        .rows = {}};
+    const RollingRun* mdr = run_of(report, "mdr");
+    if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
+    for (const RollingRun& run : report.runs)
+        if (&run != mdr) table.columns.push_back({"over " + display_name(run.model)});
+    const double mu = report.c.friction_coefficient;
+    for (const double f : {.1, .2, .3, .4, .5, .6, .7, .8, .9}) {
+        const auto bed = creepage_at(*mdr, mu, f);
+        std::vector<Cell> row{f};
+        for (const RollingRun& run : report.runs) {
+            if (&run == mdr) continue;
+            const auto other = creepage_at(run, mu, f);
+            if (bed && other) row.emplace_back(*bed / *other);
+        }
+        if (row.size() == table.columns.size()) table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace
+
+DocumentSection creep_section(const RollingReport& report) {
+    DocumentSection section{.id = "creep_section",
+                            .heading = "Force and creepage",
+                            .paragraphs = {},
+                            .figures = {creep_figure(report)},
+                            .tables = {}};
+    DocumentTable ratios = ratio_table(report);
+    if (!ratios.rows.empty()) section.tables.push_back(std::move(ratios));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::tractive

@@ -1,0 +1,74 @@
+#include "comparisons/tractive/creep_theory.h"
+
+#include <algorithm>
+
+#include "theory/carter.h"
+#include "theory/creep_law.h"
+#include "theory/kalker.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+using contact::Case;
+
+bool touches_in_circle(Case::Shape shape) {
+    return shape == Case::Shape::paraboloid || shape == Case::Shape::sphere;
+}
+
+CreepTheory cubic(std::string name, std::string key, double sliding) {
+    return {std::move(name), std::move(key),
+            [=](double creepage) { return theory::cubic_force_ratio(creepage / sliding); },
+            [=](double f) { return sliding * theory::cubic_creepage_ratio(f); }};
+}
+
+/// Without slip: a straight line up to sliding.
+CreepTheory linear(std::string name, std::string key, double sliding) {
+    return {std::move(name), std::move(key),
+            [=](double creepage) { return std::min(1., 3 * creepage / sliding); },
+            [=](double f) { return sliding * f / 3; }};
+}
+
+CreepTheory carter(double unit) {
+    return {"Carter", "carter",
+            [=](double creepage) { return theory::carter_force_ratio(creepage / unit); },
+            [=](double f) { return unit * theory::carter_creepage_ratio(f); }};
+}
+
+}  // namespace
+
+double creepage_unit(const Case& c) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const double slope = c.is_line_contact() ? scales.contact_radius / c.indenter.radius
+                                             : scales.indentation / scales.contact_radius;
+    return c.friction_coefficient * slope;
+}
+
+std::vector<CreepTheory> creep_theories(const Case& c) {
+    if (c.is_line_contact()) return {carter(creepage_unit(c))};
+    if (!touches_in_circle(c.indenter.shape)) return {};
+    const theory::CombinedMaterial material = theory::combined_material(c.materials());
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    const double area = scales.contact_radius * scales.contact_radius;
+    const auto sliding = [&](double coefficient) {
+        return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,
+                                        material.shear_modulus, area, coefficient);
+    };
+    std::vector<CreepTheory> theories{
+        cubic("Vermeulen and Johnson", "vermeulen_johnson",
+              sliding(theory::vermeulen_johnson_coefficient(material.poisson))),
+        cubic("MDR, closed form", "mdr_closed_form",
+              sliding(theory::mdr_coefficient(material.poisson)))};
+    if (material.poisson < 0) return theories;
+    const double kalker = sliding(theory::kalker_coefficients(1, material.poisson).longitudinal);
+    theories.push_back(linear("Kalker, linear", "kalker_linear", kalker));
+    theories.push_back(cubic("cubic law with Kalker's C_11", "cubic_kalker", kalker));
+    return theories;
+}
+
+double thesis_creep_ratio(const Case& c) {
+    const double nu = theory::combined_material(c.materials()).poisson;
+    return theory::vermeulen_johnson_coefficient(nu) / theory::mdr_coefficient(nu);
+}
+
+}  // namespace tricontact::comparisons::tractive

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+
+namespace tricontact::comparisons::tractive {
+
+/// What creepages are shown in [-]: mu a/R, for bodies of revolution of any profile mu d/a. The
+/// same for paraboloids.
+double creepage_unit(const contact::Case& c);
+
+/// A closed form of the creep under a force along the rolling, no force or creepage across, no
+/// spin.
+struct CreepTheory {
+    std::string name;                                    ///< "Vermeulen and Johnson"
+    std::string key;                                     ///< in JSON and CSV
+    std::function<double(double creepage)> force_ratio;  ///< F_x/(mu F_N) of xi >= 0
+    std::function<double(double force_ratio)> creepage;  ///< its inverse, force ratio in [0, 1)
+};
+
+/// Those that apply to the case's body on a half-space: Carter's of a cylinder; of a body that
+/// touches in a circle those of one stiffness (theory/creep_law.h) and Kalker's linear one, the
+/// latter for nu in [0, 1/2]. None for other bodies.
+std::vector<CreepTheory> creep_theories(const contact::Case& c);
+
+/// MDR's creepage over that of three dimensions by the thesis, 4 (2 - nu)/(4 - 3 nu) (2.2.31).
+double thesis_creep_ratio(const contact::Case& c);
+
+}  // namespace tricontact::comparisons::tractive

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "comparisons/tractive/rolling_report.h"
+
+namespace tricontact::comparisons::tractive {
+
+/// F_x/(mu F_N) of a state.
+double force_ratio(const rolling::RollingState& state, double friction_coefficient);
+
+/// |Dissipation - creepage . force - spin moment . spin| over mu F_N times the sliding that
+/// creepage and spin prescribe: in a steady state friction dissipates what creepage works.
+/// Empty where there is no creepage.
+std::optional<double> energy_error(const rolling::RollingState& steady,
+                                   double friction_coefficient);
+
+/// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
+/// of xi over (1 - f)^(1/3), in which creep curves are nearly straight; empty beyond the curve.
+std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient, double ratio);
+
+/// Ways over the half length until the transient has come to within 1 % of the steady state, in
+/// what is not prescribed along x: creepage under a force, else force; empty if it has not.
+std::optional<double> steady_after(const RollingReport& report, const RollingRun& run);
+
+/// The creepage along x is prescribed, the force follows.
+inline bool by_creepage(const contact::Case& c) {
+    return c.tractive_rolling->longitudinal_creepage.has_value();
+}
+
+/// Nothing but the longitudinal creepage or force drives the contact: what closed forms assume.
+inline bool straight(const contact::Case& c) {
+    return c.tractive_rolling->spin == 0 && c.tractive_rolling->lateral_creepage.value_or(0) == 0;
+}
+
+/// That of a model; null if the case has none.
+const RollingRun* run_of(const RollingReport& report, const std::string& model);
+
+}  // namespace tricontact::comparisons::tractive

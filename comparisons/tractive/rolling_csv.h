@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "comparisons/tractive/rolling_report.h"
+
+namespace tricontact::comparisons::tractive {
+
+/// The transient of one model, a row per step, SI units; the last row, of infinite distance left
+/// empty, is the steady state.
+std::string history_csv(const RollingRun& run);
+
+/// Creep curves of all models and theories: steady states, force ratio over creepage. Theories
+/// stand at the same creepages as the first model that has a curve.
+std::string creep_csv(const RollingReport& report);
+
+}  // namespace tricontact::comparisons::tractive

@@ -1,0 +1,112 @@
+#include "comparisons/tractive/rolling_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/format.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/rolling_sections.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+using contact::Case;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::string driven_by(const Case& c, const RollingRun& run) {
+    const auto& s = run.history.steady;
+    if (by_creepage(c)) return fmt::format("ξ = {}", significant(s.creepage.longitudinal, 4));
+    return fmt::format("F_x = {} μ F_N", significant(force_ratio(s, c.friction_coefficient), 3));
+}
+
+Verdict steady_verdict(const RollingReport& report, const RollingRun& run) {
+    const Case& c = report.c;
+    const auto& s = run.history.steady;
+    std::string text =
+        fmt::format("{}, driven by {}: ", display_name(run.model), driven_by(c, run));
+    text += by_creepage(c) ? fmt::format("F_x = {} μ F_N",
+                                         significant(force_ratio(s, c.friction_coefficient), 4))
+                           : fmt::format("ξ = {}", significant(s.creepage.longitudinal, 4));
+    text += fmt::format(", {} % of the contact sticks",
+                        significant(100 * s.stick_area / s.contact_area, 3));
+    if (const auto way = steady_after(report, run))
+        text += fmt::format("; within 1 % of it after {} a", significant(*way, 3));
+    return {.standing = Verdict::Standing::finding, .sentence = text + "."};
+}
+
+std::optional<Verdict> energy_verdict(const RollingReport& report) {
+    double worst = -1;
+    for (const RollingRun& run : report.runs)
+        if (const auto error = energy_error(run.history.steady, report.c.friction_coefficient))
+            worst = std::max(worst, *error);
+    if (worst < 0) return std::nullopt;
+    return Verdict{.standing = Verdict::Standing::finding,
+                   .sentence = fmt::format(
+                       "What friction dissipates differs from what creepage and spin work by {} of "
+                       "the sliding work: an error of cells and springs, which falls with them.",
+                       significant(worst, 2))};
+}
+
+/// What the thesis maps MDR's creep by, beside what it takes.
+std::optional<Verdict> ratio_verdict(const RollingReport& report) {
+    const RollingRun* mdr = run_of(report, "mdr");
+    const RollingRun* bem = run_of(report, "bem");
+    if (!mdr || !bem || by_creepage(report.c)) return std::nullopt;
+    const double measured =
+        mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
+    if (!std::isfinite(measured)) return std::nullopt;
+    return Verdict{.standing = Verdict::Standing::finding,
+                   .sentence = fmt::format(
+                       "MDR creeps {} times as much as BEM; the thesis has {} (2.2.31).",
+                       significant(measured, 3), significant(thesis_creep_ratio(report.c), 3))};
+}
+
+Settings settings_of(const Case& c) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    Settings settings{{"F_N", quantity(scales.normal_force, "N")},
+                      {"a, on the half-space", quantity(scales.contact_radius, "m")},
+                      {"E", given_quantity(c.substrate.young, "Pa")},
+                      {"ν", as_given(c.substrate.poisson)},
+                      {"μ", as_given(c.friction_coefficient)},
+                      {"rolled way", as_given(c.tractive_rolling->distance) + " a"},
+                      {"unit of creepage", significant(creepage_unit(c), 4)},
+                      {"spin φ", as_given(c.tractive_rolling->spin) + " rad/m"}};
+    if (c.layer.thickness)
+        settings.emplace_back("layer, seen by BEM layer", given_quantity(*c.layer.thickness, "m"));
+    return settings;
+}
+
+}  // namespace
+
+Document rolling_document(const RollingReport& report) {
+    Document document{
+        .kind = "Tractive rolling",
+        .title = report.c.title.empty() ? "A contact that rolls on" : report.c.title,
+        .lead =
+            "The indenter rolls on to the right, from rest until nothing changes any more: how "
+            "force and creepage go together, where the contact sticks, and what closed forms "
+            "say. Creepage is the sliding of the indenter over the substrate per rolled way.",
+        .verdicts = {},
+        .settings = settings_of(report.c),
+        .sections = {steady_section(report), transient_section(report), creep_section(report),
+                     zones_section(report)},
+        .files = report.files,
+        .command = report.command,
+        .version = report.version};
+    for (const RollingRun& run : report.runs)
+        document.verdicts.push_back(steady_verdict(report, run));
+    if (auto verdict = ratio_verdict(report)) document.verdicts.push_back(std::move(*verdict));
+    if (auto verdict = energy_verdict(report)) document.verdicts.push_back(std::move(*verdict));
+    std::erase_if(document.sections, [](const DocumentSection& section) {
+        return section.tables.empty() &&
+               std::ranges::all_of(section.figures,
+                                   [](const Figure& figure) { return figure.curves.empty(); });
+    });
+    return document;
+}
+
+}  // namespace tricontact::comparisons::tractive

@@ -1,0 +1,77 @@
+#include "comparisons/tractive/rolling_json.h"
+
+#include "comparisons/json_number.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using tricontact::rolling::RollingState;
+
+Json steady_json(const RollingState& s, double friction_coefficient) {
+    return {{"longitudinal_creepage", number(s.creepage.longitudinal)},
+            {"lateral_creepage", number(s.creepage.lateral)},
+            {"spin_per_m", number(s.creepage.spin)},
+            {"tangential_force_N", numbers(s.force)},
+            {"force_ratio", number(force_ratio(s, friction_coefficient))},
+            {"spin_moment_Nm", number(s.spin_moment)},
+            {"normal_force_N", number(s.normal_force)},
+            {"indentation_m", number(s.indentation)},
+            {"half_length_m", number(s.half_length)},
+            {"half_width_m", number(s.half_width)},
+            {"peak_pressure_Pa", number(s.peak_pressure)},
+            {"contact_area_m2", number(s.contact_area)},
+            {"stick_share", number(s.stick_area / s.contact_area)},
+            {"dissipation_J_per_m", number(s.dissipation)},
+            {"energy_error", number(energy_error(s, friction_coefficient))},
+            {"pressure_lead_m", number(s.pressure_lead)},
+            {"iterations", s.iterations},
+            {"residual", number(s.residual)}};
+}
+
+Json run_json(const RollingReport& report, const RollingRun& run) {
+    const double mu = report.c.friction_coefficient;
+    Json json{{"model", run.model},
+              {"steady", steady_json(run.history.steady, mu)},
+              {"rolled_steps", run.history.transient.size() - 1},
+              {"steady_after", number(steady_after(report, run))},
+              {"creep_curve", Json::array()}};
+    for (const RollingState& s : run.creep_curve)
+        json["creep_curve"].push_back({{"longitudinal_creepage", number(s.creepage.longitudinal)},
+                                       {"force_ratio", number(force_ratio(s, mu))}});
+    return json;
+}
+
+/// Creepage that each theory gives at the force of the case, or the force at its creepage.
+Json theories_json(const RollingReport& report) {
+    Json json = Json::array();
+    if (!straight(report.c) || report.runs.empty()) return json;
+    const RollingState& steady = report.runs.front().history.steady;
+    const double f = force_ratio(steady, report.c.friction_coefficient);
+    const double xi = steady.creepage.longitudinal;
+    for (const CreepTheory& theory : creep_theories(report.c)) {
+        Json one{{"theory", theory.key}};
+        if (by_creepage(report.c))
+            one["force_ratio"] = xi >= 0 ? number(theory.force_ratio(xi)) : Json();
+        else
+            one["longitudinal_creepage"] = f >= 0 && f < 1 ? number(theory.creepage(f)) : Json();
+        json.push_back(std::move(one));
+    }
+    return json;
+}
+
+}  // namespace
+
+Json rolling_json(const RollingReport& report) {
+    Json models = Json::array();
+    for (const RollingRun& run : report.runs) models.push_back(run_json(report, run));
+    return {{"creepage_unit", number(creepage_unit(report.c))},
+            {"models", std::move(models)},
+            {"theories", theories_json(report)},
+            {"thesis_creep_ratio", number(thesis_creep_ratio(report.c))}};
+}
+
+}  // namespace tricontact::comparisons::tractive

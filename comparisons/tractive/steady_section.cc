@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "comparisons/format.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/rolling_sections.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+DocumentTable steady_table(const RollingReport& report) {
+    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    DocumentTable table{
+        .id = "steady",
+        .title = "Steady rolling",
+        .note = fmt::format(
+            "Forces are friction's on the substrate. Creepages ξ and η are in units of {}; a and b "
+            "are half length and half width of the contact, along and across the rolling, by "
+            "cells. Energy: what friction dissipates less what creepage and spin work, over the "
+            "sliding work.",
+            significant(unit, 4)),
+        .columns = {{"model"},
+                    {"ξ [unit]"},
+                    {"η [unit]"},
+                    {"F_x/(μ F_N)"},
+                    {"F_y/(μ F_N)"},
+                    {"M_z/(μ F_N a)"},
+                    {"a [mm]"},
+                    {"b [mm]"},
+                    {"p_0 [MPa]"},
+                    {"stick [share of area]", 3},
+                    {"dissipation [J/m]"},
+                    {"energy [-]", 2},
+                    {"residual [-]", 2}},
+        .rows = {}};
+    for (const RollingRun& run : report.runs) {
+        const auto& s = run.history.steady;
+        const double limit = mu * s.normal_force;
+        table.rows.push_back({display_name(run.model), s.creepage.longitudinal / unit,
+                              s.creepage.lateral / unit, s.force[0] / limit, s.force[1] / limit,
+                              s.spin_moment / limit / s.half_length, s.half_length * 1e3,
+                              s.half_width * 1e3, s.peak_pressure * 1e-6,
+                              s.stick_area / s.contact_area, s.dissipation,
+                              energy_error(s, mu).value_or(undefined), s.residual});
+    }
+    return table;
+}
+
+/// What closed forms say beside the first model.
+DocumentTable theory_table(const RollingReport& report) {
+    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    const bool forces = by_creepage(report.c);
+    DocumentTable table{
+        .id = "theories",
+        .title = forces ? "Force at this creepage" : "Creepage under this force",
+        .note = "On the half-space, whatever the case's layer. Sources: docs/rolling.md.",
+        .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}},
+        .rows = {}};
+    if (!straight(report.c)) return table;
+    for (const RollingRun& run : report.runs)
+        table.columns.push_back({"over that of " + display_name(run.model)});
+    const auto& first = report.runs.front().history.steady;
+    for (const CreepTheory& theory : creep_theories(report.c)) {
+        const double f = force_ratio(first, mu), xi = first.creepage.longitudinal;
+        if (!(f >= 0 && f < 1 && xi >= 0)) continue;
+        const double value = forces ? theory.force_ratio(xi) : theory.creepage(f);
+        std::vector<Cell> row{theory.name, forces ? value : value / unit};
+        for (const RollingRun& run : report.runs) {
+            const auto& s = run.history.steady;
+            row.emplace_back(value / (forces ? force_ratio(s, mu) : s.creepage.longitudinal));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace
+
+DocumentSection steady_section(const RollingReport& report) {
+    DocumentSection section{.id = "steady_section",
+                            .heading = "Steady rolling",
+                            .paragraphs = {},
+                            .figures = {},
+                            .tables = {steady_table(report)}};
+    DocumentTable theories = theory_table(report);
+    if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::tractive

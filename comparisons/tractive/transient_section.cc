@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparisons/format.h"
+#include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/rolling_sections.h"
+#include "theory/carter.h"
+#include "theory/cattaneo_mindlin.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+using tricontact::rolling::RollingState;
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr int theory_points = 400;
+
+const std::string way_label = "rolled way over the half length a of the contact [-]";
+
+/// All of them that are defined, at least one.
+bool always_positive(const std::vector<double>& values) {
+    return std::ranges::none_of(values, [](double value) { return value <= 0; }) &&
+           std::ranges::any_of(values, [](double value) { return value > 0; });
+}
+
+/// What follows from what is prescribed along x, over the way.
+Figure way_figure(const RollingReport& report) {
+    const bool forces = by_creepage(report.c);
+    const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
+    Figure figure{
+        .id = "way",
+        .title =
+            forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
+        .caption = fmt::format(
+            "From rest{}. Lines: step by step. Points at the end: the steady state, solved by "
+            "itself. The first creepages are those of a contact that gives way once more as it "
+            "begins to roll.",
+            forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin"),
+        .x = {way_label},
+        .y = {forces ? "F_x/(μ F_N) [-]"
+                     : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
+    figure.y.logarithmic = !forces;
+    const auto value = [&](const RollingState& s) {
+        return forces ? force_ratio(s, mu) : s.creepage.longitudinal / unit;
+    };
+    for (const RollingRun& run : report.runs) {
+        const double a = run.history.steady.half_length;
+        Curve curve{.name = display_name(run.model), .x = {}, .y = {}};
+        for (const RollingState& s : run.history.transient) {
+            curve.x.push_back(s.distance / a);
+            // At rest nothing is rolled yet: no creepage.
+            curve.y.push_back(s.distance > 0 || forces ? value(s) : undefined);
+        }
+        // A contact that begins to roll under its force slides much farther than later.
+        figure.y.logarithmic = figure.y.logarithmic && always_positive(curve.y);
+        const double end = curve.x.empty() ? 0 : curve.x.back();
+        figure.curves.push_back(std::move(curve));
+        figure.curves.push_back({.name = display_name(run.model),
+                                 .x = {end},
+                                 .y = {value(run.history.steady)},
+                                 .kind = Curve::Kind::points});
+    }
+    return figure;
+}
+
+std::string line_name(const CentreLine& line, double half_length) {
+    if (line.distance == 0) return "at rest";
+    if (!std::isfinite(line.distance)) return "steady";
+    return fmt::format("after {} a", significant(line.distance / half_length, 2));
+}
+
+Curve theory_curve(const std::string& name, double (*traction)(double, double), double f) {
+    Curve curve{.name = name, .x = {}, .y = {}, .theory = true};
+    for (int i = 0; i <= theory_points; ++i) {
+        const double x = 2. * i / theory_points - 1;
+        curve.x.push_back(x);
+        curve.y.push_back(traction(x, f));
+    }
+    return curve;
+}
+
+/// The closed forms of rest and of steady rolling, where there are.
+void add_theories(const RollingReport& report, const RollingRun& run, Figure& figure) {
+    const double f = force_ratio(run.history.steady, report.c.friction_coefficient);
+    if (!straight(report.c) || by_creepage(report.c) || !(f > 0 && f < 1)) return;
+    if (report.c.is_line_contact())
+        figure.curves.push_back(theory_curve("Carter", theory::carter_traction, f));
+    else if (!creep_theories(report.c).empty() && run.model != "mdr")
+        figure.curves.push_back(theory_curve(
+            "Cattaneo and Mindlin",
+            [](double x, double ratio) {
+                return theory::cattaneo_mindlin_traction(std::abs(x), ratio);
+            },
+            f));
+}
+
+Figure line_figure(const RollingReport& report, const RollingRun& run) {
+    const bool springs = run.history.surface.layout == contact::Surface::Layout::line;
+    const double a = run.history.steady.half_length;
+    std::string id = run.model;
+    std::ranges::replace(id, '-', '_');
+    Figure figure{
+        .id = "centre_" + id,
+        .title = fmt::format("From Cattaneo to Carter: {}", display_name(run.model)),
+        .caption = fmt::format(
+            "{} along x on the contact's centre line, over the largest bound. The contact rolls to "
+            "the right: what sticks comes in free of traction at the leading edge.",
+            springs ? "Line load of the springs" : "Friction on the substrate"),
+        .x = {"x/a [-]"},
+        .y = {springs ? "q_x/(μ q_z,max) [-]" : "τ_x/(μ p_0) [-]"}};
+    for (const CentreLine& line : run.lines) {
+        const double largest = *std::ranges::max_element(line.bound);
+        Curve curve{.name = line_name(line, a), .x = {}, .y = {}};
+        Curve bound{.name = "bound", .x = {}, .y = {}, .theory = true};
+        for (std::size_t i = 0; i < line.x.size(); ++i) {
+            if (line.bound[i] <= 0) continue;
+            curve.x.push_back(line.x[i] / a);
+            curve.y.push_back(line.traction[i] / largest);
+            bound.x.push_back(curve.x.back());
+            bound.y.push_back(line.bound[i] / largest);
+        }
+        figure.curves.push_back(std::move(curve));
+        if (&line == &run.lines.back()) figure.curves.push_back(std::move(bound));
+    }
+    add_theories(report, run, figure);
+    return figure;
+}
+
+}  // namespace
+
+DocumentSection transient_section(const RollingReport& report) {
+    DocumentSection section{.id = "transient",
+                            .heading = "From rest to steady rolling",
+                            .paragraphs = {},
+                            .figures = {way_figure(report)},
+                            .tables = {}};
+    for (const RollingRun& run : report.runs) section.figures.push_back(line_figure(report, run));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::tractive

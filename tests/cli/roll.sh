@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# tricontact roll: files and numbers of a case that rolls on, the same each time; who else refuses
+# it, and what it refuses.
+# usage: roll.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+
+sphere=$source_dir/cases/rolling_sphere.toml
+coarse=(--set bem.cells_per_radius=8 --set mdr.springs=400 --set tractive_rolling.distance=5
+    --points 3 --threads 1 --quiet)
+
+"$program" roll "$sphere" "${coarse[@]}" --output once >table.txt 2>&1 || complain "$(cat table.txt)"
+for file in summary.json creep.csv case.toml report.html mdr/history.csv bem/history.csv \
+    bem/surface.pvd bem/steady.pvd mdr/steady.pvd; do
+    [ -s "once/$file" ] || complain "no $file"
+done
+grep -q '^vermeulen_johnson ' table.txt || complain "the table lacks a theory"
+
+# creepage MODEL: of its steady state, from the table.
+creepage() { awk -v model="$1" '$1 == model { print $2 }' table.txt; }
+# Springs rolled on follow their closed form to the spacing of 400 of them: 34 in the radius.
+awk -v bed="$(creepage mdr)" -v exact="$(creepage mdr_closed_form)" \
+    'BEGIN { exit !(bed / exact > 0.95 && bed / exact < 1.05) }' || complain "MDR: $(cat table.txt)"
+# The force is the one of the case, in the last row as in the first.
+awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "tangential_force_x_N") k = i; next }
+    $k < 6.72 || $k > 6.75 { bad = 1 } END { exit bad }' once/bem/history.csv ||
+    complain "F_T varies"
+# A step per cell from rest on, and the steady state.
+[ "$(wc -l <once/bem/history.csv)" -eq 43 ] || complain "rows: $(wc -l <once/bem/history.csv)"
+
+# Run again from the resolved case: the same bytes.
+"$program" roll once/case.toml --points 3 --threads 1 --quiet --output twice >/dev/null
+for file in summary.json creep.csv report.html bem/history.csv mdr/history.csv bem/steady_000000.vti; do
+    cmp -s "once/$file" "twice/$file" || complain "$file differs"
+done
+
+refused "tricontact roll computes such a case" run "$sphere"
+refused "tricontact roll computes such a case" refine "$sphere" --model bem
+refused "there is no [tractive_rolling]" roll "$source_dir/cases/rig_sphere_parallel.toml"
+refused "mdr is a line of springs" roll "$source_dir/cases/rolling_spin.toml" --models mdr
+
+finish

@@ -1,0 +1,64 @@
+// The section [tractive_rolling]; what it refuses stands in tests/cli/bad.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "io/case_reader.h"
+#include "io/case_writer.h"
+
+namespace tricontact::io {
+namespace {
+
+using contact::Case;
+
+Case rolling_on(const std::string& load, const std::string& rolling) {
+    return parse_case(R"(models = ["bem"]
+[indenter]
+radius = "40 mm"
+[substrate]
+young = "5.2 MPa"
+poisson = 0.5
+[friction]
+coefficient = 0.57
+[load]
+normal_force = "21.1 N"
+)" + load + "\n[tractive_rolling]\n" +
+                          rolling,
+                      "rolling.toml");
+}
+
+TEST(TractiveRolling, DrivenByForce) {
+    const Case c = rolling_on("tangential_ratio = 0.56", "");
+    ASSERT_TRUE(c.tractive_rolling);
+    EXPECT_FALSE(c.rolling);
+    EXPECT_FALSE(c.tractive_rolling->longitudinal_creepage);
+    EXPECT_FALSE(c.tractive_rolling->lateral_creepage);
+    EXPECT_EQ(c.tractive_rolling->spin, 0);
+    EXPECT_EQ(c.tractive_rolling->distance, 8);
+}
+
+TEST(TractiveRolling, DrivenByCreepage) {
+    const Case c = rolling_on("", R"(longitudinal_creepage = -0.002
+lateral_creepage = 0.001
+spin = "45 deg/m"
+distance = 3.5)");
+    EXPECT_FALSE(c.load.tangential_ratio || c.load.tangential_force);
+    EXPECT_EQ(c.tractive_rolling->longitudinal_creepage, -.002);
+    EXPECT_EQ(c.tractive_rolling->lateral_creepage, .001);
+    EXPECT_NEAR(c.tractive_rolling->spin, std::numbers::pi / 4, 1e-15);
+    EXPECT_EQ(c.tractive_rolling->distance, 3.5);
+}
+
+TEST(TractiveRolling, WrittenAndReadAgainItIsTheSame) {
+    const Case c = rolling_on("", "longitudinal_creepage = 1e-3\nspin = \"0.3 rad/m\"");
+    const std::string text = write_case(c);
+    const Case again = parse_case(text, "again.toml");
+    EXPECT_EQ(again.tractive_rolling->longitudinal_creepage, 1e-3);
+    EXPECT_FALSE(again.tractive_rolling->lateral_creepage);
+    EXPECT_EQ(again.tractive_rolling->spin, .3);
+    EXPECT_EQ(write_case(again), text);
+}
+
+}  // namespace
+}  // namespace tricontact::io
