@@ -12,7 +12,10 @@
 #include "comparisons/reference.h"
 #include "contact/error.h"
 #include "io/any_case.h"
+#include "io/case_keys.h"
 #include "io/case_writer.h"
+#include "io/key_reference.h"
+#include "io/walk_keys.h"
 #include "io/walk_writer.h"
 
 namespace tricontact::app {
@@ -90,6 +93,10 @@ void list_command(const std::optional<std::string>& given) {
         const auto title = [](const auto& c) { return c.title; };
         std::cout << fmt::format("  {}: {}\n", file, std::visit(title, io::read_any_case(file)));
     }
+}
+
+void keys_command(bool walking) {
+    std::cout << io::key_reference(walking ? io::walk_key_list() : io::case_key_list());
 }
 
 }  // namespace tricontact::app

@@ -201,6 +201,10 @@ struct IdentifyOptions {
 /// prints a table and the answer to standard output. Throws InputError, NotConverged.
 void identify_command(const IdentifyOptions& options);
 
+/// Prints the reference of all keys of case files, or of those of walking machines, as Markdown to
+/// standard output.
+void keys_command(bool walking);
+
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.
 void list_command(const std::optional<std::string>& folder);

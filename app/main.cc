@@ -275,6 +275,11 @@ int run_program(int argc, char** argv) {
     tricontact::app::RigOptions rig_options;
     const auto* rig = add_rig(app, rig_options);
 
+    std::string keys_of = "case";
+    auto* keys = app.add_subcommand("keys", "Print the reference of all keys of an input file");
+    keys->add_option("kind", keys_of, "case, or walking for the micro-walking machine")
+        ->check(CLI::IsMember({"case", "walking"}));
+
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
     list->add_option("folder", list_folder, "Folder to look into (cases)");
@@ -306,6 +311,7 @@ int run_program(int argc, char** argv) {
     if (*merge) tricontact::app::merge_command(merge_options);
     if (*rig) tricontact::app::rig_command(rig_options);
     if (*identify) tricontact::app::identify_command(identify_options);
+    if (*keys) tricontact::app::keys_command(keys_of == "walking");
     if (*list) tricontact::app::list_command(list_folder);
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);

@@ -79,7 +79,7 @@ Calculation layer_coupling(const RollingRig& rig) {
     return calculate({.name = "layer_coupling",
                       .symbol = "|C_13|/sqrt(C_11 C_33)",
                       .formula = "surface compliances of the bonded layer at the wave number 1/a",
-                      .source = "docs/models.md",
+                      .source = "docs/models/bem-layer.md",
                       .unit = "1",
                       .given = {{"b", rig.substrate.thickness, "m"},
                                 {"a", {half_size(rig)}, "m"},

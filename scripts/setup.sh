@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Sees to the Debian packages of packages.txt: root installs what is missing, anybody else is told
 # the command.
-# usage: setup.sh [build|fuzz|report]...   (build)
+# usage: setup.sh [build|fuzz|report|docs]...   (build)
 # Exit codes: 0 all packages are there, 2 some are missing, else apt-get's.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)

@@ -57,7 +57,7 @@ done < <(find app bem benchmarks comparisons contact dynamics fem io mdr meshes 
 
 # Links [text](path#anchor) relative to their document.
 n=0
-for document in ./*.md docs/*.md benchmarks/*.md; do
+for document in ./*.md docs/*.md docs/*/*.md benchmarks/*.md; do
     while read -r target; do
         n=$((n + 1))
         [ -e "$(dirname "$document")/$target" ] || complain "$document: no $target"

@@ -1,5 +1,4 @@
-// docs/case-file.md and docs/walking.md hold one table row per key, as the declarations of the keys
-// say it.
+// docs/case-file.md and docs/walking.md hold what `tricontact keys` prints.
 
 #include <gtest/gtest.h>
 
@@ -7,101 +6,11 @@
 #include <sstream>
 
 #include "io/case_keys.h"
-#include "io/messages.h"
+#include "io/key_reference.h"
 #include "io/walk_keys.h"
 
 namespace tricontact::io {
 namespace {
-
-std::string code(std::string_view text) {
-    return '`' + std::string(text) + '`';
-}
-
-std::string listed(const std::vector<Choice>& choices) {
-    std::string out;
-    for (const Choice& choice : choices)
-        out += (out.empty() ? "" : ", ") + code(toml_string(choice.word));
-    return out;
-}
-
-std::string limits(const Key& key) {
-    std::ostringstream out;  // six digits
-    out << (key.range.low_included ? "from " : "above ");
-    if (key.kind == Key::Kind::integer)
-        out << static_cast<long>(key.range.low) << " to " << static_cast<long>(key.range.high);
-    else
-        out << key.range.low << (key.range.high_included ? " to " : " to below ") << key.range.high;
-    if (key.dimension != Dimension::none) out << ' ' << si_unit(key.dimension);
-    return out.str();
-}
-
-std::string admissible(const Key& key) {
-    switch (key.kind) {
-        case Key::Kind::text:
-            return "text";
-        case Key::Kind::choice:
-            return listed(key.choices);
-        case Key::Kind::choice_list:
-            return "list of " + listed(key.choices);
-        case Key::Kind::boolean:
-            return "`true`, `false`";
-        case Key::Kind::integer:
-            return "whole number " + limits(key);
-        case Key::Kind::number:
-            return "number " + limits(key);
-        case Key::Kind::quantity:
-            return std::string(name_of(key.dimension)) + ' ' + limits(key);
-        case Key::Kind::quantity_list:
-        case Key::Kind::number_list: {
-            const bool number = key.kind == Key::Kind::number_list;
-            const std::string one =
-                (number ? "number" : std::string(name_of(key.dimension))) + ' ' + limits(key);
-            const std::string list = "list of up to " + std::to_string(longest_list);
-            return key.bare ? one + ", or a " + list : list + ", each " + one;
-        }
-    }
-    return {};
-}
-
-std::string default_of(const Key& key, const KeyList& keys) {
-    std::string out = key.required ? "required" : "";
-    if (!key.default_value.empty()) out = code(key.default_value);
-    for (const Key* other : keys.alternatives(key))
-        if (other != &key)
-            out += (out.empty() ? "or " : ", or ") +
-                   code(other->section() == key.section() ? other->name() : other->path);
-    return out;
-}
-
-std::string row(const Key& key, const KeyList& keys) {
-    std::string meaning(key.text);
-    if (keys.has_section(key.needs)) {
-        meaning += "; only with " + code('[' + std::string(key.needs) + ']');
-    } else if (!key.needs.empty()) {
-        const Key& other = *keys.find(key.needs);
-        meaning +=
-            "; only with " + code(other.section() == key.section() ? other.name() : other.path);
-    }
-    return "| " + code(key.name()) + " | " + code(key.example) + " | " + admissible(key) + " | " +
-           default_of(key, keys) + " | " + meaning + " |";
-}
-
-/// The rows that the declarations demand, one table per section.
-std::string reference(const KeyList& keys) {
-    std::string out;
-    std::string_view section = "none yet";
-    for (const Key* key : keys.keys()) {
-        if (key->section() != section) {
-            section = key->section();
-            out +=
-                "\n### " +
-                (section.empty() ? "Before the sections" : code('[' + std::string(section) + ']')) +
-                "\n\n| Key | Example | Admissible | Default | Meaning |\n|---|---|---|---|---|\n";
-        }
-        out += row(*key, keys) + '\n';
-    }
-    return out;
-}
 
 class CaseReference : public testing::TestWithParam<const KeyList*> {};
 
@@ -111,9 +20,9 @@ TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
     std::ifstream file(TRICONTACT_SOURCE_DIR "/" + name);
     std::stringstream document;
     document << file.rdbuf();
-    EXPECT_NE(document.str().find(reference(keys)), std::string::npos)
-        << name << " should hold this:\n"
-        << reference(keys);
+    EXPECT_NE(document.str().find(key_reference(keys)), std::string::npos)
+        << name << ": scripts/key_reference.sh writes it anew; it should hold this:\n"
+        << key_reference(keys);
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,

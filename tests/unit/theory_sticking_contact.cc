@@ -76,7 +76,7 @@ TEST(TheoryStickingContact, MoreTractionsAreStiffer) {
             most = std::max(most, in_plane / radial - 1);
             if (nu == .5) of_coupling = std::max(of_coupling, all / in_plane - 1);
         }
-    // docs/models.md
+    // docs/models/mdr-layer.md
     EXPECT_NEAR(most, .0037, 1e-4);
     EXPECT_NEAR(of_coupling, .0310, 1e-4);
 }

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Builds the documents as a site, build/docs/index.html; warnings are errors, and every link within it
+# has to lead somewhere, to the heading it names.
+# usage: docs.sh
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
+site=$root/build/docs
+
+"$root/scripts/setup.sh" docs
+rm -rf "$site"
+cd "$root"
+sphinx-build -q -n -W --keep-going -c docs -b html . "$site"
+printf '<!doctype html><meta http-equiv="refresh" content="0; url=docs/index.html">\n' >"$site/index.html"
+
+# linkchecker run by root becomes nobody, who may not see into the clone.
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+cp -r "$site" "$copy/site"
+printf '[AnchorCheck]\n' >"$copy/settings"
+chmod -R a+rX "$copy"
+linkchecker --no-status --config "$copy/settings" "$copy/site/docs/index.html"
+printf 'The documents: %s\n' "$site/index.html"
