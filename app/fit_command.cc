@@ -175,6 +175,7 @@ void fit_command(const FitOptions& options) {
     if (!line_factor) comparisons::evaluate(fit);
 
     io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
+    io::write_file(folder + "/points.csv", comparisons::points_csv(fit));
     if (!line_factor) io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
     io::write_file(
         folder + "/fit.html",

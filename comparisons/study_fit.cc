@@ -172,6 +172,27 @@ std::string fit_json(const StudyFit& fit) {
     return all.dump(2) + '\n';
 }
 
+std::string points_csv(const StudyFit& fit) {
+    std::vector<std::string> heading{"model", "group", "amplitude_ratio", "tangential_ratio",
+                                     "behaviour"};
+    for (const std::string result : {"static_shift_ratio", "settled_shift_ratio",
+                                     "shift_increment_ratio", "limit_tangential_ratio"})
+        heading.insert(heading.end(), {result, result + "_error"});
+    std::string text = csv_line(heading);
+    for (const RollingPoint& p : fit.points) {
+        std::vector<std::string> row{csv_field(p.model), csv_field(p.group),
+                                     csv_field(p.amplitude_ratio), csv_field(p.tangential_ratio),
+                                     name_of(p.behaviour)};
+        for (const std::optional<Computed>& c : {std::optional(p.static_shift), p.settled_shift,
+                                                 p.increment, std::optional(p.limit)}) {
+            row.push_back(c ? csv_field(c->value) : "");
+            row.push_back(c ? csv_field(c->error) : "");
+        }
+        text += csv_line(row);
+    }
+    return text;
+}
+
 std::string fits_csv(const StudyFit& fit) {
     std::string text =
         csv_line({"model", "group", "form", "parameter", "value", "standard_error", "low", "high",

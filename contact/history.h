@@ -59,7 +59,7 @@ struct History {
     std::vector<double> shift_per_period;        ///< U with the roller upright, n = 1, 2, ... [m]
     std::vector<double> dissipation_per_period;  ///< [J]
     State state = State::undecided;
-    double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA
+    double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA, F_N the mean
     std::vector<Snapshot> snapshots;
     std::optional<Subsurface> subsurface;  ///< of the last inside that was written
     Audit audit;

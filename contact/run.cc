@@ -96,6 +96,8 @@ class Run {
 
     void roll() {
         model_.start_limit();
+        // An oscillating F_N may differ from its mean, which ratios refer to, when rolling begins.
+        limit_force_ratio_ = history_.steps.back().normal_force / history_.scales.normal_force;
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             double dissipation = 0;
@@ -151,7 +153,7 @@ class Run {
     }
 
     void finish() {
-        history_.limit_tangential_ratio = model_.limit_tangential_ratio();
+        history_.limit_tangential_ratio = limit_force_ratio_ * model_.limit_tangential_ratio();
         history_.snapshots = snapshots_.take();
         history_.audit = model_.audit();
     }
@@ -163,6 +165,7 @@ class Run {
     History history_;
     LoadPath path_;
     SnapshotKeeper snapshots_;
+    double limit_force_ratio_ = 1;  // of the force that the model's limit refers to, and F_N
     int n_at_most_ = 2;
     double time_ = 0;  // [s]
     bool nearly_settled_ = false, perhaps_last_period_ = false;

@@ -188,5 +188,23 @@ TEST(StudyFit, ModelsAndGroupsStayApart) {
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 5);
 }
 
+TEST(StudyFit, TableOfPointsHasEachResultWithItsError) {
+    StudyFit fit;
+    fit.points = {{.model = "bem",
+                   .group = "parallel, at 8 mm",
+                   .amplitude_ratio = .25,
+                   .tangential_ratio = .5,
+                   .behaviour = Behaviour::settled,
+                   .static_shift = {.375, .125},
+                   .settled_shift = Computed{.5},
+                   .limit = {.75, .0625}}};
+    EXPECT_EQ(points_csv(fit),
+              "model,group,amplitude_ratio,tangential_ratio,behaviour,static_shift_ratio,"
+              "static_shift_ratio_error,settled_shift_ratio,settled_shift_ratio_error,"
+              "shift_increment_ratio,shift_increment_ratio_error,limit_tangential_ratio,"
+              "limit_tangential_ratio_error\n"
+              "bem,\"parallel, at 8 mm\",0.25,0.5,settled,0.375,0.125,0.5,,,,0.75,0.0625\n");
+}
+
 }  // namespace
 }  // namespace tricontact::comparisons

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include "contact/run.h"
 #include "tests/verification/mdr_roller.h"
 #include "theory/oscillating_rolling.h"
 
@@ -143,6 +145,24 @@ TEST(MdrOscillatingRolling, AngleMakesNoDifference) {
         c.rolling->angle = angle;
         // path lengths differ by the rounding of cos^2 + sin^2
         EXPECT_NEAR(Roller(c).roll(8).shift_ratio(), parallel, 1e-12) << angle;
+    }
+}
+
+// Uncoupled contact shakes down as long as its points can carry F_T at their least bounds
+// (Klarbring, Ciavarella and Barber 2007), also where F_N oscillates and is not its mean when
+// rolling begins.
+TEST(MdrOscillatingRolling, LimitUnderOscillatingNormalForceIsThatOfTheLeastPressure) {
+    for (const double phase : {0., std::numbers::pi / 4, std::numbers::pi / 2}) {
+        auto rolled = [&](double f) {
+            contact::Case c = sphere_rig(.24, f, 2000, 8);
+            c.load.normal_amplitude_ratio = .4;
+            c.load.normal_phase = phase;
+            c.rolling->periods = 300;
+            return contact::run(c, *mdr::make_model(c));
+        };
+        const double limit = rolled(.1).limit_tangential_ratio;
+        EXPECT_EQ(rolled(.995 * limit).state, contact::State::shakedown) << phase;
+        EXPECT_EQ(rolled(1.005 * limit).state, contact::State::ratcheting) << phase;
     }
 }
 

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Each block of docs/tutorial.md works: files are written, commands end with the code they should, and
+# what is said of their numbers is so.
+# usage: tutorial.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+
+# Blocks to 1.block, 2.block, ...: the line of the fence, then the text.
+awk '/^```[a-z]/ { n++; file = n ".block" }
+    /^```$/ { file = "" }
+    file { print > file }' "$source_dir/docs/tutorial.md"
+mkdir bin
+ln -s "$program" bin/tricontact
+PATH=$PWD/bin:$PATH
+
+n=0
+while [ -e $((n + 1)).block ]; do
+    n=$((n + 1))
+    fence=$(head -1 $n.block)
+    sed -i 1d $n.block
+    case $fence in
+        *' file='*) cp $n.block "${fence##* file=}" ;;
+        '```sh'*)
+            due=0
+            [[ $fence == *' exit='* ]] && due=${fence##* exit=}
+            bash -eu $n.block >$n.out 2>&1
+            code=$?
+            [ "$code" -eq "$due" ] || complain "exit code $code of: $(cat $n.block): $(tail -3 $n.out)"
+            ;;
+        *) complain "what is a block $fence?" ;;
+    esac
+done
+[ "$n" -ge 9 ] || complain "only $n blocks"
+
+grep -q 'a        =      2.65665 mm' 2.out || complain "the contact radius is another: $(grep 'a  *=' 2.out)"
+grep -q 'did you mean' 3.out || complain "no remedy: $(cat 3.out)"
+for shift in 'mdr 0.275' 'bem 0.247' 'bem-layer 0.240'; do
+    read -r model due <<<"$shift"
+    found=$(awk -v model="\"$model\":" '$1 == model { here = 1 } here && /"final_shift_ratio"/ {
+        print $2 + 0; exit }' results/ball/summary.json)
+    [[ $(printf %.3f "$found") == "$due" ]] || complain "$model settles at $found, not $due"
+done
+# Bars within a symbol of the figure, 2 % of its height; the layer below the half-space below MDR.
+awk -F, 'NR > 1 && !($9 < .01) { exit 1 } NR > 1 { u[$3 "," $1] = $8 }
+    END { for (key in u) if (key ~ /,bem$/) {
+        w = key; sub(/,bem$/, "", w)
+        if (!(u[w ",mdr"] > u[key])) exit 1 } }' results/amplitudes/points.csv || complain "the bars or the curves"
+[ "$(head -c 4 figure.pdf)" = %PDF ] || complain "no figure"
+
+finish
