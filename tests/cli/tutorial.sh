@@ -35,15 +35,17 @@ grep -q 'a        =      2.65665 mm' 2.out || complain "the contact radius is an
 grep -q 'did you mean' 3.out || complain "no remedy: $(cat 3.out)"
 for shift in 'mdr 0.275' 'bem 0.247' 'bem-layer 0.240'; do
     read -r model due <<<"$shift"
-    found=$(awk -v model="\"$model\":" '$1 == model { here = 1 } here && /"final_shift_ratio"/ {
+    found=$(awk -v model="\"$model\":" '/^ *"models": {/ { models = 1 } models && $1 == model { here = 1 } here && /"final_shift_ratio"/ {
         print $2 + 0; exit }' results/ball/summary.json)
     [[ $(printf %.3f "$found") == "$due" ]] || complain "$model settles at $found, not $due"
 done
-# Bars within a symbol of the figure, 2 % of its height; the layer below the half-space below MDR.
-awk -F, 'NR > 1 && !($9 < .01) { exit 1 } NR > 1 { u[$3 "," $1] = $8 }
-    END { for (key in u) if (key ~ /,bem$/) {
-        w = key; sub(/,bem$/, "", w)
-        if (!(u[w ",mdr"] > u[key])) exit 1 } }' results/amplitudes/points.csv || complain "the bars or the curves"
+# Bars within a symbol of the figure; half-space below MDR, layer below half-space up to w = 0.3.
+awk -F, 'NR == 1 { next } !($9 < .002) { bad = 1 } { u[$1, sprintf("%.2f", $3)] = $8; w[sprintf("%.2f", $3)] }
+    END { for (at in w) {
+        n++
+        if (!(u["mdr", at] > u["bem", at])) bad = 1
+        if (u["bem", at] > u["bem-layer", at] != at < .3) bad = 1 }
+        exit bad || n != 6 }' results/amplitudes/points.csv || complain "the bars or the curves"
 [ "$(head -c 4 figure.pdf)" = %PDF ] || complain "no figure"
 
 finish
