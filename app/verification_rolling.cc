@@ -119,14 +119,14 @@ std::array<double, 4> coefficients(const Case& c) {
             creep[2][2] / (stiffness * a * a)};
 }
 
-void verify_kalker(bool brief, const Say& say, Verification& all) {
+void verify_kalker(const Say& say, Verification& all) {
     constexpr const char* names[] = {"C11", "C22", "C23", "C33"};
     for (const double nu : {0., .25, .5}) {
         std::array<std::vector<double>, 4> values;
         std::vector<double> sizes;
         for (const int factor : {1, 2, 4, 8}) {
             Case c = rolling_on(nu);
-            c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+            c.bem.cells_per_radius = 8 * factor;
             say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
                             *c.bem.cells_per_radius));
             const auto found = coefficients(c);
@@ -145,7 +145,7 @@ void verify_kalker(bool brief, const Say& say, Verification& all) {
                                 .reference = expected[i],
                                 .sizes = sizes,
                                 .values = led_to(values[i]),
-                                .tolerance = brief ? 3e-2 : 1e-2});
+                                .tolerance = 6e-3});  // half of the last digit of 1.16, and cells
     }
 }
 
@@ -154,7 +154,7 @@ void verify_kalker(bool brief, const Say& say, Verification& all) {
 void verify_rolling(bool brief, const Say& say, Verification& all) {
     verify_springs(brief, say, all);
     verify_carter(brief, say, all);
-    verify_kalker(brief, say, all);
+    verify_kalker(say, all);
 }
 
 }  // namespace tricontact::app
