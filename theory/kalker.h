@@ -31,9 +31,8 @@ struct KalkerCoefficients {
 /// [0, 1/2]. Kalker's table of three digits at a/b = 0.1, 0.2 ... 1, 1/0.9 ... 10 and nu = 0, 1/4,
 /// 1/2; in between 1/C by a parabola in nu (for a sphere it is nearly a straight line, see
 /// vermeulen_johnson_coefficient) and ln C by modified Akima interpolation in
-/// ln(a/b). C23 at a/b = 0.8, nu = 1/4
-/// is 1.25: the 1.15 of print breaks the column's second difference and is 8 % off a computed value
-/// (docs/rolling.md). Throws std::domain_error out of range.
+/// ln(a/b). C23 at a/b = 0.8, nu = 1/4 is 1.25, as boundary elements have it; the 1.15 of print is
+/// 8 % off and breaks the column's second difference. Throws std::domain_error out of range.
 KalkerCoefficients kalker_coefficients(double axes_ratio, double poisson);
 
 /// Steady creepage of the indenter over the substrate: see carter.h for the sign.

@@ -75,6 +75,12 @@ TEST(RollingKalker, CoefficientsOfEllipses) {
         }
 }
 
+// In print C23 at a/b = 0.8, nu = 1/4 is 1.15, 8 % off.
+TEST(RollingKalker, MisprintedCoefficient) {
+    EXPECT_NEAR(extrapolated(.8, .25, 41, 81)[2] / theory::kalker_coefficients(.8, .25).spin, 1,
+                7e-3);
+}
+
 // Reciprocity in rolling: C32 = -C23 on every grid. Without Poisson's ratio x and y are alike.
 TEST(RollingKalker, SpinAndLateralCreepageAreReciprocal) {
     for (const double ratio : {.5, 1., 2.}) {
