@@ -17,7 +17,7 @@ complain() {
 
 # refused EXPECTED ARGUMENTS...: run in an empty folder; EXPECTED is part of the message.
 refused() {
-    local expected=$1 code message
+    local expected=$1 code
     shift
     n=$((n + 1))
     mkdir "$work/empty"
@@ -52,12 +52,13 @@ refused_option() {
     esac
 }
 
-# 1. Every bad case states its message in its first line, from line and column on; run refuses it
-#    before it makes a folder.
+# 1. Every bad case states its message in its first line, from line and column on (" ... " stands for a
+#    path); run refuses it before it makes a folder.
 for file in "$source_dir"/tests/cli/bad/*.toml; do
     expected=$(head -n 1 "$file" | sed 's/^# expect: //')
-    refused "$file$expected" check "$file"
-    refused "$file$expected" run "$file" --output out
+    refused "$file${expected%% ... *}" check "$file"
+    [[ $message == *"${expected##* ... }"* ]] || complain "$file: $message"
+    refused "$file${expected%% ... *}" run "$file" --output out
 done
 for file in "$source_dir"/tests/cli/bad_walk/*.toml; do
     expected=$(head -n 1 "$file" | sed 's/^# expect: //')
