@@ -25,14 +25,14 @@ namespace {
 std::string derived_values(const contact::Case& c) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     const contact::MaterialPair materials = c.materials();
-    std::string text = c.is_line_contact()
+    std::string text = c.is_cylindrical()
                            ? "# What follows from it (Hertz' line contact, a strip of its length)\n"
                            : "# What follows from it on the half-space\n";
     auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
         text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
     };
     line("a", hertz.contact_radius * 1e3, "mm",
-         c.is_line_contact() ? "half width of the contact" : "contact radius");
+         c.is_cylindrical() ? "half width of the contact" : "contact radius");
     line("d", hertz.indentation * 1e3, "mm", "indentation");
     line("F_N", hertz.normal_force, "N", "normal force");
     line(contact::has_conical_tip(c) ? "p_m" : "p0", hertz.peak_pressure * 1e-6, "MPa",

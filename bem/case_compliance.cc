@@ -48,14 +48,17 @@ contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
                                         {spacing, spacing});
 }
 
-/// The same in x, of strips over the whole length in y.
-contact::ContactPoints make_row(double half_x, double spacing, double length) {
-    const double beside = std::ceil(half_x / spacing), n = 2 * beside + 1;
-    check_size(n, 1);
-    auto row = contact::ContactPoints::grid(static_cast<int>(n), 1, {-beside * spacing, 0},
-                                            {spacing, length});
-    row.line_length = length;
-    return row;
+/// The same in x, over a body's whole length in y by cells of about this spacing, or by strips.
+contact::ContactPoints make_long_grid(double half_x, double spacing, double length, bool strips) {
+    const double beside = std::ceil(half_x / spacing), n_x = 2 * beside + 1;
+    const double n_y = strips ? 1 : std::ceil(length / spacing * (1 - whole_cells));
+    check_size(n_x, n_y);
+    const double width = length / n_y;
+    auto grid =
+        contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
+                                     {-beside * spacing, -(n_y - 1) / 2 * width}, {spacing, width});
+    grid.line_length = length;
+    return grid;
 }
 
 /// One period, a cell's centre at the origin.
@@ -170,8 +173,10 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
         const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
         const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
-        auto compliance = make(c.is_line_contact() ? make_row(half_x, spacing, c.indenter.length)
-                                                   : make_grid(half_x, half_y, spacing));
+        auto compliance =
+            make(c.is_cylindrical()
+                     ? make_long_grid(half_x, spacing, c.indenter.length, c.is_line_contact())
+                     : make_grid(half_x, half_y, spacing));
         if (covers(*compliance, c, *indenter, extent)) return compliance;
     }
 }
@@ -259,10 +264,10 @@ std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
-    if (c.is_line_contact())
+    if (c.is_cylindrical())
         throw contact::InputError(
-            "indenter.shape: a line contact has influence coefficients of strips, but files hold "
-            "those of square cells; take another shape");
+            "indenter.shape: the cells of a cylinder or roller divide its length, but files of "
+            "influence coefficients hold those of square cells; take another shape");
     if (c.bem.period)
         throw contact::InputError(
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");

@@ -145,7 +145,7 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis, P
 }
 
 void add_bounds(const contact::Case& c, const Reference& r, Axis axis, Parts& parts) {
-    if (!contact::is_hertz_round(c) && !c.is_line_contact()) return;
+    if (!contact::is_hertz_round(c) && !c.is_cylindrical()) return;
     parts.data += function_data("$bound", [](double x) { return least_bound(x, 0, 0); });
     parts.add_curve(
         "$bound with lines linewidth 1 linecolor rgb '#888888' title 'bound μp, upright'");

@@ -12,7 +12,7 @@ std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories)
     const auto add = [&](const auto& maker) {
         for (Plot& plot : maker(c, histories)) plots.push_back(std::move(plot));
     };
-    for (const auto maker : {shift_plots, dissipation_plots, traction_plots}) add(maker);
+    for (const auto maker : {shift_plots, dissipation_plots, traction_plots, end_plots}) add(maker);
     if (!c.is_line_contact())  // else nothing varies along y
         for (const auto maker : {zone_maps, surface_plots}) add(maker);
     add(subsurface_plots);

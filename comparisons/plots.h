@@ -26,6 +26,8 @@ std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories
 std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& histories);
 /// Traction on the centre lines along x and y with its bound and zones; none without tractions.
 std::vector<Plot> traction_plots(const contact::Case& c, const Histories& histories);
+/// Pressure along y towards the ends of a roller; none for other bodies.
+std::vector<Plot> end_plots(const contact::Case& c, const Histories& histories);
 /// Stick, slip and open points at chosen instants, a row of maps per model on a grid (see
 /// resample.h for others).
 std::vector<Plot> zone_maps(const contact::Case& c, const Histories& histories);

@@ -67,7 +67,7 @@ Reference reference(const contact::Case& c) {
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;
     if (!in_unit_range(r.tangential_ratio)) return r;
-    if (c.is_line_contact())
+    if (c.is_cylindrical())
         add_line_contact(c, r);
     else
         add_point_contact(c, r);
@@ -75,7 +75,7 @@ Reference reference(const contact::Case& c) {
 }
 
 std::string size_name(const contact::Case& c) {
-    return c.is_line_contact() ? "half width" : "contact radius";
+    return c.is_cylindrical() ? "half width" : "contact radius";
 }
 
 const char* pressure_name(const contact::Case& c) {

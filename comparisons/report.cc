@@ -187,8 +187,8 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("resolved_case", resolved_case);
     result.set("several_models", summaries.size() > 1);
     result.set("round", contact::is_hertz_round(c));
-    result.set("line", c.is_line_contact());
-    result.set("body", !contact::is_hertz_round(c) && !c.is_line_contact());
+    result.set("line", c.is_cylindrical());
+    result.set("body", !contact::is_hertz_round(c) && !c.is_cylindrical());
     result.set("ellipse", c.indenter.shape == contact::Case::Shape::ellipsoid);
     return result;
 }

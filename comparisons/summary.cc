@@ -34,7 +34,7 @@ std::optional<double> mapping_parameter(const contact::Case& c, const ModelSumma
 
 /// w_lim of the half-space at f.
 std::optional<double> amplitude_limit(const contact::Case& c, double f) {
-    if (c.is_line_contact()) return theory::line_amplitude_limit(f);
+    if (c.is_cylindrical()) return theory::line_amplitude_limit(f);
     return theory::has_body_theory(c) ? theory::amplitude_limit(c, f) : std::nullopt;
 }
 
@@ -48,7 +48,7 @@ std::optional<double> ratcheting_slope(const contact::Case& c, const ModelSummar
 
 /// W0 [J] of the model's own scales.
 double unit_dissipation(const contact::Case& c, const ModelSummary& s, const History& history) {
-    if (c.is_line_contact()) {
+    if (c.is_cylindrical()) {
         const double bound = c.friction_coefficient * history.scales.normal_force;
         return theory::line_cycle_dissipation(s.tangential_ratio) * bound * bound * 2 /
                (std::numbers::pi * c.materials().effective_modulus() * c.indenter.length);
@@ -71,7 +71,7 @@ void add_periods(const contact::Case& c, const History& history, ModelSummary& s
         s.shift_increment_ratio = s.shift_ratio_per_period.back() - before;
         s.state = history.state;
     }
-    const bool closed = c.is_line_contact() || contact::is_hertz_round(c);
+    const bool closed = c.is_cylindrical() || contact::is_hertz_round(c);
     const bool known = closed && in_unit_range(s.tangential_ratio);
     const double unit = known ? unit_dissipation(c, s, history) : 0;
     for (const double work : history.dissipation_per_period)

@@ -193,6 +193,8 @@ struct Case {
 
     /// Of a body that is long along y: pressures and tractions are uniform over its length.
     bool is_line_contact() const { return indenter.shape == Shape::cylinder; }
+    /// Of a body along y that ends on either side, and rolls in x.
+    bool is_cylindrical() const { return is_line_contact() || indenter.shape == Shape::roller; }
     MaterialPair materials() const { return {indenter.material, substrate}; }
     /// With its roughness.
     std::unique_ptr<Indenter> make_indenter() const;
@@ -201,8 +203,8 @@ struct Case {
 };
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
-/// solution for paraboloid and sphere, see line_contact_scales.h for the cylinder, rough_scales.h
-/// for nominally flat bodies. SI units.
+/// solution for paraboloid and sphere, see line_contact_scales.h for cylinder and roller,
+/// rough_scales.h for nominally flat bodies. SI units.
 struct HalfSpaceScales {
     double contact_radius;  ///< a [m]; half width of a line contact, of an ellipse the geometric
                             ///< mean of both half axes

@@ -99,7 +99,7 @@ HalfSpaceScales axisymmetric_scales(const Case& c) {
 
 HalfSpaceScales half_space_scales(const Case& c) {
     if (is_nominally_flat(c)) return rough_scales(c);
-    if (c.is_line_contact()) return line_contact_scales(c);
+    if (c.is_cylindrical()) return line_contact_scales(c);
     switch (c.indenter.shape) {
         case Case::Shape::paraboloid:
         case Case::Shape::sphere:

@@ -5,6 +5,7 @@
 #include "contact/ellipsoid.h"
 #include "contact/error.h"
 #include "contact/power_law.h"
+#include "contact/roller.h"
 #include "contact/rough_indenter.h"
 #include "contact/rounded_punch.h"
 
@@ -42,6 +43,9 @@ std::unique_ptr<Indenter> smooth_body(const Case& c) {
             return std::make_unique<Cylinder>(c.indenter.radius, c.indenter.length);
         case Case::Shape::ellipsoid:
             return std::make_unique<Ellipsoid>(c.indenter.radius, c.indenter.radius_y);
+        case Case::Shape::roller:
+            return std::make_unique<Roller>(c.indenter.radius, c.indenter.length,
+                                            c.indenter.chamfer);
         default:
             return c.make_axisymmetric_indenter();
     }

@@ -43,6 +43,7 @@ CondensedCompliance::CondensedCompliance(std::shared_ptr<const LayerProblem> pro
       matrix_(std::move(layer.compliance)),
       mass_(std::move(layer.contact_mass)),
       missing_reaction_(std::move(layer.missing_reaction)) {
+    points_.line_length = problem_->line_length;
     // From z out of the substrate to z into it, and from forces on the modelled part to all.
     const std::size_t n = points_.size();
     const double part = modelled_part(points_);

@@ -19,6 +19,7 @@ struct LayerProblem {
     contact::Case::Base base = contact::Case::Base::bonded;
     contact::Case::Sides sides = contact::Case::Sides::free;
     double largest_bulk_ratio = incompressible_bulk_ratio;  ///< K/G is cut here
+    double line_length = 0;  ///< see contact::ContactPoints [m]; the stiffness knows nothing of it
 };
 
 }  // namespace tricontact::fem

@@ -38,7 +38,7 @@ void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
     if (!c.layer.width || !c.layer.depth)
         workshop.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
                                  2e3 * spec.half_x, 2e3 * spec.half_y));
-    const double least = std::min(spec.half_x, spec.half_y);
+    const double least = c.is_cylindrical() ? spec.half_x : std::min(spec.half_x, spec.half_y);
     if (least < far_sides(c) * total * (1 - 1e-9))
         workshop.say(fmt::format(
             "the sides are {:.3g} layer thicknesses away, less than {:.3g}: they will be felt",
@@ -47,18 +47,21 @@ void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
         workshop.say("on a frictionless base the sides are held, or the layer would slide away");
 }
 
+void require_room(const char* side, double half, double patch, double size) {
+    if (half < patch + size)
+        throw contact::InputError(fmt::format(
+            "substrate.{}: the contact patch with its path is {:.4g} m wide and must leave an "
+            "element on either side of the block's {:.4g} m; enlarge it or reduce the load",
+            side, 2 * patch, 2 * half));
+}
+
 meshes::LayerMeshSpec plan(const Case& c, Workshop& workshop) {
     require_layer(c);
     const double radius = patch_margin * probe_radius(c, hardest_press(c), workshop);
     const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, workshop);
     meshes::LayerMeshSpec spec = spec_for(c, size, radius);
-    for (const auto& [side, half, patch] : {std::tuple("width", spec.half_x, spec.patch_x),
-                                            std::tuple("depth", spec.half_y, spec.patch_y)})
-        if (half < patch + size)
-            throw contact::InputError(fmt::format(
-                "substrate.{}: the contact patch with its path is {:.4g} m wide and must leave an "
-                "element on either side of the block's {:.4g} m; enlarge it or reduce the load",
-                side, 2 * patch, 2 * half));
+    require_room("width", spec.half_x, spec.patch_x, size);
+    if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, size);
     say_what_was_chosen(c, spec, workshop);
     return spec;
 }

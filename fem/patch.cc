@@ -17,6 +17,7 @@ constexpr double probe_elements = 3;   // in the guessed contact radius
 constexpr double probe_margin = 1.35;  // of the patch over the guess
 constexpr double enlargement = 1.4;
 constexpr double probe_tolerance = 1e-4;
+constexpr double end_fineness = 4;  // elements of a roller's ends in one of the patch
 
 /// Half sides of the region that the contact centre sweeps [m].
 Vector2 path_extent(const Case& c, double contact_radius) {
@@ -38,7 +39,8 @@ double pressed_radius(const Case& c, const contact::NormalControl& control,
     double radius = 0;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (pressed.pressure[i] > 0)
-            radius = std::max(radius, std::hypot(points.x[i], points.y[i]));
+            radius =
+                std::max(radius, std::hypot(points.x[i], c.is_cylindrical() ? 0 : points.y[i]));
     return radius;
 }
 
@@ -46,9 +48,24 @@ double whole_elements(double length, double size) {
     return size * std::max(1., std::ceil(length / size - 1e-9));
 }
 
+/// Along y, of a body that ends there.
+void lay_along(const Case& c, double reach, meshes::LayerMeshSpec& spec) {
+    const double half_length = c.indenter.length / 2;
+    spec.plane_strain = c.is_line_contact();
+    spec.half_y = spec.plane_strain ? half_length
+                  : c.layer.depth   ? *c.layer.depth / 2
+                                    : half_length + reach;
+    spec.patch_y = std::min(half_length, spec.half_y);
+    if (spec.plane_strain) return;
+    const double rounded = c.indenter.chamfer - (half_length - spec.patch_y);
+    spec.ends = meshes::LayerMeshSpec::Ends{.size = spec.size / end_fineness,
+                                            .length = std::max(0., rounded)};
+}
+
 }  // namespace
 
 double narrowness(const Case& c) {
+    if (c.is_cylindrical()) return 1;
     const Vector2 half = half_space_scales(c).half_widths;
     return std::min(half[0], half[1]) / std::max(half[0], half[1]);
 }
@@ -79,14 +96,27 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
     spec.half_model = is_symmetric(c);
     spec.patch_x = whole_elements(contact_radius + extent[0], size);
-    spec.patch_y = whole_elements(contact_radius + extent[1], size);
     const double total = spec.thickness + spec.lower_thickness;
     const double reach = far_sides(c) * total;
     auto half_side = [&](const std::optional<double>& given, double patch) {
         return given ? *given / 2 : std::max(reach, patch + reach / 2);
     };
     spec.half_x = half_side(c.layer.width, spec.patch_x);
-    spec.half_y = half_side(c.layer.depth, spec.patch_y);
+    if (c.is_cylindrical()) {
+        lay_along(c, reach, spec);
+    } else {
+        spec.patch_y = whole_elements(contact_radius + extent[1], size);
+        spec.half_y = half_side(c.layer.depth, spec.patch_y);
+    }
+    return spec;
+}
+
+meshes::LayerMeshSpec resized(meshes::LayerMeshSpec spec, double size) {
+    const bool square = !spec.plane_strain && !spec.ends;
+    spec.patch_x = whole_elements(spec.patch_x, size);
+    if (square) spec.patch_y = whole_elements(spec.patch_y, size);
+    if (spec.ends) spec.ends->size *= size / spec.size;
+    spec.size = size;
     return spec;
 }
 
@@ -94,8 +124,9 @@ double probe_radius(const Case& c, const contact::NormalControl& control, Worksh
     Case still = c;  // pressed only
     still.rolling.reset();
     const Vector2 half = half_space_scales(c).half_widths;
-    double guess =
-        std::max(half[0], half[1]) * std::sqrt(control.value / contact::press_step(c).normal.value);
+    // The patch of a cylinder or roller is as long as it: only the width along x is asked for.
+    const double widest = c.is_cylindrical() ? half[0] : std::max(half[0], half[1]);
+    double guess = widest * std::sqrt(control.value / contact::press_step(c).normal.value);
     for (;; guess *= enlargement) {
         const double size = narrowness(c) * guess / probe_elements;
         const auto compliance =

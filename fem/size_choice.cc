@@ -19,13 +19,22 @@ namespace {
 constexpr double coarse_elements = 4, fine_elements = 5.657;  // in the contact radius
 constexpr double assumed_order = 1.5;
 
+/// A roller without its ends, where sharp ones have no finite pressure.
+Case middle_of(const Case& c) {
+    Case middle = c;
+    if (!c.is_cylindrical()) return middle;
+    middle.indenter.shape = Case::Shape::cylinder;
+    middle.layer.depth.reset();
+    return middle;
+}
+
 /// What the accuracy is about, on a mesh of elements of `size`.
 std::array<double, 4> pressed_values(const Case& c, double size, double radius,
                                      Workshop& workshop) {
-    Case still = c;
+    Case still = middle_of(c);
     still.rolling.reset();
     contact::SurfaceModel model(
-        "fem", workshop.make(make_layer_mesh(spec_for(still, size, radius))), c.make_indenter(),
+        "fem", workshop.make(make_layer_mesh(spec_for(still, size, radius))), still.make_indenter(),
         c.friction_coefficient, c.fem.tolerance, c.contact);
     contact::LoadStep press = contact::press_step(c);
     press.friction = false;
@@ -42,10 +51,7 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
     double ratio = shortage.needed_bytes > 0 ? shortage.needed_bytes / shortage.available_bytes : 4;
     const double first = spec.size;
     for (int attempt = 0; attempt < 4; ++attempt) {
-        const double radius_x = spec.patch_x, radius_y = spec.patch_y;
-        spec.size = std::min(1.05 * spec.size * std::pow(ratio, 0.4), 16 * first);
-        spec.patch_x = std::ceil(radius_x / spec.size) * spec.size;
-        spec.patch_y = std::ceil(radius_y / spec.size) * spec.size;
+        spec = resized(spec, std::min(1.05 * spec.size * std::pow(ratio, 0.4), 16 * first));
         try {
             const double needed =
                 predicted_bytes(problem_of(c, make_layer_mesh(spec))) + blas_buffer_bytes();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace tricontact::fem {
@@ -16,6 +17,9 @@ LayerProblem problem_of(const Case& c, meshes::HexMesh mesh) {
     problem.base = c.layer.base;
     // On a frictionless base only the sides can hold a layer that is pulled sideways.
     problem.sides = c.layer.base == Case::Base::frictionless ? Case::Sides::fixed : c.fem.sides;
+    if (c.is_cylindrical())
+        problem.line_length =
+            std::min(c.indenter.length, c.layer.depth.value_or(c.indenter.length));
     return problem;
 }
 

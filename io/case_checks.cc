@@ -210,9 +210,10 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
     const double n_x = whole_period
                            ? *c.bem.period / h
                            : 2 * (grown * s.half_widths[0] + w * std::abs(std::cos(angle))) / h;
-    const double n_y = whole_period ? n_x
-                       : c.is_line_contact()
-                           ? 1
+    const double n_y = whole_period          ? n_x
+                       : c.is_line_contact() ? 1
+                       : c.is_cylindrical()
+                           ? c.indenter.length / h
                            : 2 * (grown * s.half_widths[1] + w * std::abs(std::sin(angle))) / h;
     if (std::max(n_x, n_y) > most_cells)
         refuse(document, key,

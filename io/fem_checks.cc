@@ -39,12 +39,13 @@ struct Patch {
 };
 
 Patch patch_of(const Case& c, double contact_radius) {
-    if (!c.rolling) return {contact_radius, contact_radius};
+    const double across = c.is_cylindrical() ? c.indenter.length / 2 : contact_radius;
+    if (!c.rolling) return {contact_radius, across};
     const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
     const double reference = own ? contact_radius : contact::half_space_scales(c).contact_radius;
     const double w = contact::rolling_amplitude(*c.rolling, reference);
     return {contact_radius + w * std::abs(std::cos(c.rolling->angle)),
-            contact_radius + w * std::abs(std::sin(c.rolling->angle))};
+            across + w * std::abs(std::sin(c.rolling->angle))};
 }
 
 void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
@@ -54,13 +55,15 @@ void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
                "the layer is thinner than " + rounded(thinnest) +
                    " of the contact radius, at least " + rounded(a.low) + " m: it cannot be meshed",
                "use a thicker layer or less load");
-    for (const auto& [key, side, half] : {std::tuple("substrate.width", c.layer.width, patch.x),
-                                          std::tuple("substrate.depth", c.layer.depth, patch.y)})
+    const auto check_side = [&](const char* key, const std::optional<double>& side, double half) {
         if (side && *side <= 2 * half)
             refuse(document, key,
                    "contact and rolling path do not fit on the block: they are at least " +
                        rounded(2 * half) + " m long",
                    "enlarge it, or omit it for a block that is wide enough");
+    };
+    check_side("substrate.width", c.layer.width, patch.x);
+    if (!c.is_cylindrical()) check_side("substrate.depth", c.layer.depth, patch.y);
 }
 
 void check_indentation(const Case& c, const Document& document) {
@@ -76,6 +79,13 @@ double n_graded(double length, double h, double growth) {
     return length > 0 ? std::ceil(std::log1p(length * (growth - 1) / h) / std::log(growth)) : 0;
 }
 
+// Along y under a cylinder one, under a roller graded towards its ends; half a model does.
+double n_along(const Case& c, double h) {
+    if (c.is_line_contact()) return 1;
+    return std::ceil(4 * c.indenter.chamfer / h) +
+           n_graded(c.indenter.length / 2, h / 4, c.fem.growth);
+}
+
 // Of the block that the patch, its elements and their growth ask for; not narrower than 6 b.
 double n_elements(const Case& c, const Patch& patch, double h) {
     const double b = c.layer.total_thickness();
@@ -84,8 +94,9 @@ double n_elements(const Case& c, const Patch& patch, double h) {
         return 2 * (std::ceil(half / h) + n_graded(outside, h, c.fem.growth));
     };
     // In depth neighbours grow by less.
-    return across(patch.x, c.layer.width) * across(patch.y, c.layer.depth) *
-           n_graded(b, h, std::pow(c.fem.growth, 0.8));
+    const double n_y = c.is_cylindrical() ? n_along(c, h) + n_graded(6 * b, h / 4, c.fem.growth)
+                                          : across(patch.y, c.layer.depth);
+    return across(patch.x, c.layer.width) * n_y * n_graded(b, h, std::pow(c.fem.growth, 0.8));
 }
 
 // Three per node, two nodes per element and direction. Load and rolling along one line: one half
@@ -93,7 +104,8 @@ double n_elements(const Case& c, const Patch& patch, double h) {
 double n_unknowns(const Case& c, const Patch& patch, double h) {
     const bool half = !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-9;
     const double n_x = 4 * std::ceil(patch.x / h) + 1;
-    const double n_y = (half ? 2 : 4) * std::ceil(patch.y / h) + 1;
+    const double n_y =
+        c.is_cylindrical() ? 2 * n_along(c, h) + 1 : (half ? 2 : 4) * std::ceil(patch.y / h) + 1;
     return 3 * n_x * n_y;
 }
 
@@ -134,19 +146,39 @@ void check_mesh_file(const Case& c, const Document& document) {
 
 double growth_at_crest(const Case& c) {
     const double growth = 1 + c.load.normal_amplitude_ratio;
-    return c.load.normal_force ? std::cbrt(growth) : std::sqrt(growth);
+    return c.load.normal_force && !c.is_cylindrical() ? std::cbrt(growth) : std::sqrt(growth);
+}
+
+// Of the softest layer below over the one in contact [-].
+double softness_below(const Case& c) {
+    double softer = 0;
+    for (const auto& below : c.layer.lower)
+        softer =
+            std::max(softer, below.material.plane_compliance() / c.substrate.plane_compliance());
+    return softer;
+}
+
+// The same of a line contact. Lubrication theory of a thin incompressible layer:
+// a^5 = 15 R b^3 (F/L)/(2 G), d = a^2/(6 R); with Hertz' a_H^2 = (F/L) R/(pi G):
+// a = 1.88 a_H (b/a_H)^(3/5).
+RadiusBounds line_bounds(const Case& c) {
+    const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
+    const double softer = softness_below(c);
+    if (c.load.normal_force) {
+        const double thin = 1.88 * std::pow(*c.layer.thickness / hertz, .6);
+        return {hertz / (1 + 1 / thin), hertz * std::sqrt(std::max(1., softer))};
+    }
+    const double deepest = *c.load.indentation * (1 + c.load.normal_amplitude_ratio);
+    return {softer > 1 ? 0 : hertz, std::sqrt(6 * c.indenter.radius * deepest)};
 }
 
 }  // namespace
 
 RadiusBounds contact_radius_bounds(const Case& c) {
+    if (c.is_cylindrical()) return line_bounds(c);
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     const double hertz = scales.contact_radius * growth_at_crest(c);
-    const double b = *c.layer.thickness;
-    double softer = 0;
-    for (const auto& below : c.layer.lower)
-        softer =
-            std::max(softer, below.material.plane_compliance() / c.substrate.plane_compliance());
+    const double b = *c.layer.thickness, softer = softness_below(c);
     // A cone's contact, which grows with d, is 2.4 times as wide on a thin incompressible layer;
     // no other body's grows faster or is wider.
     if (!contact::is_hertz_round(c))

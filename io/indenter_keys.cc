@@ -26,6 +26,7 @@ const std::vector<ShapeKeys>& shapes() {
         {"paraboloid", paraboloid, {"radius"}},
         {"sphere", sphere, {"radius"}},
         {"cylinder", cylinder, {"radius", "length"}},
+        {"roller", roller, {"radius", "length", "chamfer"}},
         {"cone", cone, {"angle"}},
         {"power-law", power_law, {"radius", "exponent"}},
         {"rounded-punch", rounded_punch, {"radius", "flat_radius"}},
@@ -88,6 +89,14 @@ void add_indenter_keys(std::vector<CaseKey>& keys) {
                      .example = R"("80 mm")",
                      .text = "length L along y"},
                     [](Case& c) { return of_shape(c, "length", &c.indenter.length); }});
+    keys.push_back({{.path = "indenter.chamfer",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::length,
+                     .range = {0, 1e6},
+                     .default_value = R"("0 m")",
+                     .example = R"("1 mm")",
+                     .text = "radius of the rounded ends of a roller; 0: sharp ends"},
+                    [](Case& c) { return of_shape(c, "chamfer", &c.indenter.chamfer); }});
     keys.push_back({{.path = "indenter.radius_y",
                      .kind = Kind::quantity,
                      .dimension = Dimension::length,

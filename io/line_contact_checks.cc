@@ -25,11 +25,12 @@ void check_models(const Case& c, const Document& document) {
             refuse(document, "models",
                    std::string(model) +
                        " maps bodies of revolution to a line of springs; there is no such map of "
-                       "the line contact of a cylinder",
+                       "cylinders and rollers",
                    "take bem or bem-layer");
-    if (computes(c, "fem"))
-        refuse(document, "models", "fem has no line contact", "take bem or bem-layer");
-    if (computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
+    if (c.is_line_contact() && computes(c, "fem"))
+        refuse(document, "models", "fem has no line contact",
+               "take bem or bem-layer, or indenter.shape = \"roller\"");
+    if (c.is_line_contact() && computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
         refuse(document, "substrate.base",
                "a line load displaces an elastic half-space below the layers without bound",
                "take \"bonded\", or the model bem");
@@ -52,21 +53,28 @@ void check_size(const Case& c, const Document& document) {
 
 void check_path(const Case& c, const Document& document) {
     if (!c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12) return;
-    refuse(document, "rolling.angle", "a cylinder rolls across its axis, along x, only",
+    refuse(document, "rolling.angle", "a cylinder or roller rolls across its axis, along x, only",
            "omit it, or take a body of revolution");
 }
 
 void check_options(const Case& c, const Document& document) {
     for (const char* key : {"bem.period", "bem.influence"})
         if (document.find(key))
-            refuse(document, key, "is of square cells; a line contact is made of strips",
+            refuse(document, key,
+                   "is of square cells; those of a cylinder or roller divide its length",
                    "omit it, or take another indenter.shape");
+    if (document.find("fem.mesh"))
+        refuse(document, "fem.mesh", "meshes under a cylinder or roller are the program's own",
+               "omit it, or take another indenter.shape");
+    if (2 * c.indenter.chamfer > c.indenter.length)
+        refuse(document, "indenter.chamfer",
+               "is more than half the length of " + rounded(c.indenter.length) + " m", "reduce it");
 }
 
 }  // namespace
 
 void check_line_contact(const Case& c, const Document& document) {
-    if (!c.is_line_contact()) return;
+    if (!c.is_cylindrical()) return;
     check_models(c, document);
     check_path(c, document);
     check_options(c, document);

@@ -5,7 +5,7 @@
 
 namespace tricontact::io {
 
-/// What a line contact cannot be combined with; nothing for other bodies. Throws
+/// What cylinder and roller cannot be combined with; nothing for other bodies. Throws
 /// contact::InputError.
 void check_line_contact(const contact::Case& c, const Document& document);
 

@@ -115,7 +115,7 @@ void resolve_height_map(Case& c, const Document& document) {
 void check_rough_bodies(const Case& c, const Document& document) {
     if (!is_rough(c)) return;
     check_models(c, document);
-    if (c.indenter.roughness && c.is_line_contact())
+    if (c.indenter.roughness && c.is_cylindrical())
         refuse(document, "indenter.shape",
                "roughness makes spots of what is taken as a line contact",
                "omit [indenter.roughness], or take another shape");

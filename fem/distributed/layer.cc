@@ -92,7 +92,7 @@ std::array<std::vector<double>, 3> missing_reaction(
 }  // namespace
 
 LayerProblem share(LayerProblem problem, const Session& session) {
-    auto& [mesh, materials, base, sides, largest_bulk_ratio] = problem;
+    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length] = problem;
     session.share(mesh.nodes);
     session.share(mesh.hexes);
     session.share(mesh.regions);
@@ -104,6 +104,7 @@ LayerProblem share(LayerProblem problem, const Session& session) {
     session.share(&base, sizeof(base));
     session.share(&sides, sizeof(sides));
     session.share(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
+    session.share(&line_length, sizeof(line_length));
     return problem;
 }
 
