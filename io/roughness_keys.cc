@@ -44,13 +44,13 @@ void add_roughness_keys(std::vector<CaseKey>& keys) {
                      .text = "root mean square of the gradient"},
                     of_roughness<&Roughness::rms_slope>});
     add_wavelength<&Roughness::long_wavelength>(
-        keys, "indenter.roughness.long_wavelength", R"("0.1 mm")",
+        keys, "indenter.roughness.long_wavelength", R"("1 mm")",
         "longest wavelength, after which the roughness repeats itself");
     add_wavelength<&Roughness::roll_off>(
-        keys, "indenter.roughness.roll_off", R"("20 um")",
+        keys, "indenter.roughness.roll_off", R"("0.25 mm")",
         "wavelength of the roll-off: longer waves have the spectral density of this one");
     add_wavelength<&Roughness::short_wavelength>(keys, "indenter.roughness.short_wavelength",
-                                                 R"("1 um")", "shortest wavelength");
+                                                 R"("62.5 um")", "shortest wavelength");
     keys.push_back({{.path = "indenter.roughness.seed",
                      .kind = Kind::integer,
                      .range = {0, 2147483647},

@@ -157,11 +157,11 @@ class UndeclaredKink final : public contact::AxisymmetricIndenter {
     double outer_radius() const override { return std::numeric_limits<double>::infinity(); }
 };
 
-TEST(ElasticLayerTables, DoesNotHideThatItHasNotConverged) {
-    const auto message = refusal<contact::NotConverged>([] {
+TEST(ElasticLayerTables, DoesNotHideAnUndeclaredKink) {
+    const auto message = refusal<contact::InputError>([] {
         solve_layer_contact({{1e6, .3}, .02}, UndeclaredKink(), indentation(.02));
     });
-    EXPECT_NE(message.find("declare the kinks"), std::string::npos) << message;
+    EXPECT_NE(message.find("declare its kinks"), std::string::npos) << message;
 }
 
 }  // namespace
