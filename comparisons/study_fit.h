@@ -36,8 +36,8 @@ std::string fit_json(const StudyFit& fit);
 /// about zero of what the parameters multiply, number of observations, degrees of freedom.
 std::string fits_csv(const StudyFit& fit);
 
-/// points.csv: a row per point of a model: model, group, w, f_T, behaviour, then each result and its
-/// numerical error, both empty where undefined.
+/// points.csv: a row per point of a model: model, group, w, f_T, behaviour, then each result and
+/// its numerical error, both empty where undefined.
 std::string points_csv(const StudyFit& fit);
 
 /// Verdicts, tables and figures, those of the thesis with its formulas over the models.

@@ -31,8 +31,8 @@ struct ContactPoints {
     bool mirrored = false;
     /// A grid of one period of a surface that has no edge.
     bool periodic = false;
-    /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter or
-    /// the substrate ends there; 0: it may go on beyond them.
+    /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter
+    /// or the substrate ends there; 0: it may go on beyond them.
     double line_length = 0;
     /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
     /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.

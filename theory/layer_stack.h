@@ -29,8 +29,8 @@ void check(const LayerStack& stack);
 /// Surface compliance at the wave number k > 0 [1/m], conventions of layer_compliance.h; k = 0
 /// where that is finite for a single layer on a rigid plane. Throws contact::InputError.
 ///
-/// A single layer on a rigid plane: its closed form. Else by the waves of interior_waves.h. Absolute
-/// accuracy about 1e-14 of the half-space's.
+/// A single layer on a rigid plane: its closed form. Else by the waves of interior_waves.h.
+/// Absolute accuracy about 1e-14 of the half-space's.
 LayerCompliance surface_compliance(const LayerStack& stack, double wave_number);
 
 /// Wave number [1/m] at which what lies below the layers begins to be seen: panels of integrals

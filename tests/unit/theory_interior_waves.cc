@@ -70,7 +70,8 @@ TEST(InteriorWaves, TheBaseHolds) {
         const auto base = [&](LayerBase kind) {
             return interior_waves({{{material(nu), b}}, kind, {}}, k, std::array{b}).front();
         };
-        const InteriorWaves bonded = base(LayerBase::bonded), glides = base(LayerBase::frictionless);
+        const InteriorWaves bonded = base(LayerBase::bonded),
+                            glides = base(LayerBase::frictionless);
         const double unit = rounding / (g * k);
         for (const double u :
              {bonded.pressed.u_z, bonded.pressed.u_along, bonded.sheared.u_z,
