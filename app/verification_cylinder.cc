@@ -15,16 +15,17 @@ using contact::Case;
 
 constexpr double amplitude = 0.26, force = 0.5;
 
-/// The rig with a cylinder; no coupling, which the closed forms leave out.
+/// The rig with a cylinder a hundred times as long under the same load per length, so that (a/L)^2
+/// of the strip is nothing; no coupling, which the closed forms leave out.
 Case cylinder_case() {
     Case c;
     c.indenter.shape = Case::Shape::cylinder;
     c.indenter.radius = 40e-3;
-    c.indenter.length = 80e-3;
+    c.indenter.length = 8;
     c.substrate = {3.6e6, 0.5};
     c.friction_coefficient = 0.79;
     c.contact.coupling = false;
-    c.load.normal_force = 32.3;
+    c.load.normal_force = 3230;
     c.load.tangential_ratio = force;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = amplitude;
@@ -51,14 +52,12 @@ void add_half_space(const Levels& levels, const LineTolerances& allowed, Verific
     rows.add(problem, "a, mm", johnson, hertz.contact_radius * 1e3, allowed.width, radius_mm);
     rows.add(problem, "p0, MPa", johnson, hertz.peak_pressure * 1e-6, allowed.others,
              peak_pressure_mpa);
-    // (a/L)^2 of the strip stays: no order.
-    const Allowed finite{allowed.others.error + 1.5e-4};
-    rows.add(problem, "d, mm", strip, hertz.indentation * 1e3, finite, indentation_mm);
-    rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, finite, unit_shift_mm);
+    rows.add(problem, "d, mm", strip, hertz.indentation * 1e3, allowed.others, indentation_mm);
+    rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, allowed.others, unit_shift_mm);
     rows.add(problem, "u_stat", "Cattaneo (1938), two ellipses over the strip",
-             theory::line_static_shift_ratio(force, lambda), finite, static_ratio);
+             theory::line_static_shift_ratio(force, lambda), allowed.others, static_ratio);
     rows.add(problem, "u_sd", punches, theory::line_settled_shift_ratio(amplitude, stick, lambda),
-             finite, settled_ratio);
+             allowed.others, settled_ratio);
     rows.add(problem, "f_T,lim", "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
              theory::line_shakedown_limit(amplitude), allowed.others, limit);
 }

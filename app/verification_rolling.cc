@@ -40,7 +40,8 @@ Case rolling_on(double nu) {
 Case cylinder() {
     Case c = rolling_on(.5);
     c.indenter.shape = Case::Shape::cylinder;
-    c.indenter.length = 80e-3;
+    c.indenter.length = 8;  // (a/L)^2 of the strip is nothing
+    *c.load.normal_force *= 100;
     return c;
 }
 
