@@ -4,7 +4,7 @@ namespace tricontact::io {
 
 std::string_view paraview_macro() {
     return R"python(# Opens the results beside this script in ParaView, at the last state: one layout per model, the
-# contact surface and, where there is one, the inside.
+# contact surface and, where there are such, steady rolling and the inside.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
 import glob
 import os
@@ -12,7 +12,7 @@ import sys
 
 from paraview.simple import *
 
-FIELDS = {"surface": ["normal_traction_Pa"], "volume": ["von_mises_Pa"]}
+FIELDS = {"surface": ["normal_traction_Pa"], "steady": ["normal_traction_Pa"], "volume": ["von_mises_Pa"]}
 
 
 def results_folder():
