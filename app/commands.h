@@ -58,6 +58,24 @@ struct InfluenceOptions {
 /// Throws InputError.
 void influence_command(const InfluenceOptions& options);
 
+struct ExportOptions {
+    std::string case_file;
+    std::vector<std::string> overrides;
+    std::string output;  ///< folder; empty: results/<name of the case file>_contact
+    std::string model;   ///< empty: the only boundary element model of the case
+    int threads = 1;
+};
+/// Writes the steps of a case of boundary elements as input of the program CONTACT
+/// (docs/contact-program.md). Throws InputError.
+void export_command(const ExportOptions& options);
+
+struct ImportOptions {
+    std::string input_file;  ///< of CONTACT
+    std::string output;      ///< the case file
+};
+/// Writes the case whose steps an input file of CONTACT has. Throws InputError.
+void import_command(const ImportOptions& options);
+
 struct RefineOptions {
     std::string case_file;
     std::vector<std::string> overrides;

@@ -89,6 +89,29 @@ const CLI::App* add_roll(CLI::App& app, tricontact::app::RollOptions& options) {
     return roll;
 }
 
+const CLI::App* add_export(CLI::App& app, tricontact::app::ExportOptions& options) {
+    auto* exporting = app.add_subcommand("export", "Write a case as input of the program CONTACT");
+    add_case_arguments(*exporting, options.case_file, options.overrides);
+    exporting->add_option("--output", options.output, "Folder (results/<case>_contact)")
+        ->type_name("DIR");
+    exporting->add_option("--model", options.model, "Model (the one of the case)")
+        ->check(CLI::IsMember({"bem", "bem-layer"}));
+    exporting->add_option("--threads", options.threads, "Threads for large grids (all cores)")
+        ->check(CLI::Range(1, 1024));
+    return exporting;
+}
+
+const CLI::App* add_import(CLI::App& app, tricontact::app::ImportOptions& options) {
+    auto* importing = app.add_subcommand("import", "Write the case of an input file of CONTACT");
+    importing->add_option("input", options.input_file, "Input file of CONTACT, module 3")
+        ->required()
+        ->type_name("FILE.inp");
+    importing->add_option("--output", options.output, "The case file")
+        ->required()
+        ->type_name("CASE.toml");
+    return importing;
+}
+
 const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options) {
     auto* sweep = app.add_subcommand("sweep", "Run the points of a study side by side; resumable");
     sweep->add_option("study", options.study_file, "Study file (TOML)")
@@ -241,6 +264,11 @@ int run_program(int argc, char** argv) {
     influence
         ->add_option("--threads", influence_options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
+    tricontact::app::ExportOptions export_options;
+    export_options.threads = options.threads;
+    const auto* exporting = add_export(app, export_options);
+    tricontact::app::ImportOptions import_options;
+    const auto* importing = add_import(app, import_options);
     tricontact::app::LimitOptions limit_options;
     limit_options.threads = options.threads;
     const auto* limit = add_limit(app, limit_options);
@@ -300,6 +328,8 @@ int run_program(int argc, char** argv) {
     if (*check) tricontact::app::check_command(check_file, check_overrides);
     if (*refine) tricontact::app::refine_command(refine_options);
     if (*influence) tricontact::app::influence_command(influence_options);
+    if (*exporting) tricontact::app::export_command(export_options);
+    if (*importing) tricontact::app::import_command(import_options);
     if (*limit) tricontact::app::limit_command(limit_options);
     if (*verify && !tricontact::app::verify_command(verify_options)) return exit_failed;
     if (*walk) tricontact::app::walk_command(walk_options);

@@ -30,6 +30,7 @@ may_include fem contact meshes
 may_include fem/distributed contact meshes fem
 may_include rolling contact theory
 may_include io contact dynamics
+may_include io/contact_program contact io
 may_include comparisons contact theory
 may_include comparisons/tractive contact theory comparisons rolling
 may_include comparisons/walking contact theory dynamics comparisons

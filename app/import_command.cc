@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/commands.h"
+#include "bem/grid_compliance.h"
+#include "io/atomic_file.h"
+#include "io/contact_program/case_text.h"
+#include "io/input_file.h"
+
+namespace tricontact::app {
+
+namespace {
+
+constexpr std::size_t largest_input_mb = 100;
+
+}  // namespace
+
+void import_command(const ImportOptions& options) {
+    const io::ImportedCase imported = io::case_of_sequence(
+        io::read_input_file(options.input_file, "input file of CONTACT", largest_input_mb),
+        options.input_file, bem::is_coupled);
+    io::write_file(options.output, imported.text);
+    std::cout << fmt::format("steps                {}\n", imported.n_steps);
+    if (imported.left_out > 0)
+        std::cout << fmt::format("left out             {} normal problems ahead of them\n",
+                                 imported.left_out);
+    std::cout << fmt::format("written              {}\n", options.output);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "bem/influence_file.h"
+
+namespace tricontact::bem {
+
+/// The table as the program CONTACT reads numerical coefficients (C = 9), the indenter being its
+/// body 1. `shear_modulus`: the combined G of its input [Pa], by which it divides them;
+/// docs/contact-program.md has the signs.
+std::string contact_program_influence(const InfluenceTable& table, double shear_modulus);
+
+}  // namespace tricontact::bem

@@ -1,0 +1,126 @@
+#include "io/contact_program/input_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "io/messages.h"
+#include "io/number_text.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr std::size_t longest_in_message = 40;
+
+std::string quoted(std::string_view word) {
+    return fmt::format("\"{}\"", one_line(shortened(word, longest_in_message)));
+}
+
+std::vector<std::string_view> parted(std::string_view line) {
+    constexpr std::string_view separators = " \t\r,=";
+    std::vector<std::string_view> words;
+    for (std::size_t at = line.find_first_not_of(separators); at != line.npos;) {
+        const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+        words.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(separators, end);
+    }
+    return words;
+}
+
+/// Fortran writes the exponent of double precision as 1.5d-3.
+std::optional<double> fortran_number(std::string_view word) {
+    std::string text(word);
+    std::ranges::replace_if(
+        text, [](char c) { return c == 'd' || c == 'D'; }, 'e');
+    const auto value = number_in(text);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+}  // namespace
+
+InputLines::InputLines(std::string text, std::string name)
+    : text_(std::move(text)), name_(std::move(name)) {}
+
+bool InputLines::advance() {
+    while (at_ < text_.size()) {
+        const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+        current_ = std::string_view(text_).substr(at_, end - at_);
+        at_ = end + 1;
+        ++line_;
+        words_ = parted(current_.substr(0, current_.find('%')));
+        next_ = 0;
+        if (!words_.empty()) return true;
+    }
+    words_.clear();
+    next_ = 0;
+    return false;
+}
+
+bool InputLines::at_end() {
+    return next_ == words_.size() && !advance();
+}
+
+std::string_view InputLines::next_word(std::string_view what) {
+    if (at_end())
+        fail(fmt::format("{}:{}", name_, line_), "", fmt::format("the file ends, but {} due", what),
+             "complete it, or end it by \"0 MODULE\"");
+    const std::string_view word = words_[next_++];
+    taken_.push_back({line_, static_cast<int>(word.data() - current_.data()) + 1});
+    return word;
+}
+
+std::vector<double> InputLines::numbers(std::size_t n, std::string_view what) {
+    taken_.clear();
+    std::vector<double> values;
+    while (values.size() < n) {
+        const std::string_view word = next_word(fmt::format("{} are", what));
+        const auto value = fortran_number(word);
+        if (!value)
+            refuse(quoted(word), fmt::format("is no number, but {} are due", what), "correct it");
+        values.push_back(*value);
+    }
+    end_of_values();
+    return values;
+}
+
+int InputLines::whole_number(std::string_view what) {
+    taken_.clear();
+    const std::string_view word = next_word(fmt::format("{} is", what));
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+        refuse(quoted(word), fmt::format("is no whole number, but {} is due", what), "correct it");
+    end_of_values();
+    return value;
+}
+
+std::vector<int> InputLines::digits(std::size_t n, std::string_view what) {
+    taken_.clear();
+    const std::string_view word = next_word(fmt::format("{} are", what));
+    const bool all = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
+    if (!all || word.size() > n)
+        refuse(quoted(word), fmt::format("are not the digits {}", what), "correct them");
+    end_of_values();
+    std::vector<int> values(n - word.size(), 0);
+    for (const char c : word) values.push_back(c - '0');
+    return values;
+}
+
+std::string InputLines::place_of(const Place& place) const {
+    return fmt::format("{}:{}:{}", name_, place.line, place.column);
+}
+
+void InputLines::refuse(std::string_view subject, std::string_view rule, std::string_view remedy,
+                        std::size_t back) const {
+    fail(place_of(taken_[taken_.size() - 1 - back]), subject, rule, remedy);
+}
+
+void InputLines::refuse_line(int line, std::string_view subject, std::string_view rule,
+                             std::string_view remedy) const {
+    fail(place_of({line, 1}), subject, rule, remedy);
+}
+
+}  // namespace tricontact::io

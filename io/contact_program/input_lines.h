@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tricontact::io {
+
+/// The values of an input file of CONTACT as its own reader takes them: what follows % is comment,
+/// words are parted by blanks, tabs, commas and =, and what a line holds beyond the values that are
+/// due is comment, too. Values may go on in further lines. Throws contact::InputError, naming file,
+/// line and column.
+class InputLines {
+  public:
+    /// `name` stands for the file in messages.
+    InputLines(std::string text, std::string name);
+
+    /// Nothing but comments is left.
+    bool at_end();
+    /// The next `n` numbers; `what` they are, for messages.
+    std::vector<double> numbers(std::size_t n, std::string_view what);
+    /// The next whole number.
+    int whole_number(std::string_view what);
+    /// `n` digits in one word; a shorter word lacks zeros in front.
+    std::vector<int> digits(std::size_t n, std::string_view what);
+
+    /// Line of the last value [1, ...].
+    int line() const { return line_; }
+    /// At the value `back` before the last one.
+    [[noreturn]] void refuse(std::string_view subject, std::string_view rule,
+                             std::string_view remedy, std::size_t back = 0) const;
+    /// In a line read before.
+    [[noreturn]] void refuse_line(int line, std::string_view subject, std::string_view rule,
+                                  std::string_view remedy) const;
+
+  private:
+    struct Place {
+        int line, column;
+    };
+
+    /// Reads the next line that holds words; false at the end.
+    bool advance();
+    std::string_view next_word(std::string_view what);
+    void end_of_values() { next_ = words_.size(); }
+    std::string place_of(const Place& place) const;
+
+    std::string text_, name_;
+    std::size_t at_ = 0;  // in the text
+    int line_ = 0;
+    std::string_view current_;             // line
+    std::vector<std::string_view> words_;  // of it
+    std::size_t next_ = 0;                 // of them
+    std::vector<Place> taken_;             // of the values of the last call
+};
+
+}  // namespace tricontact::io

@@ -1,0 +1,213 @@
+#include "io/contact_program/program_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr double mm = 1e-3;            // [m]
+constexpr double per_square_mm = 1e6;  // 1 N/mm^2 in Pa
+constexpr int module_number = 3;
+constexpr int most_cells_along = 100000;
+
+int cells_along(double value, const char* what, std::size_t back, const InputLines& lines) {
+    if (!(value >= 1 && value <= most_cells_along) || value != std::floor(value))
+        lines.refuse(fmt::format("{} = {}", what, value),
+                     fmt::format("must be a whole number from 1 to {}", most_cells_along),
+                     "correct it", back);
+    return static_cast<int>(value);
+}
+
+void demand_positive(double value, const char* what, std::size_t back, const InputLines& lines) {
+    if (!(value > 0))
+        lines.refuse(fmt::format("{} = {}", what, value), "must be positive", "correct it", back);
+}
+
+/// Reads one case after the other; what is not given anew is that of the case before.
+class CaseReading {
+  public:
+    CaseReading(std::string text, const std::string& name) : lines_(std::move(text), name) {}
+
+    std::vector<ProgramCase> all() {
+        while (enter_module()) {
+            do read_case();
+            while (cases_.back().digits.after == 0);
+        }
+        if (cases_.empty())
+            lines_.refuse_line(lines_.line(), "", "the file holds no case of CONTACT's module 3",
+                               "name an input file of CONTACT");
+        return std::move(cases_);
+    }
+
+  private:
+    /// False at the end, be it said or not.
+    bool enter_module() {
+        if (lines_.at_end()) return false;
+        const int number = lines_.whole_number("the number of a module");
+        if (number != 0 && number != module_number)
+            lines_.refuse(fmt::format("module {}", number),
+                          "only cases of module 3, the basic one, are read",
+                          "describe the contact by its undeformed distance");
+        return number != 0;
+    }
+
+    void read_case() {
+        const bool first = cases_.empty();
+        current_ = first ? ProgramCase{} : cases_.back();
+        current_.digits = read_digits(lines_);
+        if (first) demand_all_new();
+        const CaseDigits& digits = current_.digits;
+        if (digits.solver == 0) read_solver();
+        read_loads();
+        if (digits.friction == 0) read_friction();
+        if (digits.influence != 0) read_materials();
+        if (digits.cells != 0) read_cells();
+        if (digits.distance != 0) read_distance();
+        cases_.push_back(current_);
+    }
+
+    void demand_all_new() {
+        const CaseDigits& d = current_.digits;
+        const auto demand = [&](bool is_new, const char* rule) {
+            if (!is_new)
+                lines_.refuse_line(d.line, rule, "the first case has nothing to go on from",
+                                   "give all of its values");
+        };
+        demand(d.previous == 2, "P = 0");
+        demand(d.friction == 0, "L = 1");
+        demand(d.cells != 0, "D = 0");
+        demand(d.influence != 0, "C = 0");
+        demand(d.distance != 0, "Z = 0");
+        demand(d.solver == 0, "G = 1");
+    }
+
+    void read_solver() {
+        const auto v = lines_.numbers(5, "MAXGS, MAXIN, MAXNR, MAXOUT and EPS");
+        demand_positive(v[4], "EPS", 0, lines_);
+        current_.tolerance = v[4];
+    }
+
+    void read_loads() {
+        const bool force = current_.digits.normal == 1;
+        const auto v = lines_.numbers(
+            4, force ? "FN and three tangential values" : "PEN and three tangential values");
+        demand_positive(v[0], force ? "FN" : "PEN", 3, lines_);
+        if (v[3] != 0)
+            lines_.refuse(fmt::format("CPHI = {}", v[3]), "no case here is turned", "give 0");
+        current_.loads_line = lines_.line();
+        current_.normal = v[0] * (force ? 1 : mm);
+        const int forces = current_.digits.force;
+        current_.tangential = {v[1] * (forces >= 1 ? 1 : mm), v[2] * (forces == 2 ? 1 : mm)};
+    }
+
+    void read_friction() {
+        constexpr double same = 1e-3;  // as CONTACT asks for
+        const auto v = lines_.numbers(2, "FSTAT and FKIN");
+        demand_positive(v[0], "FSTAT", 1, lines_);
+        if (std::abs(v[1] - v[0]) > same * v[0])
+            lines_.refuse(fmt::format("FKIN = {}", v[1]), "must be FSTAT in Coulomb friction",
+                          "correct it");
+        current_.friction_coefficient = v[0];
+    }
+
+    void read_materials() {
+        const auto v = lines_.numbers(4, "POISS 1,2 and GG 1,2");
+        for (const std::size_t body : {0, 1}) {
+            if (!(v[body] >= 0 && v[body] <= 0.5))
+                lines_.refuse(fmt::format("POISS{} = {}", body + 1, v[body]),
+                              "must be from 0 to 0.5", "correct it", 3 - body);
+            demand_positive(v[body + 2], body == 0 ? "GG1" : "GG2", 1 - body, lines_);
+            current_.poisson[body] = v[body];
+            current_.shear_modulus[body] = per_square_mm * v[body + 2];
+        }
+    }
+
+    void read_cells() {
+        const int way = lines_.whole_number("IPOTCN");
+        if (way < -5 || way == 0 || way > 4)
+            lines_.refuse(fmt::format("IPOTCN = {}", way), "must be from -5 to -1 or from 1 to 4",
+                          "give the cells by 1: first corner and size of a cell");
+        current_.is_hertzian = way < 0;
+        const std::size_t n = way < 0 ? 5 : 6;
+        const auto v = lines_.numbers(n, "MX, MY and the place of the cells");
+        current_.cells_line = lines_.line();
+        current_.n_x = cells_along(v[0], "MX", n - 1, lines_);
+        current_.n_y = cells_along(v[1], "MY", n - 2, lines_);
+        if (way > 0) place_cells(way, v);
+    }
+
+    /// By corner or centre of the first cell (odd, even pairs), and by size of a cell or the last
+    /// corner or centre.
+    void place_cells(int way, const std::vector<double>& v) {
+        const bool by_corner = way <= 2, by_size = way % 2 == 1;
+        const std::array<int, 2> n{current_.n_x, current_.n_y};
+        for (const std::size_t axis : {0, 1}) {
+            const double from = mm * v[2 + axis], given = mm * v[4 + axis];
+            const int parts = by_corner ? n[axis] : std::max(1, n[axis] - 1);
+            const double size = by_size ? given : (given - from) / parts;
+            demand_positive(size, axis == 0 ? "DX" : "DY", 1 - axis, lines_);
+            current_.spacing[axis] = size;
+            current_.first[axis] = by_corner ? from + size / 2 : from;
+        }
+    }
+
+    void read_distance() {
+        current_.curvature = current_.offset = {};
+        if (current_.is_hertzian) return;  // nothing is given
+        const auto kind = lines_.numbers(2, "IBASE and IPLAN");
+        if (kind[0] != 1)
+            lines_.refuse(fmt::format("IBASE = {}", kind[0]),
+                          "only quadratic undeformed distances tell the body",
+                          "give 1, or describe the body in a case file", 1);
+        if (kind[1] != 1)
+            lines_.refuse(fmt::format("IPLAN = {}", kind[1]), "no planform is cut out of the cells",
+                          "give 1");
+        const auto b = lines_.numbers(6, "B(1) to B(6)");
+        current_.distance_line = lines_.line();
+        if (b[1] != 0)
+            lines_.refuse(fmt::format("B(2) = {}", b[1]),
+                          "the body's axes must be those of x and y", "turn the axes", 4);
+        const double curved[] = {b[0] / mm, b[2] / mm};
+        const double inclined[] = {b[3], b[4]};
+        for (const std::size_t axis : {0, 1}) {
+            if (curved[axis] < 0 || (curved[axis] == 0 && (axis == 0 || inclined[axis] != 0)))
+                lines_.refuse(fmt::format("B({}) = {}", 2 * axis + 1, b[2 * axis]),
+                              "a body must be convex", "correct it", 5 - 2 * axis);
+            current_.curvature[axis] = curved[axis];
+            current_.offset[axis] = curved[axis] == 0 ? 0 : -inclined[axis] / (2 * curved[axis]);
+        }
+        check_lowest_point(mm * b[5]);
+    }
+
+    /// The offset's lowest point has the height zero: the depth d is counted from there.
+    void check_lowest_point(double given) {
+        constexpr double allowed = 1e-2;  // of the height over a cell: files are rounded
+        double height = 0, over_cell = 0;
+        for (const std::size_t axis : {0, 1}) {
+            const double a = current_.curvature[axis];
+            height += a * std::pow(current_.offset[axis], 2);
+            over_cell += a * std::pow(current_.spacing[axis], 2);
+        }
+        if (!(std::abs(given - height) <= allowed * over_cell))
+            lines_.refuse(fmt::format("B(6) = {}", given / mm),
+                          fmt::format("leaves the lowest point beside the height 0, where it would "
+                                      "be with {:.6g}",
+                                      height / mm),
+                          "correct it");
+    }
+
+    InputLines lines_;
+    ProgramCase current_;
+    std::vector<ProgramCase> cases_;
+};
+
+}  // namespace
+
+std::vector<ProgramCase> read_program_cases(std::string text, const std::string& name) {
+    return CaseReading(std::move(text), name).all();
+}
+
+}  // namespace tricontact::io
