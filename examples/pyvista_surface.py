@@ -31,7 +31,7 @@ def arrows(surface):
     """The tangential traction at the points of contact, the longest arrow a tenth of the surface."""
     centres = surface.cell_centers() if FRICTION in surface.cell_data else surface
     centres = centres.extract_points(centres[ZONES] > 0, include_cells=False)
-    strongest = abs(centres[FRICTION]).max()
+    strongest = (centres[FRICTION] ** 2).sum(axis=1).max() ** 0.5
     factor = 0.1 * surface.length / strongest if strongest > 0 else 0
     return centres.glyph(orient=FRICTION, scale=FRICTION, factor=factor)
 
