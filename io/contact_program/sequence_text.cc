@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/error.h"
 #include "contact/placement.h"
 #include "io/contact_program/sequence.h"
 #include "io/messages.h"
@@ -24,6 +25,16 @@ constexpr double out_of_reach = 1e6;
 // Most iterations of CONTACT's loops: Gauss-Seidel, within NORM and TANG, Newton-Raphson for F_T.
 constexpr const char* inner_iterations = "999 999 50";
 constexpr int turns_if_coupled = 50;
+
+constexpr std::size_t most_cells = 2'000'000;  // that CONTACT takes
+
+void check_size(const contact::ContactPoints& grid) {
+    if (grid.size() > most_cells)
+        throw contact::InputError(
+            fmt::format("bem.spacing: {} x {} cells are more than the {} that CONTACT takes; "
+                        "enlarge it",
+                        grid.n_x, grid.n_y, most_cells));
+}
 
 /// Curvatures A, B [1/m] of a body h = A x^2 + B y^2; empty: another one.
 std::optional<Vector2> quadratic_body(const Case& c) {
@@ -162,6 +173,7 @@ ShearModuli shear_moduli(const Case& c) {
 
 std::string sequence_text(const Case& c, const contact::ContactPoints& grid, bool is_coupled,
                           const std::optional<std::string>& influence) {
+    check_size(grid);
     return SequenceWriter(c, grid, is_coupled, influence).write();
 }
 

@@ -244,6 +244,10 @@ TEST(ContactProgram, RefusesWhatASequenceCannotSay) {
     const Case c =
         parse_case(sphere, "case.toml", {"substrate.poisson=0.3", "contact.coupling=false"});
     EXPECT_THROW(sequence_of(c, true), contact::InputError);
+    EXPECT_THROW(
+        sequence_text(parse_case(sphere, "case.toml"),
+                      contact::ContactPoints::grid(2001, 1000, {0, 0}, {1e-5, 1e-5}), false, {}),
+        contact::InputError);
 }
 
 }  // namespace
