@@ -199,6 +199,8 @@ struct RollOptions {
 void roll_command(const RollOptions& options);
 /// Throws InputError if the case rolls on, which no other command computes.
 void refuse_rolling_on(const contact::Case& c, const std::string& case_file);
+/// Throws InputError unless it does.
+void require_rolling_on(const contact::Case& c, const std::string& case_file);
 
 struct RigOptions {
     std::string rig_file;

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/case_json.h"
 #include "app/commands.h"
 #include "app/roll_models.h"
 #include "app/run_model.h"
@@ -14,7 +13,6 @@
 #include "comparisons/tractive/readings.h"
 #include "comparisons/tractive/rolling_csv.h"
 #include "comparisons/tractive/rolling_document.h"
-#include "comparisons/tractive/rolling_json.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
@@ -39,10 +37,7 @@ Case read(const RollOptions& options) {
     if (!options.models.empty())
         overrides.push_back(fmt::format("models=[\"{}\"]", fmt::join(options.models, "\", \"")));
     Case c = io::read_case(options.case_file, overrides);
-    if (!c.tractive_rolling)
-        throw contact::InputError(options.case_file +
-                                  ": there is no [tractive_rolling], so that nothing rolls on; "
-                                  "add that section, or take tricontact run");
+    require_rolling_on(c, options.case_file);
     return c;
 }
 
@@ -71,7 +66,7 @@ RollingRun roll_model(const std::string& model, const Case& c, const RollOptions
         runs.show = [&](double way, const contact::Surface& surface) {
             std::isfinite(way) ? surfaces.add(way, surface) : steady.add(0, surface);
         };
-    RollingRun run = model == "mdr" ? roll_springs(c, runs) : roll_grid(model, c, runs);
+    RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) {
         surfaces.finish();
@@ -121,9 +116,7 @@ std::string table_of(const RollingReport& report) {
 }
 
 void write(const RollingReport& report, const std::string& resolved, const RollOptions& options) {
-    nlohmann::ordered_json json{{"version", version}, {"case", case_json(resolved)}};
-    json.update(comparisons::tractive::rolling_json(report));
-    io::write_file(options.output + "/summary.json", json.dump(2) + '\n');
+    io::write_file(options.output + "/summary.json", roll_summary(report, resolved));
     io::write_file(options.output + "/creep.csv", comparisons::tractive::creep_csv(report));
     io::write_file(options.output + "/" + io::paraview_macro_name,
                    std::string(io::paraview_macro()));
@@ -139,6 +132,13 @@ void refuse_rolling_on(const Case& c, const std::string& case_file) {
         throw contact::InputError(case_file +
                                   ": [tractive_rolling]: the indenter rolls on and does not come "
                                   "back; tricontact roll computes such a case");
+}
+
+void require_rolling_on(const Case& c, const std::string& case_file) {
+    if (!c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": there is no [tractive_rolling], so that nothing rolls on; "
+                                  "add that section, or take tricontact run");
 }
 
 void roll_command(const RollOptions& given) {

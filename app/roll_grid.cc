@@ -5,8 +5,9 @@
 #include "bem/model.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "contact/load_path.h"
-#include "rolling/steady_rolling.h"
-#include "rolling/transient_rolling.h"
+#include "rolling/roll_until_steady.h"
+#include "rolling/run.h"
+#include "theory/creep_law.h"
 #include "theory/kalker.h"
 
 namespace tricontact::app {
@@ -37,7 +38,8 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
                   .force = {},
                   .spin = given.spin},
         .coupling = c.contact.coupling,
-        .tolerance = c.bem.tolerance};
+        .tolerance = c.bem.tolerance,
+        .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
     problem.drive.force[0] = c.load.tangential_force
                                  ? *c.load.tangential_force
@@ -47,11 +49,9 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
 }
 
 /// Rolls from rest; keeps the lines at line_distances.
-void roll_on(const Case& c, const contact::Substrate& substrate, const RollingProblem& problem,
-             const RollRuns& runs, RollingRun& run) {
-    rolling::TransientRolling rolling(substrate, problem);
-    const double a = contact::half_space_scales(c).contact_radius;
-    const double cell = substrate.relaxed().points().spacing[0];
+void roll_on(const Case& c, rolling::TransientRolling& rolling, const RollRuns& runs,
+             RollingRun& run) {
+    const double a = contact::half_space_scales(c).contact_radius, cell = rolling.cell();
     const int n_steps = static_cast<int>(std::lround(c.tractive_rolling->distance * a / cell));
     LineSchedule schedule;
     const auto note = [&](const rolling::RollingState& state) {
@@ -66,16 +66,19 @@ void roll_on(const Case& c, const contact::Substrate& substrate, const RollingPr
     note(rolling.press());
     for (int step = 1; step <= n_steps; ++step) {
         note(rolling.roll());
-        if (runs.progress) runs.progress(step, n_steps);
+        runs.tell(step, n_steps);
     }
 }
 
-/// At which all slides, about: by Kalker's stiffness of a circle, or Carter's plane.
+/// At which all slides, about: by the stiffness of a circle of this area, or Carter's plane.
 double sliding_creepage(const Case& c) {
-    const double unit = comparisons::tractive::creepage_unit(c);
-    if (c.is_line_contact()) return unit;
-    const double nu = theory::combined_material(c.materials()).poisson;
-    return unit * (4 - 3 * nu) / (4 * (1 - nu));  // see theory/creep_law.h
+    if (c.is_line_contact()) return comparisons::tractive::creepage_unit(c);
+    const theory::CombinedMaterial material = theory::combined_material(c.materials());
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,
+                                    material.shear_modulus,
+                                    scales.half_widths[0] * scales.half_widths[1],
+                                    theory::vermeulen_johnson_coefficient(material.poisson));
 }
 
 }  // namespace
@@ -85,16 +88,21 @@ RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& ru
         c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer);
     RollingProblem problem = problem_of(c, *substrate);
     RollingRun run{.model = model, .history = {}, .lines = {}, .creep_curve = {}};
-    roll_on(c, *substrate, problem, runs, run);
-    rolling::SteadyRolling steady = rolling::steady_rolling(substrate->compliance(), problem);
+    rolling::TransientRolling rolling(*substrate, problem);
+    roll_on(c, rolling, runs, run);
+    rolling::SteadyRolling steady = substrate->relaxes()
+                                        ? rolling::roll_until_steady(rolling, run.history.transient)
+                                        : rolling::steady_rolling(substrate->compliance(), problem);
     run.lines.push_back(centre_line(steady.surface, c.friction_coefficient,
                                     std::numeric_limits<double>::infinity()));
     run.history.steady = steady.state;
     run.history.surface = std::move(steady.surface);
     if (runs.show) runs.show(std::numeric_limits<double>::infinity(), run.history.surface);
+    const std::size_t n_steps = run.history.transient.size() - 1;
     for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
         problem.drive.creepage[0] = creepage;
-        run.creep_curve.push_back(rolling::steady_rolling(substrate->compliance(), problem).state);
+        run.creep_curve.push_back(rolling::run(*substrate, problem).steady);
+        runs.tell(n_steps + run.creep_curve.size(), n_steps);
     }
     return run;
 }

@@ -2,8 +2,24 @@
 
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/case_json.h"
+#include "comparisons/tractive/rolling_json.h"
 
 namespace tricontact::app {
+
+comparisons::tractive::RollingRun roll(const std::string& model, const contact::Case& c,
+                                       const RollRuns& runs) {
+    return model == "mdr" ? roll_springs(c, runs) : roll_grid(model, c, runs);
+}
+
+std::string roll_summary(const comparisons::tractive::RollingReport& report,
+                         const std::string& resolved) {
+    nlohmann::ordered_json json{{"version", report.version}, {"case", case_json(resolved)}};
+    json.update(comparisons::tractive::rolling_json(report));
+    return json.dump(2) + '\n';
+}
 
 bool LineSchedule::due(double way) {
     using comparisons::tractive::line_distances;

@@ -24,22 +24,36 @@ class LineSchedule {
 struct RollRuns {
     int points = 12;  ///< of the creep curve; 0: none
     int threads = 1;
-    /// Of the transient, per step: how far it is.
-    std::function<void(int step, int steps)> progress;
+    /// After each step from rest, then after each point of the creep curve: how far it is.
+    std::function<void(int step, int steps)> progress = {};
     /// Receives states of the surface: those of which the report draws lines, or all; the way is
     /// rolled over the half length a, infinite for the steady state.
-    std::function<void(double way, const contact::Surface&)> show;
+    std::function<void(double way, const contact::Surface&)> show = {};
     bool show_all = false;
+
+    /// Says that `done` of `steps` from rest and the points after them are done.
+    void tell(std::size_t done, std::size_t steps) const {
+        if (progress) progress(static_cast<int>(done), static_cast<int>(steps) + points);
+    }
 };
 
 /// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
-/// creep curve of steady states. Throws contact::InputError, contact::NotConverged.
+/// or over a relaxing substrate rolled to, creep curve of steady states. Throws
+/// contact::InputError, contact::NotConverged.
 comparisons::tractive::RollingRun roll_grid(const std::string& model, const contact::Case& c,
                                             const RollRuns& runs);
 
 /// The springs of MDR, one after the other under the profile. Exact but for their spacing. The
 /// steady state is where rolling on ends; the creep curve is rolled point by point.
 comparisons::tractive::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
+
+/// Either, by the model's name.
+comparisons::tractive::RollingRun roll(const std::string& model, const contact::Case& c,
+                                       const RollRuns& runs);
+
+/// summary.json of all runs, `resolved` being the case as io::write_case has it.
+std::string roll_summary(const comparisons::tractive::RollingReport& report,
+                         const std::string& resolved);
 
 /// Creepages of a curve of `n` points [-]: from small ones to beyond `sliding`, at which all
 /// slides; where the cubic law holds, at equal steps of the force.

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "app/roll_models.h"
@@ -24,7 +25,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 class RollingBed {
   public:
     /// `distance` [m] as far as it is to roll; farther the bed grows.
-    RollingBed(const Case& c, double distance) : mu_(c.friction_coefficient) {
+    RollingBed(const Case& c, double distance)
+        : mu_(c.friction_coefficient), relaxes_(c.relaxation.has_value()) {
         const double a = contact::half_space_scales(c).contact_radius;
         const double n_springs = c.mdr.springs + c.mdr.springs % 2;
         steps_per_radius_ =
@@ -37,6 +39,7 @@ class RollingBed {
         step_ = contact::press_step(c);
         step_.offset[0] = start_;
         model_->advance(step_);
+        if (relaxes_) duration_ = step_length_ / c.tractive_rolling->speed;
     }
 
     double friction_limit() const { return mu_ * model_->scales().normal_force; }
@@ -54,12 +57,17 @@ class RollingBed {
     RollingState roll(const std::optional<double>& creepage) {
         ++n_rolled_;
         step_.offset[0] = start_ + n_rolled_ * step_length_;
-        const double before = last_.shift[0];
+        step_.duration = duration_;
+        const contact::StepRecord before = last_;
         if (creepage)
             step_.tangential[0] = {TangentialControl::Kind::shift,
-                                   before + *creepage * step_length_};
+                                   before.shift[0] + *creepage * step_length_};
         last_ = model_->advance(step_);
-        return state((last_.shift[0] - before) / step_length_, last_.dissipation / step_length_);
+        RollingState now = state((last_.shift[0] - before.shift[0]) / step_length_,
+                                 last_.dissipation / step_length_);
+        now.material_dissipation = last_.material_dissipation / step_length_;
+        now.resistance = resistance(before);
+        return now;
     }
 
   private:
@@ -74,25 +82,42 @@ class RollingBed {
         return mdr::make_model(c);
     }
 
+    /// What springs and friction took in the last step and neither force gave came by rolling: the
+    /// bed's audit holds that balance exactly. Elastic springs press as hard ahead as behind.
+    double resistance(const contact::StepRecord& before) const {
+        if (!relaxes_) return 0;
+        const double taken = last_.stored_energy - before.stored_energy +
+                             last_.material_dissipation + last_.dissipation;
+        const double given = (last_.normal_force + before.normal_force) / 2 *
+                                 (last_.indentation - before.indentation) +
+                             (last_.tangential_force[0] + before.tangential_force[0]) / 2 *
+                                 (last_.shift[0] - before.shift[0]);
+        return (taken - given) / step_length_;
+    }
+
     RollingState state(double creepage, double dissipation) const {
         const contact::Scales scales = model_->scales();
+        const double half_length = std::sqrt(last_.contact_area / std::numbers::pi);
         return {.distance = n_rolled_ * step_length_,
                 .creepage = {.longitudinal = creepage},
                 .normal_force = last_.normal_force,
                 .indentation = last_.indentation,
                 .force = last_.tangential_force,
-                .half_length = scales.contact_radius,
-                .half_width = scales.contact_radius,
+                .half_length = half_length,
+                .half_width = half_length,
                 .peak_pressure = scales.peak_pressure,
                 .contact_area = last_.contact_area,
                 .stick_area = last_.stick_area,
                 .slip_area = last_.slip_area,
                 .dissipation = dissipation,
+                .pressure_lead = relaxes_ ? std::numeric_limits<double>::quiet_NaN() : 0,
                 .iterations = last_.normal_iterations + last_.tangential_iterations,
                 .residual = last_.tangential_residual};
     }
 
     double mu_, start_ = 0;
+    bool relaxes_;
+    double duration_ = 0;  // of a step; elastic springs feel none [s]
     std::unique_ptr<contact::Model> model_;
     int steps_per_radius_ = 1, n_rolled_ = 0;
     double step_length_ = 0;
@@ -100,7 +125,8 @@ class RollingBed {
     contact::StepRecord last_;
 };
 
-/// Rolls on until a contact length changes the creepage no more than rounding does the sum of it.
+/// Rolls on until a contact length changes creepage and indentation no more than rounding does
+/// the sum of them.
 RollingState steady_state(RollingBed& bed, const std::optional<double>& creepage,
                           double creepage_unit) {
     constexpr double negligible = 1e-7;
@@ -110,21 +136,22 @@ RollingState steady_state(RollingBed& bed, const std::optional<double>& creepage
         RollingState now;
         for (int step = 0; step < 2 * bed.steps_per_radius(); ++step) now = bed.roll(creepage);
         const double change = std::abs(now.creepage.longitudinal - before.creepage.longitudinal);
-        if (length > 0 && change <= negligible * creepage_unit) return now;
+        const double sinking = std::abs(now.indentation - before.indentation);
+        if (length > 0 && change <= negligible * creepage_unit &&
+            sinking <= negligible * now.indentation)
+            return now;
         before = now;
     }
     throw contact::NotConverged(
         "mdr: the rolling bed does not become steady within 1000 contact lengths");
 }
 
-/// Steady as soon as every spring in contact came in at this creepage.
-RollingState state_at(const Case& c, double creepage) {
-    const double a = contact::half_space_scales(c).contact_radius;
-    constexpr double way = 2.2;  // a contact length and a little, over a
-    RollingBed bed(c, way * a);
-    RollingState state = bed.press(0);
-    for (int step = 0; step < way * bed.steps_per_radius(); ++step) state = bed.roll(creepage);
-    return state;
+/// At this creepage.
+RollingState steady_state_at(const Case& c, double creepage) {
+    constexpr double way = 4;  // two contact lengths, over a
+    RollingBed bed(c, way * contact::half_space_scales(c).contact_radius);
+    bed.press(0);
+    return steady_state(bed, creepage, comparisons::tractive::creepage_unit(c));
 }
 
 double sliding_creepage(const Case& c) {
@@ -159,15 +186,17 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const int n_steps = static_cast<int>(std::lround(given.distance * bed.steps_per_radius()));
     for (int step = 1; step <= n_steps; ++step) {
         note(bed.roll(given.longitudinal_creepage), step);
-        if (runs.progress) runs.progress(step, n_steps);
+        runs.tell(step, n_steps);
     }
     run.history.steady =
         steady_state(bed, given.longitudinal_creepage, comparisons::tractive::creepage_unit(c));
     run.history.steady.distance = infinite;
     run.history.surface = bed.model().surface();
     keep(infinite, infinite);
-    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points))
-        run.creep_curve.push_back(state_at(c, creepage));
+    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
+        run.creep_curve.push_back(steady_state_at(c, creepage));
+        runs.tell(n_steps + run.creep_curve.size(), n_steps);
+    }
     return run;
 }
 

@@ -4,11 +4,16 @@
 
 namespace tricontact::contact {
 
-/// Nearest point to `t` in the disc of radius `bound` (Coulomb's friction disc).
+/// Point of the edge of the disc of radius `bound` (Coulomb's friction disc) in the direction of
+/// `t`, which is not zero.
+inline Vector2 onto_edge(const Vector2& t, double bound) {
+    const double factor = bound / norm(t);
+    return {t[0] * factor, t[1] * factor};
+}
+
+/// Nearest point to `t` in that disc.
 inline Vector2 project_on_disc(const Vector2& t, double bound) {
-    const double size = norm(t);
-    if (size <= bound) return t;
-    return {t[0] * (bound / size), t[1] * (bound / size)};
+    return norm(t) <= bound ? t : onto_edge(t, bound);
 }
 
 }  // namespace tricontact::contact

@@ -216,10 +216,7 @@ class Newton {
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
             Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
-            if (slipping_[k]) {
-                const double factor = problem_.bound[i] / norm(t);
-                t = {t[0] * factor, t[1] * factor};
-            }
+            if (slipping_[k]) t = onto_edge(t, problem_.bound[i]);
             set_traction(i, t);
             slip_[k][0] += result.shift_increment[0] - result.a_z.x[i];
             slip_[k][1] += result.shift_increment[1] - result.a_z.y[i];
@@ -232,10 +229,9 @@ class Newton {
             const std::size_t i = active_[k];
             const double bound = problem_.bound[i];
             const Vector2 y = trial(k);
-            const double size = norm(y);
-            slipping_[k] = size > bound;
-            set_traction(i, slipping_[k] ? Vector2{y[0] * bound / size, y[1] * bound / size}
-                                         : project_on_disc(traction_at(i), bound));
+            slipping_[k] = norm(y) > bound;
+            set_traction(
+                i, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction_at(i), bound));
         }
     }
 

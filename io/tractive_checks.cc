@@ -22,10 +22,11 @@ void check_rolls_one_way(const Case& c, const Document& document) {
         if (ratio != 0)
             refuse(document, key, "who rolls on has no period in which loads could oscillate",
                    "omit it");
-    if (c.relaxation)
-        fail(document.find_section("substrate.relaxation")->place, "[substrate.relaxation]",
-             "a contact that rolls on an elastic substrate has no speed in which it could relax",
-             "omit it, or take [rolling] instead of [tractive_rolling]");
+    for (const auto& [key, time] : {std::pair("load.press_time", c.load.press_time.value_or(0)),
+                                    std::pair("load.hold", c.load.hold)})
+        if (time != 0)
+            refuse(document, key, "who rolls on begins where all has relaxed under F_N and F_T",
+                   "omit it");
 }
 
 /// What moves or turns across the rolling.

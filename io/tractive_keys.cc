@@ -44,6 +44,17 @@ void add_tractive_keys(std::vector<CaseKey>& keys) {
           .example = "8",
           .text = "way rolled from rest, over the half length a of the contact on a half-space"},
          [](Case& c) { return in(c.tractive_rolling, &Tractive::distance); }});
+    keys.push_back({{.path = "tractive_rolling.speed",
+                     .kind = Kind::quantity,
+                     .dimension = Dimension::velocity,
+                     .range = above_zero(1e9),
+                     .required = true,
+                     .needs = "substrate.relaxation",
+                     .example = R"("20 mm/s")",
+                     .text = "speed v of rolling, which the substrate relaxes by"},
+                    [](Case& c) {
+                        return c.relaxation ? in(c.tractive_rolling, &Tractive::speed) : Field();
+                    }});
 }
 
 }  // namespace tricontact::io

@@ -46,6 +46,7 @@ PYBIND11_MODULE(_core, module) {
     python::add_surface(module);
     python::add_history(module);
     python::add_run(module);
+    python::add_roll(module);
     python::add_theory(module);
     python::add_walk(module);
 }

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/case_run.h"
+#include "app/commands.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
 #include "python/bindings.h"
@@ -26,22 +27,12 @@ struct Result {
     std::string summary;
 };
 
-int all_cores() {
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-/// The case with these models instead of its own, checked as a case file that names them.
-Case with_models(const Case& c, const std::vector<std::string>& models) {
-    const auto list = py::cast<py::object>(py::cast(models));
-    return io::parse_case(io::write_case(c), "case", {"models=" + toml_value(list)});
-}
-
 Result run(const Case& given, const std::optional<std::vector<std::string>>& models,
            std::optional<int> threads, bool studies, const py::object& on_step) {
-    const Case c = models ? with_models(given, *models) : given;
+    const Case c = with_models(given, models);
+    app::refuse_rolling_on(c, "case");
     app::RunOptions options;
-    options.threads = threads.value_or(all_cores());
-    if (options.threads < 1) throw py::value_error("threads: must be at least 1");
+    options.threads = thread_count(threads);
     options.quiet = true;
     options.studies = studies;
     const bool tells = !on_step.is_none();
@@ -72,6 +63,17 @@ py::object history(const py::object& self, const std::string& model) {
 }
 
 }  // namespace
+
+Case with_models(const Case& c, const std::optional<std::vector<std::string>>& models) {
+    if (!models) return c;
+    const auto list = py::cast<py::object>(py::cast(*models));
+    return io::parse_case(io::write_case(c), "case", {"models=" + toml_value(list)});
+}
+
+int thread_count(std::optional<int> threads) {
+    if (threads.value_or(1) < 1) throw py::value_error("threads: must be at least 1");
+    return threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+}
 
 void add_run(py::module_& module) {
     py::class_<Result>(module, "Result", "What the models of a case came to: histories by name.")

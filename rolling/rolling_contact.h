@@ -10,6 +10,7 @@
 #include "contact/load_path.h"
 #include "contact/surface.h"
 #include "contact/vector2.h"
+#include "theory/creepage.h"
 
 /// Tractive rolling: the indenter rolls on in the direction +x over the substrate; the contact is
 /// at rest in a frame that moves along, and the substrate flows through it towards -x.
@@ -23,12 +24,7 @@
 /// braked indenter.
 namespace tricontact::rolling {
 
-/// Rigid sliding of the indenter over the substrate per rolled way.
-struct Creepage {
-    double longitudinal = 0;  ///< xi [-], along the rolling direction x
-    double lateral = 0;       ///< eta [-], along y
-    double spin = 0;          ///< phi [1/m], from x towards y
-};
+using theory::Creepage;
 
 /// What drives the contact: in x and in y either the creepage or the force on the substrate.
 struct Drive {
@@ -64,6 +60,9 @@ struct RollingState {
     double stick_area = 0;     ///< [m^2]
     double slip_area = 0;      ///< [m^2]
     double dissipation = 0;    ///< of friction, per rolled way [J/m]
+    double material_dissipation = 0;  ///< of a relaxing substrate, per rolled way [J/m]
+    /// Of the pressure on the body's slope, against the rolling [N]: what it takes of work per way.
+    double resistance = 0;
     /// Moment of the pressure about y through the centre over F_N [m]: positive where the pressure
     /// leans forward and resists.
     double pressure_lead = 0;

@@ -21,7 +21,7 @@ contact::Vector2 half_extent(const contact::Surface& s) {
 
 }  // namespace
 
-RollingState state_of(const contact::Surface& s) {
+RollingState state_of(const contact::Surface& s, const contact::Indenter& indenter) {
     const double area = s.spacing[0] * s.spacing[1];
     RollingState state;
     double moment = 0;
@@ -36,6 +36,7 @@ RollingState state_of(const contact::Surface& s) {
         state.spin_moment += area * (x * t_y - y * t_x);
         state.dissipation += area * s.dissipation[i];
         moment += area * p * x;
+        if (p > 0) state.resistance += area * p * indenter.slope(x, y)[0];
         state.peak_pressure = std::max(state.peak_pressure, p);
         if (s.contact_state[i] == contact::ContactState::stick) state.stick_area += area;
         if (s.contact_state[i] == contact::ContactState::slip) state.slip_area += area;

@@ -86,7 +86,7 @@ class Turns {
     }
 
     RollingState state(const contact::Surface& s) const {
-        RollingState state = state_of(s);
+        RollingState state = state_of(s, *problem_.indenter);
         state.distance = std::numeric_limits<double>::infinity();
         state.creepage = steady_.creepage;
         state.indentation = normal_.indentation;
@@ -151,7 +151,8 @@ class Turns {
     /// Dissipation and zones, from tractions and slip.
     void classify(contact::Surface& s) const {
         using contact::ContactState;
-        const double still = 10 * problem_.tolerance * sliding_creepage(state_of(s).half_length);
+        const double still =
+            10 * problem_.tolerance * sliding_creepage(state_of(s, *problem_.indenter).half_length);
         for (std::size_t i = 0; i < s.size(); ++i) {
             const contact::Vector2 t = {s.tangential_traction_x[i], s.tangential_traction_y[i]};
             const contact::Vector2 slip = {s.slip_x[i], s.slip_y[i]};

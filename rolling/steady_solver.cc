@@ -191,10 +191,7 @@ class Newton {
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
             Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
-            if (slipping_[k]) {
-                const double factor = problem_.bound[i] / norm(t);
-                t = {t[0] * factor, t[1] * factor};
-            }
+            if (slipping_[k]) t = contact::onto_edge(t, problem_.bound[i]);
             set_traction(i, t);
         }
     }

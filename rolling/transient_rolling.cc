@@ -54,9 +54,10 @@ RollingState TransientRolling::roll() {
 }
 
 RollingState TransientRolling::record(const contact::StepRecord& step) const {
-    RollingState state = state_of(surface());
+    RollingState state = state_of(surface(), *problem_.indenter);
     state.distance = n_rolled_ * cell_;
     state.indentation = step.indentation;
+    if (n_rolled_ > 0) state.material_dissipation = step.material_dissipation / cell_;
     state.iterations = step.normal_iterations + step.tangential_iterations;
     state.residual =
         std::max({step.normal_residual, step.tangential_residual, step.force_residual});

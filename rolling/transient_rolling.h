@@ -23,6 +23,8 @@ class TransientRolling {
     RollingState roll();
     /// Slip [-] and dissipation [Pa] per rolled way; at rest, of the pressing: 0.
     contact::Surface surface() const;
+    const RollingProblem& problem() const { return problem_; }
+    double cell() const { return cell_; }  ///< rolled in a step [m]
     /// Checks of all solutions so far.
     const contact::Audit& audit() const { return model_.audit(); }
 

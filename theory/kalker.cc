@@ -138,7 +138,7 @@ KalkerCoefficients kalker_coefficients(double axes_ratio, double poisson) {
 }
 
 CreepForce kalker_force(const CombinedMaterial& material, double a, double b,
-                        const RigidCreepage& creepage) {
+                        const Creepage& creepage) {
     const KalkerCoefficients c = kalker_coefficients(a / b, material.poisson);
     const double size = std::sqrt(a * b), stiffness = material.shear_modulus * a * b;
     return {stiffness * c.longitudinal * creepage.longitudinal,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/material.h"
+#include "theory/creepage.h"
 
 namespace tricontact::theory {
 
@@ -35,12 +36,6 @@ struct KalkerCoefficients {
 /// 8 % off and breaks the column's second difference. Throws std::domain_error out of range.
 KalkerCoefficients kalker_coefficients(double axes_ratio, double poisson);
 
-/// Steady creepage of the indenter over the substrate: see carter.h for the sign.
-struct RigidCreepage {
-    double longitudinal = 0;  ///< xi [-]
-    double lateral = 0;       ///< eta [-]
-    double spin = 0;          ///< phi [1/m], from x towards y
-};
 /// Force of friction on the substrate.
 struct CreepForce {
     double longitudinal;  ///< F_x [N]
@@ -51,6 +46,6 @@ struct CreepForce {
 /// F_x = G a b C11 xi, F_y = G a b (C22 eta + sqrt(a b) C23 phi),
 /// M_z = G (a b)^(3/2) (-C23 eta + sqrt(a b) C33 phi); half axes a along x and b across [m].
 CreepForce kalker_force(const CombinedMaterial& material, double a, double b,
-                        const RigidCreepage& creepage);
+                        const Creepage& creepage);
 
 }  // namespace tricontact::theory

@@ -12,9 +12,8 @@ namespace {
 
 using contact::Case;
 
-bool touches_in_circle(Case::Shape shape) {
-    return shape == Case::Shape::paraboloid || shape == Case::Shape::sphere;
-}
+/// Kalker's table ends there.
+constexpr double longest_axes_ratio = 10;
 
 CreepTheory cubic(std::string name, std::string key, double sliding) {
     return {std::move(name), std::move(key),
@@ -45,22 +44,27 @@ double creepage_unit(const Case& c) {
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
+    if (c.relaxation) return {};
     if (c.is_line_contact()) return {carter(creepage_unit(c))};
-    if (!touches_in_circle(c.indenter.shape)) return {};
+    const bool ellipse = c.indenter.shape == Case::Shape::ellipsoid;
+    if (!contact::is_hertz_round(c) && !ellipse) return {};
     const theory::CombinedMaterial material = theory::combined_material(c.materials());
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    const double area = scales.contact_radius * scales.contact_radius;
+    const auto [a, b] = scales.half_widths;
     const auto sliding = [&](double coefficient) {
         return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,
-                                        material.shear_modulus, area, coefficient);
+                                        material.shear_modulus, a * b, coefficient);
     };
-    std::vector<CreepTheory> theories{
-        cubic("Vermeulen and Johnson", "vermeulen_johnson",
-              sliding(theory::vermeulen_johnson_coefficient(material.poisson))),
-        cubic("MDR, closed form", "mdr_closed_form",
-              sliding(theory::mdr_coefficient(material.poisson)))};
-    if (material.poisson < 0) return theories;
-    const double kalker = sliding(theory::kalker_coefficients(1, material.poisson).longitudinal);
+    std::vector<CreepTheory> theories;
+    if (!ellipse) {
+        theories.push_back(cubic("Vermeulen and Johnson", "vermeulen_johnson",
+                                 sliding(theory::vermeulen_johnson_coefficient(material.poisson))));
+        theories.push_back(cubic("MDR, closed form", "mdr_closed_form",
+                                 sliding(theory::mdr_coefficient(material.poisson))));
+    }
+    if (material.poisson < 0 || std::max(a / b, b / a) > longest_axes_ratio) return theories;
+    const double kalker =
+        sliding(theory::kalker_coefficients(a / b, material.poisson).longitudinal);
     theories.push_back(linear("Kalker, linear", "kalker_linear", kalker));
     theories.push_back(cubic("cubic law with Kalker's C_11", "cubic_kalker", kalker));
     return theories;

@@ -9,9 +9,9 @@ namespace tricontact::comparisons::tractive {
 /// F_x/(mu F_N) of a state.
 double force_ratio(const rolling::RollingState& state, double friction_coefficient);
 
-/// |Dissipation - creepage . force - spin moment . spin| over mu F_N times the sliding that
-/// creepage and spin prescribe: in a steady state friction dissipates what creepage works.
-/// Empty where there is no creepage.
+/// |What friction and material dissipate - creepage . force - spin . moment - resistance| over what
+/// mu F_N works on the sliding that creepage and spin prescribe, and the resistance: zero in a
+/// steady state. Empty where nothing creeps or resists.
 std::optional<double> energy_error(const rolling::RollingState& steady,
                                    double friction_coefficient);
 

@@ -16,7 +16,7 @@ struct Column {
     double (*value)(const RollingState&);
 };
 
-constexpr std::array<Column, 17> columns{{
+constexpr std::array<Column, 19> columns{{
     {"longitudinal_creepage", [](const RollingState& s) { return s.creepage.longitudinal; }},
     {"lateral_creepage", [](const RollingState& s) { return s.creepage.lateral; }},
     {"spin_per_m", [](const RollingState& s) { return s.creepage.spin; }},
@@ -32,6 +32,8 @@ constexpr std::array<Column, 17> columns{{
     {"stick_area_m2", [](const RollingState& s) { return s.stick_area; }},
     {"slip_area_m2", [](const RollingState& s) { return s.slip_area; }},
     {"dissipation_J_per_m", [](const RollingState& s) { return s.dissipation; }},
+    {"material_dissipation_J_per_m", [](const RollingState& s) { return s.material_dissipation; }},
+    {"resistance_N", [](const RollingState& s) { return s.resistance; }},
     {"pressure_lead_m", [](const RollingState& s) { return s.pressure_lead; }},
     {"residual", [](const RollingState& s) { return s.residual; }},
 }};

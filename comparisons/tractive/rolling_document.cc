@@ -7,6 +7,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
 #include "comparisons/tractive/rolling_sections.h"
 
@@ -46,8 +47,9 @@ std::optional<Verdict> energy_verdict(const RollingReport& report) {
     if (worst < 0) return std::nullopt;
     return Verdict{.standing = Verdict::Standing::finding,
                    .sentence = fmt::format(
-                       "What friction dissipates differs from what creepage and spin work by {} of "
-                       "the sliding work: an error of cells and springs, which falls with them.",
+                       "What friction{} differs from what creepage, spin and resistance work by "
+                       "{} of it: an error of cells and springs, which falls with them.",
+                       report.c.relaxation ? " and material dissipate" : " dissipates",
                        significant(worst, 2))};
 }
 
@@ -55,7 +57,7 @@ std::optional<Verdict> energy_verdict(const RollingReport& report) {
 std::optional<Verdict> ratio_verdict(const RollingReport& report) {
     const RollingRun* mdr = run_of(report, "mdr");
     const RollingRun* bem = run_of(report, "bem");
-    if (!mdr || !bem || by_creepage(report.c)) return std::nullopt;
+    if (!mdr || !bem || by_creepage(report.c) || report.c.relaxation) return std::nullopt;
     const double measured =
         mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
     if (!std::isfinite(measured)) return std::nullopt;
@@ -63,6 +65,29 @@ std::optional<Verdict> ratio_verdict(const RollingReport& report) {
                    .sentence = fmt::format(
                        "MDR creeps {} times as much as BEM; the thesis has {} (2.2.31).",
                        significant(measured, 3), significant(thesis_creep_ratio(report.c), 3))};
+}
+
+/// Of each model what the relaxing substrate resists.
+std::optional<Verdict> resistance_verdict(const RollingReport& report, const RollingRun& run) {
+    if (!report.c.relaxation) return std::nullopt;
+    const auto& s = run.history.steady;
+    return Verdict{.standing = Verdict::Standing::finding,
+                   .sentence = fmt::format("{}: the relaxing substrate resists with {} F_N.",
+                                           display_name(run.model),
+                                           significant(s.resistance / s.normal_force, 4))};
+}
+
+/// Dissimilar cylinders without a force, beside both bounds.
+std::optional<Verdict> free_verdict(const RollingReport& report, const RollingRun& run) {
+    const auto bounds = free_creepages(report.c);
+    if (bounds.empty()) return std::nullopt;
+    const double unit = creepage_unit(report.c);
+    std::string text =
+        fmt::format("{} creeps under its normal load alone, ξ = {} units", display_name(run.model),
+                    significant(run.history.steady.creepage.longitudinal / unit, 4));
+    for (const FreeCreepage& bound : bounds)
+        text += fmt::format("; {}: {}", bound.name, significant(bound.creepage / unit, 4));
+    return Verdict{.standing = Verdict::Standing::finding, .sentence = text + "."};
 }
 
 Settings settings_of(const Case& c) {
@@ -75,6 +100,7 @@ Settings settings_of(const Case& c) {
                       {"rolled way", as_given(c.tractive_rolling->distance) + " a"},
                       {"unit of creepage", significant(creepage_unit(c), 4)},
                       {"spin φ", as_given(c.tractive_rolling->spin) + " rad/m"}};
+    if (c.relaxation) settings.emplace_back("v", given_quantity(c.tractive_rolling->speed, "m/s"));
     if (c.layer.thickness)
         settings.emplace_back("layer, seen by BEM layer", given_quantity(*c.layer.thickness, "m"));
     return settings;
@@ -92,13 +118,16 @@ Document rolling_document(const RollingReport& report) {
             "say. Creepage is the sliding of the indenter over the substrate per rolled way.",
         .verdicts = {},
         .settings = settings_of(report.c),
-        .sections = {steady_section(report), transient_section(report), creep_section(report),
-                     zones_section(report)},
+        .sections = {steady_section(report), resistance_section(report), transient_section(report),
+                     creep_section(report), zones_section(report)},
         .files = report.files,
         .command = report.command,
         .version = report.version};
-    for (const RollingRun& run : report.runs)
+    for (const RollingRun& run : report.runs) {
         document.verdicts.push_back(steady_verdict(report, run));
+        for (const auto& verdict : {resistance_verdict(report, run), free_verdict(report, run)})
+            if (verdict) document.verdicts.push_back(*verdict);
+    }
     if (auto verdict = ratio_verdict(report)) document.verdicts.push_back(std::move(*verdict));
     if (auto verdict = energy_verdict(report)) document.verdicts.push_back(std::move(*verdict));
     std::erase_if(document.sections, [](const DocumentSection& section) {

@@ -2,7 +2,9 @@
 
 #include "comparisons/json_number.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/resistance_theory.h"
 
 namespace tricontact::comparisons::tractive {
 
@@ -26,6 +28,8 @@ Json steady_json(const RollingState& s, double friction_coefficient) {
             {"contact_area_m2", number(s.contact_area)},
             {"stick_share", number(s.stick_area / s.contact_area)},
             {"dissipation_J_per_m", number(s.dissipation)},
+            {"material_dissipation_J_per_m", number(s.material_dissipation)},
+            {"resistance_N", number(s.resistance)},
             {"energy_error", number(energy_error(s, friction_coefficient))},
             {"pressure_lead_m", number(s.pressure_lead)},
             {"iterations", s.iterations},
@@ -63,6 +67,20 @@ Json theories_json(const RollingReport& report) {
     return json;
 }
 
+Json free_creepages_json(const RollingReport& report) {
+    Json json = Json::array();
+    for (const FreeCreepage& one : free_creepages(report.c))
+        json.push_back({{"theory", one.key}, {"longitudinal_creepage", number(one.creepage)}});
+    return json;
+}
+
+Json resistances_json(const RollingReport& report) {
+    Json json = Json::array();
+    for (const ResistanceTheory& one : resistance_theories(report.c))
+        json.push_back({{"theory", one.key}, {"resistance_ratio", number(one.ratio)}});
+    return json;
+}
+
 }  // namespace
 
 Json rolling_json(const RollingReport& report) {
@@ -71,6 +89,8 @@ Json rolling_json(const RollingReport& report) {
     return {{"creepage_unit", number(creepage_unit(report.c))},
             {"models", std::move(models)},
             {"theories", theories_json(report)},
+            {"free_creepages", free_creepages_json(report)},
+            {"resistances", resistances_json(report)},
             {"thesis_creep_ratio", number(thesis_creep_ratio(report.c))}};
 }
 

@@ -8,6 +8,9 @@ namespace tricontact::comparisons::tractive {
 /// The steady state of each model as a table.
 DocumentSection steady_section(const RollingReport& report);
 
+/// What a relaxing substrate resists, beside closed forms; empty of elastic ones.
+DocumentSection resistance_section(const RollingReport& report);
+
 /// From rest to steady rolling: what follows of creepage and force over the rolled way, and the
 /// tractions on the centre line, a figure per model.
 DocumentSection transient_section(const RollingReport& report);

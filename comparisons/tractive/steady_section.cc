@@ -21,8 +21,8 @@ DocumentTable steady_table(const RollingReport& report) {
         .note = fmt::format(
             "Forces are friction's on the substrate. Creepages ξ and η are in units of {}; a and b "
             "are half length and half width of the contact, along and across the rolling, by "
-            "cells. Energy: what friction dissipates less what creepage and spin work, over the "
-            "sliding work.",
+            "cells. Energy: what friction and a relaxing material dissipate less what creepage, "
+            "spin and resistance work, over that work at the friction limit.",
             significant(unit, 4)),
         .columns = {{"model"},
                     {"ξ [unit]"},

@@ -22,6 +22,7 @@ from ._core import (
     __version__,
     run,
 )
+from .rolling import Rolling, roll
 from .studies import sweep
 from .table import Table, read_table
 from .walking import Walk, walk
@@ -33,6 +34,7 @@ __all__ = [
     "InputError",
     "NotConverged",
     "Result",
+    "Rolling",
     "Scales",
     "Snapshot",
     "Surface",
@@ -41,6 +43,7 @@ __all__ = [
     "WalkCase",
     "__version__",
     "read_table",
+    "roll",
     "run",
     "sweep",
     "theory",

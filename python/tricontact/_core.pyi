@@ -256,6 +256,13 @@ class KalkerCoefficients:
 
 def kalker_coefficients(axes_ratio: float, poisson: float) -> KalkerCoefficients: ...
 
+def _roll(
+    case: Case,
+    models: Optional[Sequence[str]],
+    points: int,
+    threads: Optional[int],
+    on_step: Optional[Callable[[str, int, int], object]],
+) -> tuple[dict[str, Any], dict[str, str], dict[str, Surface], str]: ...
 def _walk(case: WalkCase) -> tuple[dict[str, Any], str, str]: ...
 def _sweep(
     study: str, folder: str, jobs: int, retry_failed: bool, vtk: bool, report: bool

@@ -6,11 +6,14 @@
 #include <stdexcept>
 
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
+#include "comparisons/tractive/resistance_theory.h"
 #include "comparisons/tractive/rolling_csv.h"
 #include "comparisons/tractive/rolling_document.h"
 #include "comparisons/tractive/rolling_json.h"
 #include "comparisons/tractive/rolling_sections.h"
+#include "theory/kalker.h"
 
 namespace tricontact::comparisons::tractive {
 namespace {
@@ -178,6 +181,99 @@ TEST(CreepTheories, OfACylinderAreCarters) {
     ASSERT_EQ(theories.size(), 1U);
     EXPECT_NEAR(theories[0].creepage(.75) / creepage_unit(c), .5, 1e-14);
     EXPECT_NEAR(theories[0].force_ratio(theories[0].creepage(.3)), .3, 1e-14);
+}
+
+// Small creepages: F_x = G a b C11 xi. Kalker's table ends at axes of 10.
+TEST(CreepTheories, OfAnEllipsoidAreKalkers) {
+    Case c = rubber(.25);
+    c.indenter.shape = Case::Shape::ellipsoid;
+    c.indenter.radius_y = 10e-3;
+    const auto theories = creep_theories(c);
+    ASSERT_EQ(theories.size(), 2U);
+    const auto [a, b] = contact::half_space_scales(c).half_widths;
+    EXPECT_GT(a, 2 * b);
+    const double xi = 1e-7;
+    const double linear =
+        theory::kalker_force(theory::combined_material(c.materials()), a, b, {.longitudinal = xi})
+            .longitudinal;
+    const double friction = c.friction_coefficient * *c.load.normal_force;
+    for (const CreepTheory& theory : theories)
+        EXPECT_NEAR(theory.force_ratio(xi) * friction / linear, 1, 1e-4) << theory.key;
+    c.indenter.radius_y = 1e-4;
+    EXPECT_TRUE(creep_theories(c).empty());
+}
+
+/// Relaxes, and rolls at this way over a in a relaxation time.
+Case relaxing(Case c, double way) {
+    c.relaxation.emplace().branches = {{2, .1}};
+    c.tractive_rolling->speed = way * contact::half_space_scales(c).contact_radius / .1;
+    return c;
+}
+
+std::vector<std::string> keys_of(const std::vector<ResistanceTheory>& theories) {
+    std::vector<std::string> keys;
+    for (const ResistanceTheory& theory : theories) keys.push_back(theory.key);
+    return keys;
+}
+
+// Slowly rolled Hunter's cylinder resists as any body, and MDR's springs twice as much.
+TEST(ResistanceTheories, AreThoseOfTheBody) {
+    EXPECT_TRUE(resistance_theories(rubber(.5)).empty());
+    const Case sphere = relaxing(rubber(.5), 1e-4);
+    const auto round = resistance_theories(sphere);
+    ASSERT_EQ(keys_of(round), (std::vector<std::string>{"slow", "mdr_closed_form"}));
+    EXPECT_NEAR(round[1].ratio / round[0].ratio, 2, 1e-3);
+    Case cylinder = rubber(.5);
+    cylinder.indenter.shape = Case::Shape::cylinder;
+    cylinder.indenter.length = .1;
+    cylinder = relaxing(cylinder, 1e-4);
+    const auto line = resistance_theories(cylinder);
+    ASSERT_EQ(keys_of(line), (std::vector<std::string>{"slow", "hunter"}));
+    EXPECT_NEAR(line[1].ratio / line[0].ratio, 1, 1e-3);
+    // Where the bulk does not relax no closed form is known.
+    Case partly = relaxing(rubber(.3), 1);
+    partly.relaxation->bulk = contact::Relaxation::Bulk::elastic;
+    EXPECT_TRUE(resistance_theories(partly).empty());
+    EXPECT_TRUE(creep_theories(sphere).empty());
+}
+
+TEST(TractiveReport, SaysWhatARelaxingSubstrateResists) {
+    RollingReport report = report_of(.5);
+    EXPECT_TRUE(resistance_section(report).tables.empty());
+    report.c = relaxing(report.c, .5);
+    for (RollingRun& run : report.runs) {
+        RollingState& s = run.history.steady;
+        s.resistance = .02 * s.normal_force;
+        s.material_dissipation = s.resistance;
+        EXPECT_NEAR(energy_error(s, .57).value(), 0, 1e-12);
+        s.material_dissipation = 0;
+        EXPECT_GT(energy_error(s, .57).value(), .01);
+    }
+    const DocumentSection section = resistance_section(report);
+    ASSERT_EQ(section.tables.size(), 2U);
+    EXPECT_NEAR(number_in(section.tables[0].rows[1][2]), .02, 1e-15);
+    EXPECT_NEAR(number_in(section.tables[1].rows[0][2]),
+                number_in(section.tables[1].rows[0][1]) / .02, 1e-12);
+    EXPECT_EQ(rolling_json(report).at("resistances").size(), 2U);
+    EXPECT_NE(document_html(rolling_document(report)).find("resists"), std::string::npos);
+}
+
+// Aluminium on steel: the sign is that of the substrate's (1 - 2 nu)/G less the roller's.
+TEST(FreeCreepages, StandBesideDissimilarCylindersWithoutForce) {
+    Case c = rubber(.5);
+    c.indenter.shape = Case::Shape::cylinder;
+    c.indenter.length = .1;
+    c.indenter.material = contact::Material{70e9, .35};
+    c.substrate = {206e9, .3};
+    EXPECT_TRUE(free_creepages(c).empty());  // a force acts
+    c.load.tangential_ratio = 0;
+    const auto bounds = free_creepages(c);
+    ASSERT_EQ(bounds.size(), 2U);
+    EXPECT_LT(bounds[0].creepage, 0);
+    EXPECT_LT(bounds[1].creepage, bounds[0].creepage);
+    EXPECT_EQ(rolling_json({.c = c, .runs = {}}).at("free_creepages").size(), 2U);
+    c.contact.coupling = false;
+    EXPECT_TRUE(free_creepages(c).empty());
 }
 
 }  // namespace

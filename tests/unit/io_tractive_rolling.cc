@@ -60,5 +60,16 @@ TEST(TractiveRolling, WrittenAndReadAgainItIsTheSame) {
     EXPECT_EQ(write_case(again), text);
 }
 
+TEST(TractiveRolling, HasASpeedWhereTheSubstrateRelaxes) {
+    EXPECT_EQ(rolling_on("tangential_ratio = 0.56", "").tractive_rolling->speed, 0);
+    const Case c = rolling_on("tangential_ratio = 0.56", R"(speed = "20 mm/s"
+[substrate.relaxation]
+G2 = "1 MPa"
+eta = "20 kPa s")");
+    EXPECT_EQ(c.tractive_rolling->speed, .02);
+    ASSERT_TRUE(c.relaxation);
+    EXPECT_EQ(parse_case(write_case(c), "again.toml").tractive_rolling->speed, .02);
+}
+
 }  // namespace
 }  // namespace tricontact::io

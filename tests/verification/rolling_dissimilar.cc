@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "rolling/linear_creep.h"
 #include "rolling/steady_rolling.h"
 #include "tests/unit/rolling_problems.h"
 #include "theory/case_layers.h"
+#include "theory/free_rolling.h"
 
 namespace tricontact {
 namespace {
@@ -34,35 +34,24 @@ Free roll_freely(double friction, int n) {
             state.half_length / rig.half_length, 1. / n};
 }
 
-// All sticks: p + i q is a multiple of (a - x)^(1/2 + i e) (a + x)^(1/2 - i e), the solution of the
-// coupled singular integral equations that is bounded at both edges (Muskhelishvili 1953), e =
-// ln((1 + beta)/(1 - beta))/(2 pi). Its expansion at infinity,
-//   z - 2 i e a - (1/2 + 2 e^2) a^2/z,
-// tells the creepage xi = 2 e a/R and the force F_N = pi E* a^2 (1 + 4 e^2)/(4 R) per length.
-// Friction that no longer slips anywhere lets the edges' oscillation through to a cell: first
-// order.
+// All sticks. Friction that no longer slips anywhere lets the edges' oscillation through to a cell:
+// first order.
 TEST(RollingDissimilar, ARoughRollerCreepsUnderItsNormalLoadAlone) {
-    const double e = std::log((1 + beta) / (1 - beta)) / (2 * std::numbers::pi);
-    const double a = 1 / std::sqrt(1 + 4 * e * e);
+    const double rough = theory::rough_free_creepage(beta);
     std::vector<double> error;
     for (const int n : {61, 120, 240}) {
         const Free rolled = roll_freely(6, n);
-        EXPECT_NEAR(rolled.half_length, a, rolled.cell);
-        error.push_back(std::abs(rolled.creepage / (2 * e * a) - 1));
+        // a/a_Hertz = 1/sqrt(1 + 4 e^2), 2 e times which the creepage is.
+        EXPECT_NEAR(rolled.half_length, std::sqrt(1 - rough * rough), rolled.cell);
+        error.push_back(std::abs(rolled.creepage / rough - 1));
     }
     EXPECT_LT(error[2], .6 * error[0]);
     EXPECT_LT(error[2], 6e-3);
 }
 
-// Little friction leaves Hertz' pressure alone: the surface creeps by xi - 2 beta p/E* and slips
-// forwards beside the strip that carries half the load, backwards in it. That strip is |x| < .404
-// a, so xi = .9148 beta a/R: more than where all sticks. What friction does is of the order mu.
+// Little friction leaves Hertz' pressure alone. What it does is of the order mu.
 TEST(RollingDissimilar, ASmoothRollerCreepsMore) {
-    double y = .4;  // of (2/pi) (asin y + y sqrt(1 - y^2)) = 1/2, Newton
-    for (int k = 0; k < 20; ++k)
-        y -= (std::asin(y) + y * std::sqrt(1 - y * y) - std::numbers::pi / 4) /
-             (2 * std::sqrt(1 - y * y));
-    const double smooth = beta * std::sqrt(1 - y * y);
+    const double smooth = theory::smooth_free_creepage(beta);
     const double error = 1 - roll_freely(4e-3, 61).creepage / smooth;
     const double half = 1 - roll_freely(2e-3, 61).creepage / smooth;
     EXPECT_NEAR(half, 0, 4e-3);
@@ -125,6 +114,43 @@ TEST(RollingDissimilar, EnergyIsConserved) {
     EXPECT_GT(state.dissipation, 0);
 }
 
+/// A row over a bonded layer of this thickness [m].
+std::shared_ptr<const contact::Compliance> thin_layer(const Rig& rig, double poisson,
+                                                      double thickness) {
+    contact::Case c;
+    c.substrate = {3e6, poisson};
+    c.layer.thickness = thickness;
+    const int beside = rig.n + 3;
+    auto grid = contact::ContactPoints::grid(2 * beside + 1, 1, {-beside * rig.cell(), 0},
+                                             {rig.cell(), rig.row_length()});
+    grid.line_length = rig.row_length();
+    return bem::plane_layer_compliance(theory::layers_of("bem-layer", c), std::nullopt,
+                                       std::move(grid), 1);
+}
+
+// Free rolling on a bonded layer creeps by itself: forwards below nu = 1/4, backwards above. The
+// closed form is that of a vanishing thickness; the edges take parts of the contact of that order,
+// and weigh the more the less the layer can be compressed.
+TEST(RollingDissimilar, ARollerOnAThinLayerCreepsByItself) {
+    const Rig rig{.friction = 2.5e-4, .n = 60};
+    for (const auto& [nu, allowed] : {std::pair(0., .02), std::pair(.4, .07)}) {
+        std::vector<double> error;
+        for (const double thickness : {.2, .1}) {
+            const double b = thickness * rig.half_length;
+            auto problem = rig.row(0);
+            problem.normal = {contact::NormalControl::Kind::indentation,
+                              rig.half_length * rig.half_length / (2 * rig.radius)};
+            problem.tolerance = 1e-7;
+            const auto state = rolling::steady_rolling(*thin_layer(rig, nu, b), problem).state;
+            error.push_back(state.creepage.longitudinal /
+                                (b / rig.radius * theory::thin_layer_smooth_creepage(nu)) -
+                            1);
+        }
+        EXPECT_NEAR(error[1], 0, allowed) << nu;
+        EXPECT_LT(std::abs(error[1]), .3 * std::abs(error[0])) << nu;
+    }
+}
+
 // A bonded layer much thinner than the contact is a bed of springs G/b: while all sticks its shear
 // grows from the leading edge, F_x = 2 G a^2 L/b xi (Kalker's simplified theory, 1973).
 TEST(RollingDissimilar, AThinLayerIsABedOfShearSprings) {
@@ -132,20 +158,12 @@ TEST(RollingDissimilar, AThinLayerIsABedOfShearSprings) {
     std::vector<double> error;
     for (const double thickness : {.2, .1, .05}) {
         const double b = thickness * rig.half_length;
-        contact::Case c;
-        c.substrate = {3e6, .3};
-        c.layer.thickness = b;
-        const int beside = rig.n + 3;
-        auto grid = contact::ContactPoints::grid(2 * beside + 1, 1, {-beside * rig.cell(), 0},
-                                                 {rig.cell(), rig.row_length()});
-        grid.line_length = rig.row_length();
-        const auto compliance = bem::plane_layer_compliance(theory::layers_of("bem-layer", c),
-                                                            std::nullopt, std::move(grid), 1);
+        const auto compliance = thin_layer(rig, .3, b);
         std::vector<double> pressure(compliance->points().size());
         for (std::size_t i = 0; i < pressure.size(); ++i)
             pressure[i] = std::abs(compliance->points().x[i]) < rig.half_length;
         const double force = rolling::linear_creep(*compliance, pressure)[0][0];
-        error.push_back(force / (2 * c.substrate.shear_modulus() * rig.half_length *
+        error.push_back(force / (2 * contact::Material{3e6, .3}.shear_modulus() * rig.half_length *
                                  rig.half_length * rig.row_length() / b) -
                         1);
     }

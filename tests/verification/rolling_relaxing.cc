@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "contact/relaxing_substrate.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling_problems.h"
+#include "theory/foundation_rolling.h"
+#include "theory/hunter.h"
+#include "theory/slow_rolling.h"
 
 namespace tricontact {
 namespace {
@@ -45,10 +47,10 @@ class Bed final : public contact::Compliance {
     double stiffness_;
 };
 
-/// A row that sees `ahead` half lengths of the surface in front of the centre.
-contact::ContactPoints row(const Rig& rig, double ahead) {
-    const int behind = static_cast<int>(1.3 * rig.n), front = static_cast<int>(ahead * rig.n);
-    auto grid = contact::ContactPoints::grid(behind + front + 1, 1, {-behind * rig.cell(), 0},
+/// A row that sees so many half lengths of the surface ahead of the centre, and behind it.
+contact::ContactPoints row(const Rig& rig, double ahead, double behind = 1.3) {
+    const int back = static_cast<int>(behind * rig.n), front = static_cast<int>(ahead * rig.n);
+    auto grid = contact::ContactPoints::grid(back + front + 1, 1, {-back * rig.cell(), 0},
                                              {rig.cell(), rig.row_length()});
     grid.line_length = rig.row_length();
     return grid;
@@ -65,35 +67,6 @@ rolling::RollingState roll(const Rig& rig, std::shared_ptr<const contact::Compli
     return rolling::run(substrate, problem).steady;
 }
 
-/// Hunter (1961), J. Mech. Phys. Solids 9, 219: half length l about the middle m, force per length
-/// and lead of the pressure. With lambda = v tau, Lambda = (1 + g) lambda, z = l/lambda,
-/// y = l/Lambda and E* relaxed, sigma = p - lambda p' solves Flamant's equation:
-///   sigma = E*/(2R) [sqrt(l^2 - s^2) + (kappa s + B)/sqrt(l^2 - s^2)],   kappa = Lambda - m;
-/// p vanishes at the trailing edge, and the surface arrives at the leading edge with the roller's
-/// slope: B = g lambda l I1(z)/(I0(z) + I1(z) K0(y)/K1(y)), m = B K0(y)/(l K1(y)).
-struct Hunter {
-    double force, lead;
-    Hunter(const Rig& rig, double l, double lambda) {
-        const double all = (1 + ratio) * lambda, z = l / lambda, y = l / all;
-        const double k = std::cyl_bessel_k(0, y) / std::cyl_bessel_k(1, y);
-        const double i_0 = std::cyl_bessel_i(0, z), i_1 = std::cyl_bessel_i(1, z);
-        const double b = ratio * lambda * l * i_1 / (i_0 + i_1 * k), m = b * k / l;
-        const double unit = std::numbers::pi * rig.modulus() / (2 * rig.radius);
-        force = unit * (l * l / 2 + b);
-        lead = m + unit * (all - m) * l * l / 2 / force - lambda;
-    }
-};
-
-/// The half length that carries the force per length [m], by bisection.
-double hunter_half_length(const Rig& rig, double force, double lambda) {
-    double low = .1 * rig.half_length, high = 2 * rig.half_length;
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        (Hunter(rig, middle, lambda).force < force ? low : high) = middle;
-    }
-    return low;
-}
-
 // The surface is taken for relaxed and level where it enters the grid: the farther ahead, the more
 // of what came before the material remembers.
 TEST(RollingRelaxing, ACylinderMeetsTheResistanceThatHunterFound) {
@@ -105,11 +78,14 @@ TEST(RollingRelaxing, ACylinderMeetsTheResistanceThatHunterFound) {
             const auto state =
                 roll(rig, bem::half_space_compliance(rig.materials(), row(rig, 8 + 16 * lambda), 1),
                      rig.row_force(), speed);
-            const double force = rig.row_force() / rig.row_length();
-            const double l = hunter_half_length(rig, force, lambda * rig.half_length);
-            const Hunter hunter(rig, l, lambda * rig.half_length);
-            EXPECT_NEAR(state.half_length / l, 1, 1.5 / n) << lambda;
+            const auto hunter =
+                theory::hunter_contact({rig.modulus(), rig.radius, ratio, lambda * rig.half_length},
+                                       rig.row_force() / rig.row_length());
+            EXPECT_NEAR(state.half_length / hunter.half_length, 1, 1.5 / n) << lambda;
             error.push_back(std::abs(state.pressure_lead / hunter.lead - 1));
+            // Of a parabola: W = F_N lead/R.
+            EXPECT_NEAR(state.resistance * rig.radius / (rig.row_force() * state.pressure_lead), 1,
+                        1e-9);
         }
         EXPECT_LT(error[1], 2e-3) << lambda;
         // Where the way of a relaxation is some cells the grid is what errs; else what it does not
@@ -137,30 +113,55 @@ TEST(RollingRelaxing, NothingResistsSlowOrFastRolling) {
     EXPECT_NEAR(fast.half_length, rig.half_length / std::sqrt(1 + ratio), rig.cell());
 }
 
-// Springs of p = k [u + g int exp(-(t - t')/tau) du], u = (a^2 - x^2)/(2R) from the leading edge a:
-//   p = k/R {(a^2 - x^2)/2 + g lambda [x + lambda - (a + lambda) exp((x - a)/lambda)]}
-// down to p = 0; Johnson (1985), section 9.4.
+// What rolling takes of work the material dissipates, much of it behind the contact. The work of a
+// step, means of pressures times displacements, is second order in the cell but at the edges.
+TEST(RollingRelaxing, TheMaterialDissipatesWhatResistanceWorks) {
+    std::vector<double> error;
+    for (const int n : {16, 33}) {
+        const Rig rig{.n = n};
+        const auto state =
+            roll(rig, bem::half_space_compliance(rig.materials(), row(rig, 12, 12), 1),
+                 rig.row_force(), .5 * rig.half_length / relaxation_time);
+        EXPECT_EQ(state.dissipation, 0);
+        error.push_back(std::abs(state.material_dissipation / state.resistance - 1));
+    }
+    EXPECT_LT(error[1], .35 * error[0]);
+    EXPECT_LT(error[1], 1e-3);
+}
+
+// Slow rolling takes W = F_N sum g_i v tau_i/R of any paraboloid (theory/slow_rolling.h); what
+// comes next is linear in the speed.
+TEST(RollingRelaxing, SlowRollingOfASphereResistsLikeAViscousForce) {
+    const Rig rig{.n = 12};
+    std::vector<double> error;
+    for (const double lambda : {.1, .05}) {
+        auto problem = rig.sphere(0);
+        problem.drive.creepage = {0, 0};
+        problem.speed = lambda * rig.half_length / relaxation_time;
+        problem.tolerance = 1e-7;
+        const contact::Relaxation relaxation{{{ratio, relaxation_time}}};
+        const contact::RelaxingSubstrate substrate(rig.sphere_grid(), relaxation);
+        const auto state = rolling::run(substrate, problem).steady;
+        error.push_back(state.resistance / state.normal_force /
+                            theory::slow_resistance_ratio(relaxation, problem.speed, rig.radius) -
+                        1);
+    }
+    EXPECT_NEAR(2 * error[1] - error[0], 0, 3e-2);
+    EXPECT_LT(std::abs(error[1]), .7 * std::abs(error[0]));
+}
+
 TEST(RollingRelaxing, ABedOfRelaxingSpringsIsExact) {
     const double lambda = .7, stiffness = 4e8;  // of the leading edge's distance a; [Pa/m]
     std::vector<double> error;
     for (const int n : {20, 41, 80}) {
         const Rig rig{.n = n};
-        const double a = rig.half_length, l = lambda * a;
-        double force = 0, moment = 0;
-        const int parts = 20000;  // midpoints
-        for (int k = 0; k < parts; ++k) {
-            const double x = a - (k + .5) * 2 * a / parts;
-            const double p =
-                stiffness / rig.radius *
-                ((a * a - x * x) / 2 + ratio * l * (x + l - (a + l) * std::exp((x - a) / l)));
-            if (p < 0) break;
-            force += p * 2 * a / parts;
-            moment += x * p * 2 * a / parts;
-        }
+        const double a = rig.half_length, speed = lambda * a / relaxation_time;
+        const auto exact = theory::foundation_contact(
+            {{{{ratio, relaxation_time}}}, speed, stiffness, rig.radius}, a);
         const auto state = roll(rig, std::make_shared<Bed>(row(rig, 2), stiffness),
-                                force * rig.row_length(), l / relaxation_time);
+                                exact.force * rig.row_length(), speed);
         EXPECT_NEAR(state.indentation, a * a / (2 * rig.radius), .5 / n * state.indentation);
-        error.push_back(state.pressure_lead / (moment / force) - 1);
+        error.push_back(state.pressure_lead / exact.lead - 1);
     }
     EXPECT_LT(std::abs(error[2]), 1e-2);
     EXPECT_LT(std::abs(error[2]), .5 * std::abs(error[0]));

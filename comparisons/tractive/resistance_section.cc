@@ -1,0 +1,75 @@
+#include <limits>
+
+#include "comparisons/format.h"
+#include "comparisons/tractive/resistance_theory.h"
+#include "comparisons/tractive/rolling_sections.h"
+
+namespace tricontact::comparisons::tractive {
+
+namespace {
+
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+DocumentTable model_table(const RollingReport& report) {
+    DocumentTable table{
+        .id = "resistance",
+        .title = "Rolling resistance",
+        .note =
+            "The pressure leans forward and resists, W per rolled way; the lead is its moment "
+            "about the body's lowest point over F_N, undefined of springs, which have no "
+            "pressure. The material dissipates what resistance and friction's traction work "
+            "on it.",
+        .columns = {{"model"},
+                    {"resistance W [N]"},
+                    {"W/F_N"},
+                    {"lead/a"},
+                    {"dissipation of the material [J/m]"}},
+        .rows = {}};
+    for (const RollingRun& run : report.runs) {
+        const auto& s = run.history.steady;
+        table.rows.push_back({display_name(run.model), s.resistance, s.resistance / s.normal_force,
+                              s.pressure_lead / s.half_length, s.material_dissipation});
+    }
+    return table;
+}
+
+DocumentTable theory_table(const RollingReport& report) {
+    DocumentTable table{
+        .id = "resistance_theories",
+        .title = "Closed forms of the resistance",
+        .note =
+            "Without friction. Slow rolling is the first order in the speed, the same for "
+            "every substrate that relaxes as one; the others are on the half-space. Sources: "
+            "docs/rolling.md.",
+        .columns = {{"theory"}, {"W/F_N"}},
+        .rows = {}};
+    for (const RollingRun& run : report.runs)
+        table.columns.push_back({"over that of " + display_name(run.model)});
+    for (const ResistanceTheory& theory : resistance_theories(report.c)) {
+        std::vector<Cell> row{theory.name, theory.ratio};
+        for (const RollingRun& run : report.runs) {
+            const auto& s = run.history.steady;
+            row.emplace_back(s.resistance == 0 ? undefined
+                                               : theory.ratio * s.normal_force / s.resistance);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace
+
+DocumentSection resistance_section(const RollingReport& report) {
+    DocumentSection section{.id = "resistance_section",
+                            .heading = "Resistance of the relaxing substrate",
+                            .paragraphs = {},
+                            .figures = {},
+                            .tables = {}};
+    if (!report.c.relaxation) return section;
+    section.tables.push_back(model_table(report));
+    DocumentTable theories = theory_table(report);
+    if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
+    return section;
+}
+
+}  // namespace tricontact::comparisons::tractive

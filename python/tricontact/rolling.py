@@ -1,0 +1,43 @@
+"""A contact that rolls on."""
+
+from dataclasses import dataclass
+from typing import Any, Callable, Optional, Sequence
+
+from ._core import Case, Surface, _roll
+from .table import Table
+
+
+@dataclass(frozen=True)
+class Rolling:
+    """What the models of a case that rolls on came to."""
+
+    summary: dict[str, Any]
+    """The numbers of summary.json."""
+    histories: dict[str, Table]
+    """Of each model the steps from rest on, as in history.csv; last the steady state."""
+    surfaces: dict[str, Surface]
+    """Of each model the surface in steady rolling; slip and dissipation are per rolled way."""
+    creep: Table
+    """Force over creepage of models and theories, as in creep.csv."""
+
+
+def roll(
+    case: Case,
+    *,
+    models: Optional[Sequence[str]] = None,
+    points: int = 12,
+    threads: Optional[int] = None,
+    on_step: Optional[Callable[[str, int, int], object]] = None,
+) -> Rolling:
+    """Roll the models of a case, or those named, from rest to steady rolling.
+
+    `points` of each creep curve (0: none). threads: for large grids (all cores).
+    on_step(model, step, steps) is called after each step from rest and each point of the curve;
+    what it raises ends the run. Other threads go on, and Ctrl-C ends the run between two of these.
+
+    Raises InputError, NotConverged.
+    """
+    names = list(models) if models is not None else None
+    summary, histories, surfaces, creep = _roll(case, names, points, threads, on_step)
+    tables = {model: Table(text) for model, text in histories.items()}
+    return Rolling(summary, tables, surfaces, Table(creep))
