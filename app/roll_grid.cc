@@ -98,9 +98,12 @@ RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& ru
     run.history.steady = steady.state;
     run.history.surface = std::move(steady.surface);
     if (runs.show) runs.show(std::numeric_limits<double>::infinity(), run.history.surface);
+    // Who rolls freely has a curve about the creepage that it has by itself.
+    const bool free = !problem.drive.creepage[0] && problem.drive.force[0] == 0;
+    const double begin = free ? run.history.steady.creepage.longitudinal : 0;
     const std::size_t n_steps = run.history.transient.size() - 1;
     for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
-        problem.drive.creepage[0] = creepage;
+        problem.drive.creepage[0] = begin + creepage;
         run.creep_curve.push_back(rolling::run(*substrate, problem).steady);
         runs.tell(n_steps + run.creep_curve.size(), n_steps);
     }

@@ -20,11 +20,11 @@ double rough_free_creepage(double beta);
 double smooth_free_creepage(double beta);
 
 /// Over b/R, of a rigid body x^2/(2 R) + f(y) that slips everywhere, mu far below b/a, on a bonded
-/// layer of the thickness b, much thinner than the contact: (1 - 4 nu)/(2 (1 - 2 nu)). Pressed in by
-/// w(x) such a layer bulges by -(1 - 4 nu)/(2 (1 - 2 nu)) b w' along x, and no correction of higher
-/// order comes from a parabola, which stretches it evenly. Who sticks creeps less: at the leading edge
-/// the surface comes in with half of that. nu < 1/2, else std::domain_error: an incompressible thin
-/// layer gives way by flowing.
+/// layer of the thickness b, much thinner than the contact: (1 - 4 nu)/(2 (1 - 2 nu)). Pressed in
+/// by w(x) such a layer bulges by -(1 - 4 nu)/(2 (1 - 2 nu)) b w' along x, and no correction of
+/// higher order comes from a parabola, which stretches it evenly. Who sticks creeps less: at the
+/// leading edge the surface comes in with half of that. nu < 1/2, else std::domain_error: an
+/// incompressible thin layer gives way by flowing.
 double thin_layer_smooth_creepage(double poisson);
 
 }  // namespace tricontact::theory

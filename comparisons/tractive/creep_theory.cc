@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparisons/tractive/free_rolling.h"
 #include "theory/carter.h"
 #include "theory/creep_law.h"
 #include "theory/kalker.h"
@@ -44,7 +45,7 @@ double creepage_unit(const Case& c) {
 }
 
 std::vector<CreepTheory> creep_theories(const Case& c) {
-    if (c.relaxation) return {};
+    if (c.relaxation || !free_creepages(c).empty()) return {};
     if (c.is_line_contact()) return {carter(creepage_unit(c))};
     const bool ellipse = c.indenter.shape == Case::Shape::ellipsoid;
     if (!contact::is_hertz_round(c) && !ellipse) return {};

@@ -20,15 +20,17 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::string driven_by(const Case& c, const RollingRun& run) {
     const auto& s = run.history.steady;
-    if (by_creepage(c)) return fmt::format("ξ = {}", significant(s.creepage.longitudinal, 4));
-    return fmt::format("F_x = {} μ F_N", significant(force_ratio(s, c.friction_coefficient), 3));
+    if (by_creepage(c))
+        return fmt::format("driven by ξ = {}", significant(s.creepage.longitudinal, 4));
+    const double f = force_ratio(s, c.friction_coefficient);
+    if (std::abs(f) < 1e-9) return "rolling freely";  // the solver's rounding
+    return fmt::format("driven by F_x = {} μ F_N", significant(f, 3));
 }
 
 Verdict steady_verdict(const RollingReport& report, const RollingRun& run) {
     const Case& c = report.c;
     const auto& s = run.history.steady;
-    std::string text =
-        fmt::format("{}, driven by {}: ", display_name(run.model), driven_by(c, run));
+    std::string text = fmt::format("{}, {}: ", display_name(run.model), driven_by(c, run));
     text += by_creepage(c) ? fmt::format("F_x = {} μ F_N",
                                          significant(force_ratio(s, c.friction_coefficient), 4))
                            : fmt::format("ξ = {}", significant(s.creepage.longitudinal, 4));

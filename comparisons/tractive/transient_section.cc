@@ -88,9 +88,10 @@ Curve theory_curve(const std::string& name, double (*traction)(double, double), 
 void add_theories(const RollingReport& report, const RollingRun& run, Figure& figure) {
     const double f = force_ratio(run.history.steady, report.c.friction_coefficient);
     if (!straight(report.c) || by_creepage(report.c) || !(f > 0 && f < 1)) return;
+    if (creep_theories(report.c).empty()) return;
     if (report.c.is_line_contact())
         figure.curves.push_back(theory_curve("Carter", theory::carter_traction, f));
-    else if (!creep_theories(report.c).empty() && run.model != "mdr")
+    else if (run.model != "mdr")
         figure.curves.push_back(theory_curve(
             "Cattaneo and Mindlin",
             [](double x, double ratio) {

@@ -266,9 +266,11 @@ TEST(FreeCreepages, StandBesideDissimilarCylindersWithoutForce) {
     c.indenter.material = contact::Material{70e9, .35};
     c.substrate = {206e9, .3};
     EXPECT_TRUE(free_creepages(c).empty());  // a force acts
+    EXPECT_EQ(creep_theories(c).size(), 1U);
     c.load.tangential_ratio = 0;
     const auto bounds = free_creepages(c);
     ASSERT_EQ(bounds.size(), 2U);
+    EXPECT_TRUE(creep_theories(c).empty());
     EXPECT_LT(bounds[0].creepage, 0);
     EXPECT_LT(bounds[1].creepage, bounds[0].creepage);
     EXPECT_EQ(rolling_json({.c = c, .runs = {}}).at("free_creepages").size(), 2U);
