@@ -37,10 +37,10 @@ Figure way_figure(const RollingReport& report) {
         .title =
             forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
         .caption = fmt::format(
-            "From rest{}. Lines: step by step. Points at the end: the steady state, solved by "
-            "itself. The first creepages are those of a contact that gives way once more as it "
-            "begins to roll.",
-            forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin"),
+            "From rest{}. Lines: step by step. Points at the end: the steady state, {}. The first "
+            "creepages are those of a contact that gives way once more as it begins to roll.",
+            forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin",
+            report.c.relaxation ? "where rolling on ends" : "solved by itself"),
         .x = {way_label},
         .y = {forces ? "F_x/(μ F_N) [-]"
                      : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
