@@ -20,8 +20,8 @@ double narrowness(const contact::Case& c);
 double far_sides(const contact::Case& c);
 
 /// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path.
-/// Under a cylinder a slice in plane strain (normal contact); under a roller the patch is as long
-/// as it, and finer towards its ends.
+/// Under a cylinder a slice in plane strain; under a roller the patch is as long as it, and finer
+/// towards its ends.
 meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double contact_radius);
 /// The same with elements of another size.
 meshes::LayerMeshSpec resized(meshes::LayerMeshSpec spec, double size);

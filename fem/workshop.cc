@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "fem/contact_line.h"
+
 namespace tricontact::fem {
 
 using contact::Case;
@@ -28,11 +30,15 @@ Workshop::Workshop(const Case& c, Say say) : case_(c), cache_(c.fem.cache), say_
 std::unique_ptr<CondensedCompliance> Workshop::make(meshes::HexMesh mesh) {
     auto problem = std::make_shared<const LayerProblem>(problem_of(case_, std::move(mesh)));
     const std::string key = LayerCache::key(*problem);
+    const auto compliance_of = [&](CondensedLayer layer) {
+        return std::make_unique<CondensedCompliance>(
+            problem, case_.is_line_contact() ? contact_line(layer) : std::move(layer));
+    };
     std::string why;
     if (auto layer = cache_.load(key, &why)) {
         say(fmt::format("condensed layer reused from {} ({} contact nodes)", cache_.path_of(key),
                         layer->points.size()));
-        return std::make_unique<CondensedCompliance>(problem, std::move(*layer));
+        return compliance_of(std::move(*layer));
     }
     if (!why.empty()) say(fmt::format("condensed layer made anew: {}", why));
     const auto start = std::chrono::steady_clock::now();
@@ -44,7 +50,7 @@ std::unique_ptr<CondensedCompliance> Workshop::make(meshes::HexMesh mesh) {
                     problem->mesh.hexes.size(), layer.points.size(),
                     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                     kept ? fmt::format(", kept in {}", cache_.path_of(key)) : ""));
-    return std::make_unique<CondensedCompliance>(problem, std::move(layer));
+    return compliance_of(std::move(layer));
 }
 
 void Workshop::say(const std::string& line) const {

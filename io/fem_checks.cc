@@ -94,8 +94,9 @@ double n_elements(const Case& c, const Patch& patch, double h) {
         return 2 * (std::ceil(half / h) + n_graded(outside, h, c.fem.growth));
     };
     // In depth neighbours grow by less.
-    const double n_y = c.is_cylindrical() ? n_along(c, h) + n_graded(6 * b, h / 4, c.fem.growth)
-                                          : across(patch.y, c.layer.depth);
+    const double n_y = c.is_line_contact()  ? 1
+                       : c.is_cylindrical() ? n_along(c, h) + n_graded(6 * b, h / 4, c.fem.growth)
+                                            : across(patch.y, c.layer.depth);
     return across(patch.x, c.layer.width) * n_y * n_graded(b, h, std::pow(c.fem.growth, 0.8));
 }
 
@@ -162,14 +163,18 @@ double softness_below(const Case& c) {
 // a^5 = 15 R b^3 (F/L)/(2 G), d = a^2/(6 R); with Hertz' a_H^2 = (F/L) R/(pi G):
 // a = 1.88 a_H (b/a_H)^(3/5).
 RadiusBounds line_bounds(const Case& c) {
-    const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
     const double softer = softness_below(c);
     if (c.load.normal_force) {
+        const double hertz = contact::half_space_scales(c).contact_radius * growth_at_crest(c);
         const double thin = 1.88 * std::pow(*c.layer.thickness / hertz, .6);
         return {hertz / (1 + 1 / thin), hertz * std::sqrt(std::max(1., softer))};
     }
     const double deepest = *c.load.indentation * (1 + c.load.normal_amplitude_ratio);
-    return {softer > 1 ? 0 : hertz, std::sqrt(6 * c.indenter.radius * deepest)};
+    // Where the half-space's d ends with the length, the layer's ends with its thickness.
+    Case as_long = c;
+    as_long.indenter.length = std::max(c.indenter.length, c.layer.total_thickness());
+    const double least = contact::half_space_scales(as_long).contact_radius * growth_at_crest(c);
+    return {softer > 1 ? 0 : least, std::sqrt(6 * c.indenter.radius * deepest)};
 }
 
 }  // namespace

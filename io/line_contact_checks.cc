@@ -26,10 +26,11 @@ void check_models(const Case& c, const Document& document) {
                    std::string(model) +
                        " maps bodies of revolution to a line of springs; there is no such map of "
                        "cylinders and rollers",
-                   "take bem or bem-layer");
-    if (c.is_line_contact() && computes(c, "fem"))
-        refuse(document, "models", "fem has no line contact",
-               "take bem or bem-layer, or indenter.shape = \"roller\"");
+                   "take bem, bem-layer or fem");
+    if (c.is_line_contact() && computes(c, "fem") && c.layer.depth)
+        refuse(document, "substrate.depth",
+               "fem takes a cylinder's substrate in plane strain: it has no ends along y",
+               "omit it, or take indenter.shape = \"roller\"");
     if (c.is_line_contact() && computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
         refuse(document, "substrate.base",
                "a line load displaces an elastic half-space below the layers without bound",

@@ -9,6 +9,7 @@
 #include "contact/error.h"
 #include "io/case_reader.h"
 #include "io/fem_checks.h"
+#include "theory/line_contact.h"
 
 namespace tricontact::io {
 namespace {
@@ -103,6 +104,33 @@ TEST(RadiusBounds, GrowWithTheLoadsCrestAndOnASofterLowerLayer) {
     EXPECT_NEAR(contact_radius_bounds(parsed({}, lower + "\"0.65 MPa\"\n")).high, 2 * mean.high,
                 1e-12 * mean.high);  // 8 times softer
     EXPECT_EQ(contact_radius_bounds(parsed({}, lower + "\"70 GPa\"\n")).high, mean.high);
+}
+
+// Compressible or not, bonded or gliding, by theory/line_contact.
+TEST(RadiusBounds, EncloseTheExactHalfWidthOfALine) {
+    const std::vector<std::string> line{"indenter.shape=cylinder", "indenter.length=80 mm",
+                                        "load.normal_force=32.3 N"};
+    const double hertz = contact::half_space_scales(parsed(line)).contact_radius;
+    for (const double ratio : {.05, .3, 1., 3., 30., 300.})
+        for (const double nu : {0., .3, .5})
+            for (const auto base : {theory::LayerBase::bonded, theory::LayerBase::frictionless}) {
+                auto overrides = line;
+                overrides.push_back(set("substrate.thickness", ratio * hertz, "m"));
+                Case c = parsed(overrides);
+                c.substrate.poisson = nu;
+                const theory::LineContact exact = theory::solve_line_contact(
+                    {c.substrate, *c.layer.thickness, base}, c.indenter.radius,
+                    {theory::LineControl::Kind::load, *c.load.normal_force / c.indenter.length});
+                const RadiusBounds at_force = contact_radius_bounds(c);
+                EXPECT_LE(at_force.low, exact.half_width) << ratio << ' ' << nu;
+                EXPECT_GE(at_force.high, exact.half_width) << ratio << ' ' << nu;
+                Case pressed = c;
+                pressed.load.normal_force.reset();
+                pressed.load.indentation = exact.indentation;
+                const RadiusBounds at_depth = contact_radius_bounds(pressed);
+                EXPECT_LE(at_depth.low, exact.half_width) << ratio << ' ' << nu;
+                EXPECT_GE(at_depth.high, exact.half_width) << ratio << ' ' << nu;
+            }
 }
 
 TEST(FemChecks, TheRigIsAccepted) {
