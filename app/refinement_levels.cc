@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/commands.h"
 #include "contact/error.h"
@@ -98,11 +99,13 @@ Overrides resolution(const Case& c, const std::string& key, double size, int k) 
 
 Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
     const Block block = block_of(level.c, say);
+    Overrides sides{"substrate.width=" + length(factor * block.width)};
+    // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
+    if (!level.c.is_cylindrical())
+        sides.push_back("substrate.depth=" + length(factor * block.depth));
     return make_level(level.c, "wide",
                       fmt::format("{}, block {} times as wide", level.what, factor), level.size,
-                      {"substrate.width=" + length(factor * block.width),
-                       "substrate.depth=" + length(factor * block.depth)},
-                      case_file);
+                      std::move(sides), case_file);
 }
 
 }  // namespace
