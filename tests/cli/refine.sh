@@ -119,4 +119,10 @@ expect 0 "$case_file" "${coarse[@]}" --set load.tangential_ratio=0.3 --output ag
 grep -q "taken from" err && complain "levels of another case: $(cat err)"
 cmp -s whole/refinement.csv again/refinement.csv && complain "the same numbers for another load"
 
+# 8. A cylinder's substrate has no ends along y: its block is widened along x, from 8 thicknesses on.
+expect 0 "$source_dir/cases/rig_cylinder.toml" "${coarse[@]/2 mm/0.4 mm}" --output line
+says 'width = \"0.12' line/wide/level.json
+grep -q 'depth = ' line/wide/level.json && complain "a line contact in a block with ends"
+says "fem.size, mm" out
+
 finish
