@@ -27,10 +27,11 @@ std::string only_model_of(const contact::Case& c) {
 }  // namespace
 
 BoundaryElementCase read_boundary_elements(const std::string& case_file,
-                                           std::vector<std::string> overrides,
+                                           const std::vector<std::string>& overrides,
                                            const std::string& asked) {
-    if (!asked.empty()) overrides.push_back("models=[\"" + asked + "\"]");
-    contact::Case c = io::read_case(case_file, overrides);
+    const auto models =
+        asked.empty() ? std::vector<std::string>{} : std::vector<std::string>{asked};
+    contact::Case c = io::read_case(case_file, overrides, models);
     const std::string model = asked.empty() ? only_model_of(c) : asked;
     return {std::move(c), model};
 }

@@ -17,7 +17,7 @@ struct BoundaryElementCase {
 
 /// Reads the case with the model that is asked for; empty: its only one. Throws InputError.
 BoundaryElementCase read_boundary_elements(const std::string& case_file,
-                                           std::vector<std::string> overrides,
+                                           const std::vector<std::string>& overrides,
                                            const std::string& asked);
 
 }  // namespace tricontact::app

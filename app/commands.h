@@ -142,9 +142,6 @@ struct DeviationOptions {
 /// Throws InputError.
 void deviation_command(const DeviationOptions& options);
 
-/// results/<name of the study>: where a sweep writes, and others look, without --output.
-std::string default_sweep_folder(const std::string& study_file);
-
 struct FitOptions {
     std::string study_file;
     std::string output;        ///< folder of the sweep; empty: results/<name of the study>

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -75,9 +74,7 @@ std::string command_of(const DeviationOptions& options) {
 
 void deviation_command(const DeviationOptions& given) {
     DeviationOptions options = given;
-    if (options.output.empty())
-        options.output =
-            "results/" + std::filesystem::path(options.case_file).stem().string() + "_deviation";
+    options.output = io::output_folder(options.output, options.case_file, "_deviation");
     const contact::Case c = io::read_case(options.case_file, options.overrides);
     refuse_rolling_on(c, options.case_file);
     HalfSpaceDeviation deviation = exact_deviation(options, c);

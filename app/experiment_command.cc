@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 
 #include "app/case_run.h"
@@ -120,8 +119,7 @@ class Predictions {
 
 void experiment_command(const ExperimentOptions& given) {
     ExperimentOptions options = given;
-    if (options.output.empty())
-        options.output = "results/" + std::filesystem::path(options.data_file).stem().string();
+    options.output = io::output_folder(options.output, options.data_file);
     const io::ExperimentInput input = io::read_experiment(options.data_file);
     ExperimentEvaluation evaluation = comparisons::evaluate_experiment(input.experiment);
     if (input.case_file) Predictions(input, options, evaluation).add();

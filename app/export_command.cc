@@ -59,8 +59,7 @@ void export_command(const ExportOptions& options) {
             throw contact::InputError(options.case_file + ": " + error.what());
         }
     }();
-    const std::string folder =
-        options.output.empty() ? "results/" + name + "_contact" : options.output;
+    const std::string folder = io::output_folder(options.output, options.case_file, "_contact");
     io::make_output_folder(folder);
     if (sequence.influence) io::write_file(folder + "/" + influence_name, *sequence.influence);
     io::write_file(folder + "/" + name + ".inp", sequence.input);

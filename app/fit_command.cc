@@ -154,8 +154,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const io::Study& st
 }  // namespace
 
 void fit_command(const FitOptions& options) {
-    const std::string folder =
-        options.output.empty() ? default_sweep_folder(options.study_file) : options.output;
+    const std::string folder = io::output_folder(options.output, options.study_file);
     const io::Study study = io::read_study(options.study_file);
     if (study.walks)
         throw contact::InputError(study.name +

@@ -208,9 +208,7 @@ void print(const IdentificationStudy& study) {
 
 void identify_command(const IdentifyOptions& options) {
     const io::IdentificationInput input = io::read_identification(options.file);
-    const std::string folder =
-        options.output.empty() ? "results/" + std::filesystem::path(options.file).stem().string()
-                               : options.output;
+    const std::string folder = io::output_folder(options.output, options.file);
     const IdentificationStudy study = study_of(input, options);
     io::make_output_folder(folder);
     io::write_file(folder + "/identify.json",

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iostream>
 
 #include "app/commands.h"
@@ -71,15 +70,10 @@ void write(const LimitStudy& study, const LimitOptions& options, const std::stri
 
 void limit_command(const LimitOptions& given) {
     LimitOptions options = given;
-    if (!options.models.empty())
-        options.overrides.push_back(
-            fmt::format("models=[\"{}\"]", fmt::join(options.models, "\", \"")));
-    const Case c = io::read_case(options.case_file, options.overrides);
+    const Case c = io::read_case(options.case_file, options.overrides, options.models);
     check(options, c);
     bem::check_influence_file(c);
-    if (options.output.empty())
-        options.output =
-            "results/" + std::filesystem::path(options.case_file).stem().string() + "_limit";
+    options.output = io::output_folder(options.output, options.case_file, "_limit");
     io::make_output_folder(options.output);
 
     const Say say = [&](const std::string& line) {

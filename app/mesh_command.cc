@@ -65,10 +65,7 @@ void print_quality(const meshes::HexMesh& mesh) {
 
 void mesh_command(const MeshOptions& options) {
     const contact::Case c = io::read_case(options.case_file, options.overrides);
-    const std::string output =
-        options.output.empty()
-            ? "results/" + std::filesystem::path(options.case_file).stem().string()
-            : options.output;
+    const std::string output = io::output_folder(options.output, options.case_file);
     const fem::Say say = [](const std::string& line) { std::cerr << line << '\n'; };
     std::string geometry;
     meshes::HexMesh mesh;

@@ -47,23 +47,12 @@ void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& sto
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(runs.quiet), runs.name, {},
                         "point");
     int n_done = 0;
-    std::vector<std::size_t> killed;
     const auto task = [&](std::size_t i) { return compute_point(points[i], runs.folder); };
     const auto keep = [&](std::size_t i, const WorkerReport& report) {
         store.add(outcome_of(points[i], report));
         bar.update(++n_done, static_cast<int>(open.size()));
     };
-    run_in_processes(
-        open, runs.jobs, task,
-        [&](std::size_t i, const WorkerReport& report) {
-            if (report.killed)
-                killed.push_back(i);
-            else
-                keep(i, report);
-        },
-        runs.attend);
-    // Killed for want of memory it may do better alone; killed by hand it is no failure.
-    run_in_processes(killed, 1, task, keep, runs.attend);
+    run_in_processes(open, runs.jobs, task, keep, runs.attend);
     if (!open.empty()) bar.finish();
 }
 

@@ -160,9 +160,7 @@ comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
 
 void refine_command(const RefineOptions& given) {
     RefineOptions options = given;
-    if (options.output.empty())
-        options.output =
-            "results/" + std::filesystem::path(options.case_file).stem().string() + "_refined";
+    options.output = io::output_folder(options.output, options.case_file, "_refined");
     const Levels levels(options);
     const RefinementPlan plan =
         plan_refinement(options, [&](const std::string& line) { levels.say(line); });

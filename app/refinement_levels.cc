@@ -69,8 +69,7 @@ Start read_start(const RefineOptions& options, const Say& say) {
             options.case_file, options.model));
     Overrides overrides = options.overrides;
     std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
-    overrides.push_back(fmt::format("models=[\"{}\"]", options.model));
-    const Case c = io::read_case(options.case_file, overrides);
+    const Case c = io::read_case(options.case_file, overrides, {options.model});
     return {c, start_size(c, options, say)};
 }
 

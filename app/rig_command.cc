@@ -55,7 +55,7 @@ void print(const rig::RigReport& report) {
 
 void rig_command(const RigOptions& options) {
     const std::string stem = std::filesystem::path(options.rig_file).stem().string();
-    const std::string folder = options.output.empty() ? "results/" + stem : options.output;
+    const std::string folder = io::output_folder(options.output, options.rig_file);
     const rig::RigReport report = std::visit(Check{}, io::read_rig(options.rig_file));
     io::make_output_folder(folder);
     io::write_file(folder + "/rig.json", rig_json(report));

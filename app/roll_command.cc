@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
 #include "app/commands.h"
@@ -33,22 +32,17 @@ const std::string version = TRICONTACT_VERSION;
 const std::string command = std::string("tricontact roll ") + resolved_case_name;
 
 Case read(const RollOptions& options) {
-    std::vector<std::string> overrides = options.overrides;
-    if (!options.models.empty())
-        overrides.push_back(fmt::format("models=[\"{}\"]", fmt::join(options.models, "\", \"")));
-    Case c = io::read_case(options.case_file, overrides);
+    Case c = io::read_case(options.case_file, options.overrides, options.models);
     require_rolling_on(c, options.case_file);
     return c;
 }
 
-/// Results of an earlier run must not stand beside a new case as if they were its own.
-void remove_old_results(const std::string& output, const std::vector<std::string>& models) {
-    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    for (const char* name : {"summary.json", "creep.csv", "report.html"})
-        std::filesystem::remove(output + "/" + name, ignored);
+std::vector<std::string> results_of(const std::vector<std::string>& models) {
+    std::vector<std::string> names{"summary.json", "creep.csv", "report.html"};
     for (const std::string& model : models)
-        for (const char* name : {"history.csv", "surface.pvd", "steady.pvd"})
-            std::filesystem::remove(output + "/" + model + "/" + name, ignored);
+        for (const char* name : {"/history.csv", "/surface.pvd", "/steady.pvd"})
+            names.push_back(model + name);
+    return names;
 }
 
 RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
@@ -145,10 +139,9 @@ void roll_command(const RollOptions& given) {
     RollOptions options = given;
     const Case c = read(options);
     bem::check_influence_file(c);  // before anything is written
-    if (options.output.empty())
-        options.output = "results/" + std::filesystem::path(options.case_file).stem().string();
+    options.output = io::output_folder(options.output, options.case_file);
     io::make_output_folder(options.output);
-    remove_old_results(options.output, c.models);
+    io::remove_old_results(options.output, results_of(c.models));
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_case_name, resolved);
 

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <iostream>
 
 #include "app/case_run.h"
@@ -18,35 +15,24 @@ namespace tricontact::app {
 
 namespace {
 
-contact::Case read(const RunOptions& options) {
-    std::vector<std::string> overrides = options.overrides;
-    if (!options.models.empty())
-        overrides.push_back(fmt::format("models=[\"{}\"]", fmt::join(options.models, "\", \"")));
-    return io::read_case(options.case_file, overrides);
-}
-
-/// Results of an earlier run must not stand beside a new case as if they were its own.
-void remove_old_results(const std::string& output, const std::vector<std::string>& models) {
-    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    for (const char* name : {"summary.json", "report.html"})
-        std::filesystem::remove(output + "/" + name, ignored);
+std::vector<std::string> results_of(const std::vector<std::string>& models) {
+    std::vector<std::string> names{"summary.json", "report.html"};
     for (const std::string& model : models)
-        for (const char* name : {"history.csv", "surface.pvd", "volume.pvd"})
-            std::filesystem::remove(output + "/" + model + "/" + name, ignored);
+        for (const char* name : {"/history.csv", "/surface.pvd", "/volume.pvd"})
+            names.push_back(model + name);
+    return names;
 }
 
 }  // namespace
 
 void run_command(const RunOptions& given) {
     RunOptions options = given;
-    const contact::Case c = read(options);
+    const contact::Case c = io::read_case(options.case_file, options.overrides, options.models);
     refuse_rolling_on(c, options.case_file);
     bem::check_influence_file(c);  // before anything is written
-    if (options.output.empty())
-        options.output = "results/" + std::filesystem::path(options.case_file).stem().string();
+    options.output = io::output_folder(options.output, options.case_file);
     io::make_output_folder(options.output);
-
-    remove_old_results(options.output, c.models);
+    io::remove_old_results(options.output, results_of(c.models));
 
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_case_name, resolved);

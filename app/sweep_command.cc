@@ -38,13 +38,12 @@ Shard shard_of(const std::string& text) {
 }
 
 std::string folder_of(const SweepOptions& options) {
-    if (!options.output.empty()) return options.output;
-    std::string folder = default_sweep_folder(options.study_file);
+    std::string suffix;
     if (!options.shard.empty()) {
         const Shard shard = shard_of(options.shard);
-        folder += fmt::format("_shard_{}_of_{}", shard.i, shard.n);
+        suffix = fmt::format("_shard_{}_of_{}", shard.i, shard.n);
     }
-    return folder;
+    return io::output_folder(options.output, options.study_file, suffix);
 }
 
 std::string report_of(const StudyRun& run, const io::Study& study, const io::ResultStore& store,
@@ -62,10 +61,6 @@ std::string report_of(const StudyRun& run, const io::Study& study, const io::Res
 
 }  // namespace
 
-std::string default_sweep_folder(const std::string& study_file) {
-    return "results/" + std::filesystem::path(study_file).stem().string();
-}
-
 void sweep_command(const SweepOptions& options) {
     const std::string folder = folder_of(options);
     const io::Study study = io::read_study(options.study_file);
@@ -76,9 +71,7 @@ void sweep_command(const SweepOptions& options) {
     io::make_output_folder(folder);
     io::ResultStore store(folder + '/' + io::result_store_name);
     const std::string table = folder + '/' + table_name, report = folder + '/' + report_name;
-    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    for (const std::string& old : {table, report})  // of an unfinished sweep they must not seem
-        std::filesystem::remove(old, ignored);
+    io::remove_old_results(folder, {table_name, report_name});  // they seem those of a whole sweep
     run->compute(store, folder);
     io::write_file(table, run->table(store));
     if (options.report)

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <vector>
 
@@ -26,14 +25,6 @@ using dynamics::Walk;
 using dynamics::WalkCase;
 
 const std::string command = std::string("tricontact walk ") + resolved_case_name;
-
-/// Results of an earlier run must not stand beside a new case as if they were its own.
-void remove_old_results(const std::string& output) {
-    std::error_code ignored;  // a file that cannot be removed cannot be written either: said then
-    for (const char* name :
-         {"summary.json", "report.html", "windows.csv", "motion.csv", "animation/machine.pvd"})
-        std::filesystem::remove(output + "/" + name, ignored);
-}
 
 /// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
 /// at equal intervals.
@@ -77,12 +68,10 @@ void write_report(const std::string& output, const WalkCase& walk_case, const Wa
 
 void walk_command(const WalkOptions& options) {
     const WalkCase walk_case = io::read_walk_case(options.case_file, options.overrides);
-    const std::string output =
-        options.output.empty()
-            ? "results/" + std::filesystem::path(options.case_file).stem().string()
-            : options.output;
+    const std::string output = io::output_folder(options.output, options.case_file);
     io::make_output_folder(output);
-    remove_old_results(output);
+    io::remove_old_results(output, {"summary.json", "report.html", "windows.csv", "motion.csv",
+                                    "animation/machine.pvd"});
     const std::string resolved = io::write_walk_case(walk_case);
     io::write_file(output + "/" + resolved_case_name, resolved);
 

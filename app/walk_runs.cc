@@ -6,6 +6,7 @@
 #include <map>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <span>
 #include <tuple>
@@ -127,8 +128,8 @@ void compute_missing(const std::vector<WalkPoint>& points, io::ResultStore& stor
     if (n_found > 0 && !runs.quiet)
         std::cerr << fmt::format("{} of {} points are there already\n", n_found, points.size());
     const std::vector<Places> lots = lots_of(points, open);
-    Places all, killed;
-    for (std::size_t lot = 0; lot < lots.size(); ++lot) all.push_back(lot);
+    Places all(lots.size());
+    std::iota(all.begin(), all.end(), 0);
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(runs.quiet), "sweep", {},
                         "point");
     int n_done = 0;
@@ -137,17 +138,7 @@ void compute_missing(const std::vector<WalkPoint>& points, io::ResultStore& stor
         store.add(outcomes_of(points, lots[lot], report));
         bar.update(n_done += static_cast<int>(lots[lot].size()), static_cast<int>(open.size()));
     };
-    run_in_processes(
-        all, runs.jobs, task,
-        [&](std::size_t lot, const WorkerReport& report) {
-            if (report.killed)
-                killed.push_back(lot);
-            else
-                keep(lot, report);
-        },
-        runs.attend);
-    // Killed for want of memory it may do better alone; killed by hand it is no failure.
-    run_in_processes(killed, 1, task, keep, runs.attend);
+    run_in_processes(all, runs.jobs, task, keep, runs.attend);
     if (!open.empty()) bar.finish();
 }
 

@@ -18,6 +18,7 @@ namespace tricontact::app {
 namespace {
 
 using Task = std::function<std::string(std::size_t)>;
+using Done = std::function<void(std::size_t, const WorkerReport&)>;
 
 [[noreturn]] void fail(const char* what) {
     throw std::system_error(errno, std::generic_category(), what);
@@ -128,11 +129,8 @@ void wait_for_any(const std::vector<Worker>& workers, std::vector<pollfd>& ends,
         fail("waiting for processes");
 }
 
-}  // namespace
-
-void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
-                      const std::function<void(std::size_t, const WorkerReport&)>& done,
-                      const std::function<void()>& attend) {
+void run_once(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
+              const Done& done, const std::function<void()>& attend) {
     constexpr int patience = 100;  // between two calls of `attend` [ms]
     std::vector<Worker> workers;
     std::vector<pollfd> ends;
@@ -151,6 +149,21 @@ void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers, cons
             done(i, report);
         }
     }
+}
+
+}  // namespace
+
+void run_in_processes(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
+                      const Done& done, const std::function<void()>& attend) {
+    std::vector<std::size_t> killed;
+    const Done done_or_killed = [&](std::size_t i, const WorkerReport& report) {
+        if (report.killed)
+            killed.push_back(i);
+        else
+            done(i, report);
+    };
+    run_once(tasks, n_workers, task, done_or_killed, attend);
+    run_once(killed, 1, task, done, attend);
 }
 
 }  // namespace tricontact::app

@@ -95,4 +95,14 @@ void make_output_folder(const std::string& path) {
     probe.write("probe");
 }
 
+std::string output_folder(const std::string& given, const std::string& input_file,
+                          const std::string& suffix) {
+    return given.empty() ? "results/" + fs::path(input_file).stem().string() + suffix : given;
+}
+
+void remove_old_results(const std::string& folder, const std::vector<std::string>& names) {
+    std::error_code ignored;
+    for (const std::string& name : names) fs::remove(fs::path(folder) / name, ignored);
+}
+
 }  // namespace tricontact::io

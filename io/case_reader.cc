@@ -1,5 +1,7 @@
 #include "io/case_reader.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "io/case_checks.h"
@@ -97,8 +99,11 @@ Case resolve_case(Document document, const std::vector<Entry>& overrides) {
     return resolve(document);
 }
 
-Case read_case(const std::string& path, const std::vector<std::string>& overrides) {
-    return parse_case(read_input_file(path), path, overrides);
+Case read_case(const std::string& path, const std::vector<std::string>& overrides,
+               const std::vector<std::string>& models) {
+    std::vector<std::string> all = overrides;
+    if (!models.empty()) all.push_back(fmt::format("models=[\"{}\"]", fmt::join(models, "\", \"")));
+    return parse_case(read_input_file(path), path, all);
 }
 
 }  // namespace tricontact::io

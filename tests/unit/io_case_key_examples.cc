@@ -7,24 +7,12 @@
 
 #include "io/case_keys.h"
 #include "io/case_reader.h"
+#include "tests/unit/io_sphere_case.h"
 
 namespace tricontact::io {
 namespace {
 
-constexpr const char* rolling_case = R"(models = ["bem"]
-[indenter]
-radius = "40 mm"
-[substrate]
-young = "5.2 MPa"
-poisson = 0.5
-[friction]
-coefficient = 0.57
-[load]
-normal_force = "21.1 N"
-tangential_ratio = 0.56
-[rolling]
-amplitude_ratio = 0.24
-)";
+const std::string rolling_case = loaded_sphere + "[rolling]\namplitude_ratio = 0.24\n";
 
 bool relaxes(const Key& key) {
     return key.section() == "substrate.relaxation" || key.needs == "substrate.relaxation";

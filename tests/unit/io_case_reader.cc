@@ -11,27 +11,15 @@
 #include "io/any_case.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "tests/unit/io_sphere_case.h"
 
 namespace tricontact::io {
 namespace {
 
 using contact::Case;
 
-const std::string minimal = R"(models = ["bem"]
-[indenter]
-radius = "40 mm"
-[substrate]
-young = "5.2 MPa"
-poisson = 0.5
-[friction]
-coefficient = 0.57
-[load]
-normal_force = "21.1 N"
-tangential_ratio = 0.56
-)";
-
 Case parsed(const std::vector<std::string>& overrides = {}, const std::string& more = {}) {
-    return parse_case(minimal + more, "minimal.toml", overrides);
+    return parse_case(loaded_sphere + more, "minimal.toml", overrides);
 }
 
 const std::string rolling = "[rolling]\namplitude_ratio = 0.24\namplitude_reference = \"model\"\n";
@@ -140,7 +128,7 @@ cache = "none"
 }
 
 TEST(CaseReader, FileNamesAreMeantFromTheCaseFileAndThoseOfOverridesFromTheWorkingDirectory) {
-    const std::string text = minimal + R"([fem]
+    const std::string text = loaded_sphere + R"([fem]
 mesh = "../meshes/layer.msh"
 mesh_unit = "1 mm"
 cache = "condensed"

@@ -6,6 +6,7 @@
 
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "tests/unit/io_sphere_case.h"
 
 namespace tricontact::io {
 namespace {
@@ -13,19 +14,7 @@ namespace {
 using contact::Case;
 
 Case rolling_on(const std::string& load, const std::string& rolling) {
-    return parse_case(R"(models = ["bem"]
-[indenter]
-radius = "40 mm"
-[substrate]
-young = "5.2 MPa"
-poisson = 0.5
-[friction]
-coefficient = 0.57
-[load]
-normal_force = "21.1 N"
-)" + load + "\n[tractive_rolling]\n" +
-                          rolling,
-                      "rolling.toml");
+    return parse_case(pressed_sphere + load + "\n[tractive_rolling]\n" + rolling, "rolling.toml");
 }
 
 TEST(TractiveRolling, DrivenByForce) {
