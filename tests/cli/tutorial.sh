@@ -3,33 +3,10 @@
 # what is said of their numbers is so.
 # usage: tutorial.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$source_dir/tests/cli/document_blocks.bash"
 
-# Blocks to 1.block, 2.block, ...: the line of the fence, then the text.
-awk '/^```[a-z]/ { n++; file = n ".block" }
-    /^```$/ { file = "" }
-    file { print > file }' "$source_dir/docs/tutorial.md"
-mkdir bin
-ln -s "$program" bin/tricontact
-PATH=$PWD/bin:$PATH
-
-n=0
-while [ -e $((n + 1)).block ]; do
-    n=$((n + 1))
-    fence=$(head -1 $n.block)
-    sed -i 1d $n.block
-    case $fence in
-        *' file='*) cp $n.block "${fence##* file=}" ;;
-        '```sh'*)
-            due=0
-            [[ $fence == *' exit='* ]] && due=${fence##* exit=}
-            bash -eu $n.block >$n.out 2>&1
-            code=$?
-            [ "$code" -eq "$due" ] || complain "exit code $code of: $(cat $n.block): $(tail -3 $n.out)"
-            ;;
-        *) complain "what is a block $fence?" ;;
-    esac
-done
-[ "$n" -ge 9 ] || complain "only $n blocks"
+run_blocks tutorial.md
+[ "$blocks" -ge 9 ] || complain "only $blocks blocks"
 
 grep -q 'a        =      2.65665 mm' 2.out || complain "the contact radius is another: $(grep 'a  *=' 2.out)"
 grep -q 'did you mean' 3.out || complain "no remedy: $(cat 3.out)"

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Each block of docs/rig-how-to.md works, and what is said of their numbers is so.
+# usage: rig_how_to.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$source_dir/tests/cli/document_blocks.bash"
+
+ln -s "$source_dir/measurements" measurements
+mkdir experiments cases
+cp -r "$source_dir"/experiments/* experiments
+cp "$source_dir"/cases/rig_layer_parallel.toml cases
+run_blocks rig-how-to.md
+[ "$blocks" -ge 7 ] || complain "only $blocks blocks"
+
+# said BLOCK TEXT: the block printed it.
+said() { grep -qF -- "$2" "$1.out" || complain "block $1 does not say '$2': $(cat "$1.out")"; }
+said 2 'b/D_c = 0.843'
+said 2 'Indentation is 37.7 % below Hertz'
+said 2 'The stiffness is 2.06 times'
+said 2 'finds 2.50 MPa where the layer has 2.02 MPa: 24 % too high'
+said 2 'changes the static shift by 0.24 % only'
+said 2 'not given: drive.eigenfrequency'
+said 2 'not given: pivot.displacement'
+grep -q '^indentation .* 37.6, 18.8, 7.49$' 4.out || complain "thicknesses for the indentation"
+grep -q '^unit_shift .* 2.85$' 4.out || complain "thicknesses for U_max"
+grep -q '^bem-layer .* 0.703[0-9]* *0.703' 5.out || complain "the limit: $(cat 5.out)"
+said 5 '0.6953125: shakedown after 27 periods'
+grep -q '5.71 MPa' 6.out && grep -q '4.22 MPa' 6.out || complain "E: $(cat 6.out)"
+grep -qi 'shakedown' 7.out || complain "no verdict: $(cat 7.out)"
+
+finish
