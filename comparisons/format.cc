@@ -117,6 +117,11 @@ std::string display_name(const std::string& model) {
     return name;
 }
 
+std::string id_of_model(std::string model) {
+    std::ranges::replace(model, '-', '_');
+    return model;
+}
+
 std::string display_names(const std::vector<std::string>& models) {
     std::string text;
     for (std::size_t i = 0; i < models.size(); ++i) {

@@ -42,6 +42,8 @@ std::string given_quantity(double value, const std::string& base);
 
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".
 std::string display_name(const std::string& model);
+/// What stands for a model in the id of a figure or table: "bem_layer".
+std::string id_of_model(std::string model);
 
 /// Display names of models as a list in a sentence: "MDR, BEM and FEM"; empty for none.
 std::string display_names(const std::vector<std::string>& models);

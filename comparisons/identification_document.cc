@@ -180,11 +180,9 @@ std::optional<Figure> profile_figure(const IdentificationStudy& study, Property 
 
 Figure map_figure(const IdentifiedModel& model) {
     const Scaled scale(model.map->young, "Pa");
-    std::string id = "map_" + model.name;
-    std::ranges::replace(id, '-', '_');
     const Identification& found = model.found;
     Figure figure{
-        .id = id,
+        .id = "map_" + id_of_model(model.name),
         .title = "E and mu together: " + model.name,
         .caption = fmt::format("Sum of squares, 0 at the best values (point), 1 at the edge of the "
                                "region that holds both with a confidence of {:g} %. {}White: the "

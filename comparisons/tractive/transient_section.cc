@@ -103,10 +103,8 @@ void add_theories(const RollingReport& report, const RollingRun& run, Figure& fi
 Figure line_figure(const RollingReport& report, const RollingRun& run) {
     const bool springs = run.history.surface.layout == contact::Surface::Layout::line;
     const double a = run.history.steady.half_length;
-    std::string id = run.model;
-    std::ranges::replace(id, '-', '_');
     Figure figure{
-        .id = "centre_" + id,
+        .id = "centre_" + id_of_model(run.model),
         .title = fmt::format("From Cattaneo to Carter: {}", display_name(run.model)),
         .caption = fmt::format(
             "{} along x on the contact's centre line, over the largest bound. The contact rolls to "

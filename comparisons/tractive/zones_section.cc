@@ -64,10 +64,8 @@ Curve slip_strokes(const Surface& s, double a) {
 Figure zone_figure(const RollingRun& run) {
     const Surface& s = run.history.surface;
     const double a = run.history.steady.half_length;
-    std::string id = run.model;
-    std::ranges::replace(id, '-', '_');
     Figure figure{
-        .id = "zones_" + id,
+        .id = "zones_" + id_of_model(run.model),
         .title = fmt::format("Stick and slip: {}", display_name(run.model)),
         .caption =
             "Steady rolling to the right, seen from above. Strokes: slip of the indenter "
