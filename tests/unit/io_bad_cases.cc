@@ -72,9 +72,11 @@ INSTANTIATE_TEST_SUITE_P(Files, BadCase, testing::ValuesIn(bad_files()), [](cons
     return name;
 });
 
-// The files differ from such a text in what each is about; it must not be refused itself.
+// The files differ from this text in what each is about; it must not be refused itself.
+const std::string good = loaded_sphere + "[rolling]\namplitude_ratio = 0.24\nperiods = 12\n";
+
 TEST(BadCases, DifferFromAGoodOne) {
-    EXPECT_NO_THROW(parse_case(loaded_sphere + "[rolling]\namplitude_ratio = 0.24\nperiods = 12\n", "good.toml"));
+    EXPECT_NO_THROW(parse_case(good, "good.toml"));
     EXPECT_GE(bad_files().size(), 190U);
 }
 
