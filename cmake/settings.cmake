@@ -36,3 +36,11 @@ function(tricontact_library name)
     file(GLOB headers CONFIGURE_DEPENDS *.h)
     install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder})
 endfunction()
+
+# tricontact_precompile(target header...): what most of its files include, compiled once. A compiler cache serves
+# better, and does not know what precompiled headers hold.
+function(tricontact_precompile target)
+    if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        target_precompile_headers(${target} PRIVATE ${ARGN})
+    endif()
+endfunction()
