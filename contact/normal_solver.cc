@@ -14,6 +14,7 @@ namespace tricontact::contact {
 namespace {
 
 constexpr int max_iterations = 5000;
+constexpr double rounding = 1e-13;  // of gaps, beside the largest of them
 
 /// One solve: the fields of the conjugate gradient iteration, and its verbs.
 class Iteration {
@@ -108,12 +109,12 @@ class Iteration {
     void update_gap() {
         const auto& u = solution_.displacement;
         solution_.indentation = force_controlled() ? indentation_of_contact() : control_.value;
-        double worst = 0, square = 0;
+        double worst = 0, inside = 0, square = 0;
         n_contact_ = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
             const double gap = gap_[i] = u[i] + height_[i] - solution_.indentation;
             if (in_contact(i)) {
-                worst = larger(worst, std::abs(gap));
+                inside = larger(inside, std::abs(gap));
                 square += area(i) * gap * gap;
                 ++n_contact_;
             } else {
@@ -121,14 +122,22 @@ class Iteration {
             }
         }
         norm_ = square;
+        worst = larger(worst, inside);
+        is_balanced_ = inside <= rounding * worst;
         solution_.residual = worst / solution_.indentation;
     }
 
+    /// Points in balance, such as a single one that bears the whole force, tell no direction: those
+    /// that penetrate do.
+    bool gives_direction(std::size_t i) const {
+        return is_balanced_ ? !in_contact(i) && gap_[i] < 0 : in_contact(i);
+    }
+
     void update_direction() {
-        const double beta = restart_ ? 0 : norm_ / last_norm_;
+        const double beta = restart_ || is_balanced_ ? 0 : norm_ / last_norm_;
         last_norm_ = norm_;
         for (std::size_t i = 0; i < gap_.size(); ++i)
-            direction_[i] = in_contact(i) ? gap_[i] + beta * direction_[i] : 0;
+            direction_[i] = gives_direction(i) ? gap_[i] + beta * direction_[i] : 0;
     }
 
     void take_step() {
@@ -154,7 +163,7 @@ class Iteration {
         const auto& r = direction_displacement_;
         double numerator = 0, product = 0, direction = 0, displacement = 0, total = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
-            if (!in_contact(i)) continue;
+            if (!gives_direction(i)) continue;
             const double weighted = area(i) * direction_[i];
             numerator += weighted * gap_[i];
             product += weighted * r[i];
@@ -162,7 +171,7 @@ class Iteration {
             displacement += area(i) * r[i];
             total += area(i);
         }
-        const double mean = force_controlled() ? displacement / total : 0;
+        const double mean = force_controlled() && !is_balanced_ ? displacement / total : 0;
         return numerator / (product - mean * direction);
     }
 
@@ -205,6 +214,7 @@ class Iteration {
     double norm_ = 0, last_norm_ = 1;  // of the gap in contact
     double moved_sum_ = 0;             // of the pressures after a move [N]
     bool restart_ = true;
+    bool is_balanced_ = false;  // what is in contact, beside what penetrates elsewhere
     bool displacement_is_exact_ = false;
     std::size_t n_contact_ = 0;
 };

@@ -48,6 +48,19 @@ void expect_solution(const DenseCompliance& compliance, const std::vector<double
     EXPECT_LE(s.residual, tolerance);
 }
 
+// A single point bears the force without a gap of its own; what lies beside it penetrates.
+TEST(NormalSolver, GrowsFromASinglePoint) {
+    const DenseCompliance compliance(n_points, 4u);
+    const auto height = bowl(compliance, .5);
+    for (const auto& control : {NormalControl{Kind::force, .7}, NormalControl{Kind::force, 1e-4}})
+        for (std::size_t first = 0; first < n_points; ++first) {
+            std::vector<double> start(n_points);
+            start[first] = 1;
+            const auto s = NormalSolver(compliance, tolerance).solve(height, control, start);
+            expect_solution(compliance, height, s);
+        }
+}
+
 TEST(NormalSolver, SolvesOnPointsOfUnequalAreas) {
     for (const unsigned seed : {1u, 2u, 3u})
         for (const double curvature : {.5, 5., 50.}) {
