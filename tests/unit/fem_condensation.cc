@@ -45,7 +45,9 @@ TEST(FemCondensation, IsTheInversesLastBlock) {
     ASSERT_EQ(wider.size(), (n_contact + 3u) * (n_contact + 3u));
     MatrixXd padded = MatrixXd::Zero(n_contact + 3, n_contact + 3);
     padded.topLeftCorner(n_contact, n_contact) = compliance;
-    EXPECT_EQ(square(wider), padded);
+    // Columns further apart in memory may be summed in another order.
+    EXPECT_LT((square(wider) - padded).norm(), rounding * padded.norm());
+    EXPECT_EQ(square(wider).rightCols(3).norm() + square(wider).bottomRows(3).norm(), 0);
 }
 
 TEST(FemCondensation, SolvesForAllUnknownsAndSeveralForces) {
