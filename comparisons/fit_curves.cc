@@ -1,5 +1,6 @@
 #include "comparisons/fit_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -53,6 +54,38 @@ Place once_per_amplitude(const Place& place) {
         if (!seen->emplace(p.model, std::lround(p.amplitude_ratio * 1e4)).second) return {};
         return place(p);
     };
+}
+
+std::optional<std::pair<double, Computed>> settled_over_load(const RollingPoint& p) {
+    return p.settled_shift ? std::optional(std::pair(p.tangential_ratio, *p.settled_shift))
+                           : std::nullopt;
+}
+
+Place settled_near_limit(double share) {
+    return [=](const RollingPoint& p) {
+        return p.tangential_ratio < share * p.limit.value ? std::nullopt : settled_over_load(p);
+    };
+}
+
+Place amplitude_over_limit() {
+    return once_per_amplitude([](const RollingPoint& p) {
+        return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
+    });
+}
+
+std::optional<std::pair<double, Computed>> increment_over_load(const RollingPoint& p) {
+    return p.increment ? std::optional(std::pair(p.tangential_ratio, *p.increment)) : std::nullopt;
+}
+
+std::vector<Figure> with_model_points(const std::vector<Figure>& figures) {
+    std::vector<Figure> drawn;
+    for (Figure figure : figures) {
+        std::erase_if(figure.curves, [](const Curve& c) { return c.x.empty(); });
+        const bool has_points = std::any_of(figure.curves.begin(), figure.curves.end(),
+                                            [](const Curve& c) { return !c.theory; });
+        if (has_points) drawn.push_back(std::move(figure));
+    }
+    return drawn;
 }
 
 }  // namespace tricontact::comparisons

@@ -50,7 +50,7 @@ struct LayerComparison {
         PressedValues values;
     };
     double thickness = 0;        ///< b of the upper layer [m]
-    double thickness_ratio = 0;  ///< b over the diameter of Hertz' contact
+    double thickness_ratio = 0;  ///< b over diameter or width of Hertz' contact
     /// Exact frictionless contact of the rigid indenter with an infinitely wide layer
     /// (theory/elastic_layer.h); empty where theory does not cover the case, then `why_not` says
     /// so.

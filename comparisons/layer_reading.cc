@@ -37,9 +37,9 @@ std::string ground_phrase(const Case::Layer& layer) {
 
 std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
     std::string text =
-        fmt::format("The layer is {} thick, {} times the diameter of Hertz' contact, {}.",
+        fmt::format("The layer is {} thick, {} times the {} of Hertz' contact, {}.",
                     given_quantity(layer.thickness, "m"), significant(layer.thickness_ratio, 3),
-                    ground_phrase(c.layer));
+                    c.is_cylindrical() ? "width" : "diameter", ground_phrase(c.layer));
     if (!layer.exact) text += " It is compared with no exact solution: " + layer.why_not + ".";
     return text;
 }

@@ -9,6 +9,7 @@
 #include "comparisons/fit_curves.h"
 #include "comparisons/fit_figures.h"
 #include "comparisons/format.h"
+#include "comparisons/layer.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/thesis_cylinder.h"
 
@@ -39,20 +40,41 @@ class LineFigures {
     }
 
     std::vector<Figure> all() const {
-        std::vector<Figure> figures;
-        for (Figure figure : {settled(), limits(), limit_shifts(), increments()}) {
-            std::erase_if(figure.curves, [](const Curve& c) { return c.x.empty(); });
-            const bool has_points = std::any_of(figure.curves.begin(), figure.curves.end(),
-                                                [](const Curve& c) { return !c.theory; });
-            if (has_points) figures.push_back(std::move(figure));
-        }
-        return figures;
+        return with_model_points(
+            {stick_widths(), settled(), limits(), limit_shifts(), increments()});
     }
 
   private:
     // Colours of closed forms, after those of the models.
     int thesis_colour() const { return static_cast<int>(models_.size()); }
     int exact_colour() const { return thesis_colour() + 1; }
+
+    void add_points(Figure& figure, const Place& place) const {
+        add_model_points(figure, models_, points_, place);
+    }
+
+    Figure stick_widths() const {
+        Figure f{.id = "figure_3_40",
+                 .title = "Half width that sticks after shakedown (as figure 3.40 of the thesis)",
+                 .caption =
+                     "Lines: exact on the half-space, and the thesis' (3.5.24), for the "
+                     "amplitudes of the points up to the limit.",
+                 .x = {"f_T"},
+                 .y = {"c_sd/a"}};
+        const auto add = [&](const char* name, double w, auto force, int colour) {
+            const double widest = (1 - w) * (1 - 1e-9);  // at 1 - w itself nothing slips
+            f.curves.push_back(closed_form(
+                name, 0, widest, [=](double c) { return force(w, c); }, same, colour));
+        };
+        for (const double w : amplitudes_) {
+            add("exact, half-space", w, theory::line_stick_force, exact_colour());
+            add("thesis (3.5.24)", w, theory::thesis_line_stick_force, thesis_colour());
+        }
+        add_points(f, [](const RollingPoint& p) {
+            return p.stick ? std::optional(std::pair(p.tangential_ratio, *p.stick)) : std::nullopt;
+        });
+        return f;
+    }
 
     Figure settled() const {
         Figure f{.id = "figure_3_43",
@@ -79,10 +101,7 @@ class LineFigures {
                 },
                 thesis_colour()));
         }
-        add_model_points(f, models_, points_, [](const RollingPoint& p) {
-            return p.settled_shift ? std::optional(std::pair(p.tangential_ratio, *p.settled_shift))
-                                   : std::nullopt;
-        });
+        add_points(f, settled_over_load);
         return f;
     }
 
@@ -98,10 +117,7 @@ class LineFigures {
                                        same, exact_colour()));
         f.curves.push_back(closed_form("thesis (3.5.28)", 0, 1, same,
                                        theory::thesis_line_amplitude_limit, thesis_colour()));
-        add_model_points(
-            f, models_, points_, once_per_amplitude([](const RollingPoint& p) {
-                return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
-            }));
+        add_points(f, amplitude_over_limit());
         return f;
     }
 
@@ -120,12 +136,7 @@ class LineFigures {
             exact_colour()));
         f.curves.push_back(closed_form("thesis (3.5.29)", 0, 1, same,
                                        theory::thesis_line_limit_shift_ratio, thesis_colour()));
-        add_model_points(
-            f, models_, points_,
-            [](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
-                if (!p.settled_shift || p.tangential_ratio < near_limit * p.limit.value) return {};
-                return std::pair(p.tangential_ratio, *p.settled_shift);
-            });
+        add_points(f, settled_near_limit(near_limit));
         return f;
     }
 
@@ -142,10 +153,7 @@ class LineFigures {
                 "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, same,
                 [&](double load) { return theory::thesis_line_increment(w, load); },
                 thesis_colour()));
-        add_model_points(f, models_, points_, [](const RollingPoint& p) {
-            return p.increment ? std::optional(std::pair(p.tangential_ratio, *p.increment))
-                               : std::nullopt;
-        });
+        add_points(f, increment_over_load);
         return f;
     }
 
@@ -193,18 +201,41 @@ DocumentTable settled_table(const StudyFit& fit, double lambda) {
     return table;
 }
 
-DocumentTable increment_table(const StudyFit& fit) {
+DocumentTable stick_table(const StudyFit& fit) {
+    DocumentTable table{
+        .id = "sticking",
+        .title = "Half width that sticks after shakedown",
+        .note =
+            "Of the model between its cells. Exact and (3.5.24): the uncoupled "
+            "half-space at the model's own w.",
+        .columns =
+            {{"model"}, {"group"}, {"w", 3}, {"f_T", 3}, {"c_sd/a"}, {"exact", 4}, {"(3.5.24)", 4}},
+        .rows = {}};
+    for (const RollingPoint& p : fit.points) {
+        if (!p.stick) continue;
+        const double w = p.amplitude_ratio, f = p.tangential_ratio;
+        const auto number = [](std::optional<double> c) { return c.value_or(std::nan("")); };
+        table.rows.push_back({display_name(p.model), p.group, w, f, cell(*p.stick),
+                              number(theory::line_stick_half_width(w, f)),
+                              number(theory::thesis_line_stick_half_width(w, f))});
+    }
+    return table;
+}
+
+DocumentTable increment_table(const StudyFit& fit, double lambda) {
     DocumentTable table{.id = "increments",
                         .title = "Shift per period beyond the limit",
                         .note =
                             "Δu/(f_T (w − w_lim)): with w_lim of (3.5.27), where the thesis has "
-                            "0.64 and its fit of w_lim.",
+                            "0.64 and its fit of w_lim. Carter: dΔu/dw over f_T far beyond the "
+                            "limit, where each way is rolled in steady state on the half-space.",
                         .columns = {{"model"},
                                     {"group"},
                                     {"w", 3},
                                     {"f_T", 3},
                                     {"Δu"},
                                     {"Δu/(f_T (w − w_lim))", 3},
+                                    {"Carter", 3},
                                     {"(3.5.30)", 4},
                                     {"difference [%]", 2}},
                         .rows = {}};
@@ -213,9 +244,11 @@ DocumentTable increment_table(const StudyFit& fit) {
         const double w = p.amplitude_ratio, f = p.tangential_ratio, du = p.increment->value;
         const double excess = w - theory::line_amplitude_limit(f);
         const double thesis = theory::thesis_line_increment(w, f);
-        table.rows.push_back({display_name(p.model), p.group, w, f, cell(*p.increment),
-                              excess > 0 ? du / (f * excess) : std::nan(""), thesis,
-                              percent_above(thesis / du)});
+        table.rows.push_back(
+            {display_name(p.model), p.group, w, f, cell(*p.increment),
+             excess > 0 ? du / (f * excess) : std::nan(""),
+             is_half_space(p.model) ? theory::line_steady_slope(f, lambda) / f : std::nan(""),
+             thesis, percent_above(thesis / du)});
     }
     return table;
 }
@@ -238,7 +271,8 @@ Document line_fit_document(const StudyFit& fit, double shift_factor) {
                             .heading = "Figures of the thesis",
                             .paragraphs = {"Closed forms are dashed. Bars are numerical errors."},
                             .figures = LineFigures(fit, shift_factor).all()};
-    for (DocumentTable table : {settled_table(fit, shift_factor), increment_table(fit)})
+    for (DocumentTable table :
+         {settled_table(fit, shift_factor), stick_table(fit), increment_table(fit, shift_factor)})
         if (!table.rows.empty()) section.tables.push_back(std::move(table));
     document.sections.push_back(std::move(section));
     return document;

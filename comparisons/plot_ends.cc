@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "comparisons/format.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
+#include "comparisons/roller_ends.h"
 #include "comparisons/surface_fields.h"
 #include "theory/sharp_edge.h"
 
@@ -14,27 +13,23 @@ namespace tricontact::comparisons {
 
 namespace {
 
-/// Pressure over that in the middle of a roller, by the distance from its end over a.
-struct EndCurve {
-    std::vector<double> distance, pressure;
+/// Over those in the middle, by the distance from the end over a.
+struct EndCurves {
+    std::vector<double> distance, pressure, half_width;
 };
 
-EndCurve end_curve(const contact::Case& c, const contact::History& history) {
-    const CentreLine line = centre_line(history, c.friction_coefficient, Axis::y);
-    EndCurve curve;
-    double middle = 0, nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < line.position.size(); ++i)
-        if (std::abs(line.position[i]) < nearest) {
-            nearest = std::abs(line.position[i]);
-            middle = line.bound[i];
-        }
-    for (std::size_t i = 0; i < line.position.size(); ++i) {
-        const double end = c.indenter.length / 2 / history.scales.contact_radius;
-        if (line.position[i] <= 0 || !(line.position[i] < end) || !(line.bound[i] > 0)) continue;
-        curve.distance.push_back(end - line.position[i]);
-        curve.pressure.push_back(line.bound[i] / middle);
+EndCurves end_curves(const contact::Case& c, const contact::History& history) {
+    EndCurves curves;
+    const contact::Snapshot* last = last_upright(history);
+    if (!last) return curves;
+    const auto sections = roller_sections(last->surface, c.indenter.length);
+    for (const RollerSection& s : sections) {
+        if (!(s.distance > 0)) continue;  // the axis is logarithmic
+        curves.distance.push_back(s.distance / history.scales.contact_radius);
+        curves.pressure.push_back(s.pressure / sections.back().pressure);
+        curves.half_width.push_back(s.half_width / sections.back().half_width);
     }
-    return curve;
+    return curves;
 }
 
 double edge_exponent(const contact::Case& c) {
@@ -63,29 +58,40 @@ std::string laws(const contact::Case& c) {
 
 std::vector<Plot> end_plots(const contact::Case& c, const Histories& histories) {
     if (c.indenter.shape != contact::Case::Shape::roller) return {};
-    std::string data, curves;
+    std::string data, pressures, widths;
     for (std::size_t i = 0; i < histories.size(); ++i) {
-        const EndCurve curve = end_curve(c, histories[i]);
-        if (curve.distance.empty()) continue;
-        data += data_block(fmt::format("$model{}", i), {curve.distance, curve.pressure});
-        curves += fmt::format(
-            "{}$model{} with linespoints pointtype {} pointsize 0.5 linewidth 1.5 linecolor rgb "
-            "'{}' title '{}'",
-            curves.empty() ? "" : ", ", i, model_marker(i), model_colour(i),
-            display_name(histories[i].model));
+        const EndCurves curves = end_curves(c, histories[i]);
+        if (curves.distance.empty()) continue;
+        data += data_block(fmt::format("$model{}", i),
+                           {curves.distance, curves.pressure, curves.half_width});
+        const auto curve = [&](int column) {
+            return fmt::format(
+                "{}$model{} using 1:{} with linespoints pointtype {} pointsize 0.5 linewidth 1.5 "
+                "linecolor rgb '{}' title '{}'",
+                (column == 2 ? pressures : widths).empty() ? "" : ", ", i, column, model_marker(i),
+                model_colour(i), display_name(histories[i].model));
+        };
+        pressures += curve(2);
+        widths += curve(3);
     }
-    if (curves.empty()) return {};
-    const std::string script = data + plot_style() +
-                               "set xlabel 'distance from the end, over a'\n"
-                               "set ylabel 'p over that in the middle'\n"
-                               "set logscale xy\nset key top right\nplot " +
-                               curves + laws(c) + "\n";
+    if (pressures.empty()) return {};
+    const std::string axes = data + plot_style() +
+                             "set xlabel 'distance from the end, over a'\nset logscale x\n"
+                             "set key top right\n";
     return {{"ends",
              "Pressure at the ends",
              "Along the line of first contact, the last upright state. Dotted: plane stress at the "
              "free face of a substrate that ends with the roller. Dashed, of sharp ends on a "
              "substrate that goes on: the slope of the edge's singularity, its height is free.",
-             {640, 420, script}}};
+             {640, 420,
+              axes + "set ylabel 'p over that in the middle'\nset logscale y\nplot " + pressures +
+                  laws(c) + "\n"}},
+            {"outline",
+             "Half width of the contact at the ends",
+             "The last upright state. A dog-bone is wider at its ends than in the middle; rounded "
+             "ends close the contact.",
+             {640, 380,
+              axes + "set ylabel 'half width over that in the middle'\nplot " + widths + "\n"}}};
 }
 
 }  // namespace tricontact::comparisons

@@ -5,17 +5,37 @@
 #include <future>
 #include <thread>
 
+#include "comparisons/resample.h"
+
 namespace tricontact::comparisons {
 
-std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories) {
+namespace {
+
+std::vector<Plot> surface_figures(const contact::Case& c, const Histories& histories) {
     std::vector<Plot> plots;
     const auto add = [&](const auto& maker) {
         for (Plot& plot : maker(c, histories)) plots.push_back(std::move(plot));
     };
-    for (const auto maker : {shift_plots, dissipation_plots, traction_plots, end_plots}) add(maker);
-    if (!c.is_line_contact())  // else nothing varies along y
+    add(traction_plots);
+    if (c.is_line_contact())  // nothing varies along y
+        add(line_contact_plots);
+    else
         for (const auto maker : {zone_maps, surface_plots}) add(maker);
-    add(subsurface_plots);
+    return plots;
+}
+
+}  // namespace
+
+std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories) {
+    std::vector<Plot> plots;
+    const auto add = [&](std::vector<Plot> more) {
+        for (Plot& plot : more) plots.push_back(std::move(plot));
+    };
+    add(shift_plots(c, histories));
+    add(dissipation_plots(c, histories));
+    add(surface_figures(c, are_on_grids(histories) ? histories : on_grids(histories)));
+    add(end_plots(c, histories));
+    add(subsurface_plots(c, histories));
     return plots;
 }
 

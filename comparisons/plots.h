@@ -26,7 +26,10 @@ std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories
 std::vector<Plot> dissipation_plots(const contact::Case& c, const Histories& histories);
 /// Traction on the centre lines along x and y with its bound and zones; none without tractions.
 std::vector<Plot> traction_plots(const contact::Case& c, const Histories& histories);
-/// Pressure along y towards the ends of a roller; none for other bodies.
+/// Pressure at the turning points and displacement of the surface of a line contact.
+std::vector<Plot> line_contact_plots(const contact::Case& c, const Histories& histories);
+/// Pressure and half width of the contact towards the ends of a roller, on the model's own points;
+/// none for other bodies.
 std::vector<Plot> end_plots(const contact::Case& c, const Histories& histories);
 /// Stick, slip and open points at chosen instants, a row of maps per model on a grid (see
 /// resample.h for others).
@@ -38,7 +41,7 @@ std::vector<Plot> surface_plots(const contact::Case& c, const Histories& histori
 /// none where no inside was written.
 std::vector<Plot> subsurface_plots(const contact::Case& c, const Histories& histories);
 
-/// All of the above, in the report's order.
+/// All of the above, in the report's order; what needs grids is resampled (see resample.h).
 std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories);
 
 /// The files of one plot.

@@ -28,11 +28,15 @@ json last(const std::vector<std::optional<double>>& values) {
     return values.empty() ? json() : number(values.back());
 }
 
+json of_ends(const Input& in, double RollerEnds::*member) {
+    return in.summary.ends ? number((*in.summary.ends).*member) : json();
+}
+
 json of_drive(const Input& in, double DriveValues::*member) {
     return in.drive ? number(*in.drive.*member) : json();
 }
 
-constexpr std::array<Column, 26> columns{{
+constexpr std::array<Column, 30> columns{{
     {"normal_force_N", [](const Input& in) { return number(in.history.scales.normal_force); }},
     {"indentation_m", [](const Input& in) { return number(in.summary.indentation); }},
     {"contact_radius_m", [](const Input& in) { return number(in.summary.contact_radius); }},
@@ -54,6 +58,7 @@ constexpr std::array<Column, 26> columns{{
     {"periods", [](const Input& in) { return json(in.summary.periods); }},
     {"limit_tangential_ratio",
      [](const Input& in) { return number(in.summary.limit_tangential_ratio); }},
+    {"stick_ratio", [](const Input& in) { return number(in.summary.stick_ratio); }},
     {"kappa", [](const Input& in) { return number(in.summary.kappa); }},
     {"eta", [](const Input& in) { return number(in.summary.eta); }},
     {"dissipation_J",
@@ -71,6 +76,10 @@ constexpr std::array<Column, 26> columns{{
          if (!in.drive) return json();
          return json(*std::max_element(in.drive->deborah.begin(), in.drive->deborah.end()));
      }},
+    {"widest_half_width_ratio",
+     [](const Input& in) { return of_ends(in, &RollerEnds::widest_ratio); }},
+    {"knuckle_m", [](const Input& in) { return of_ends(in, &RollerEnds::knuckle); }},
+    {"end_reach_m", [](const Input& in) { return of_ends(in, &RollerEnds::reach); }},
     {"steps", [](const Input& in) { return json(in.summary.steps); }},
     {"max_force_residual_ratio",
      [](const Input& in) { return number(in.summary.max_force_residual_ratio); }},

@@ -16,7 +16,6 @@
 #include "comparisons/refinement_report.h"
 #include "comparisons/relaxation_report.h"
 #include "comparisons/report_tables.h"
-#include "comparisons/resample.h"
 #include "comparisons/summary.h"
 
 namespace tricontact::comparisons {
@@ -209,8 +208,7 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
     std::vector<ModelSummary> summaries;
     summaries.reserve(histories.size());
     for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
-    std::vector<Plot> plots =
-        are_on_grids(histories) ? make_plots(c, histories) : make_plots(c, on_grids(histories));
+    std::vector<Plot> plots = make_plots(c, histories);
     if (c.relaxation) plots.push_back(modulus_plot(c, extras.relaxation));
     const std::vector<Drawing> drawings = draw_all(plots);
     data content = page(c, resolved_case, version, summaries);

@@ -94,6 +94,8 @@ std::string shape_name(const Case& c) {
             return "sphere";
         case Case::Shape::cylinder:
             return "cylinder";
+        case Case::Shape::roller:
+            return "roller";
         case Case::Shape::cone:
             return "cone";
         case Case::Shape::power_law:
@@ -123,6 +125,7 @@ std::vector<Row> indenter_rows(const Case& c) {
     add("radius <i>R</i>", body.radius, "m");
     add("radius across <i>R</i><sub>y</sub>", body.radius_y, "m");
     add("length <i>L</i>", body.length, "m");
+    add("radius of its ends", body.chamfer, "m");
     add("radius of the flat part <i>b</i>", body.flat_radius, "m");
     add("exponent <i>n</i>", body.exponent, "");
     if (body.angle != 0)

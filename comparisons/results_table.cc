@@ -188,6 +188,25 @@ std::optional<Table::Group> inside_group(const RowMaker& make,
          make.quantity_row("its place <i>z</i>/<i>a</i>", "", place(2))}};
 }
 
+/// What the ends of a roller do to the contact's outline; none of other bodies.
+std::optional<Table::Group> ends_group(const RowMaker& make,
+                                       const std::vector<ModelSummary>& summaries) {
+    const auto known = [](const ModelSummary& s) { return s.ends.has_value(); };
+    if (std::none_of(summaries.begin(), summaries.end(), known)) return {};
+    const auto of_ends = [](double RollerEnds::*member) {
+        return
+            [member](const ModelSummary& s) { return s.ends ? Value((*s.ends).*member) : Value(); };
+    };
+    return Table::Group{
+        "Ends of the roller",
+        {make.quantity_row("half width at half length", "m",
+                           of_ends(&RollerEnds::middle_half_width)),
+         make.quantity_row("largest half width over it", "", of_ends(&RollerEnds::widest_ratio)),
+         make.quantity_row("wider than at half length up to, from the end", "m",
+                           of_ends(&RollerEnds::knuckle)),
+         make.quantity_row("of another width up to", "m", of_ends(&RollerEnds::reach))}};
+}
+
 Table::Group cost_group(const RowMaker& make, bool rolling) {
     Table::Group group{"Work and cost", {}};
     const auto work = [](bool last) {
@@ -227,6 +246,7 @@ Table results_table(const contact::Case& c, const std::vector<ModelSummary>& sum
         rows.insert(rows.begin(), body_row(make));
     }
     if (c.rolling) table.groups.push_back(rolling_group(make, r));
+    if (const auto ends = ends_group(make, summaries)) table.groups.push_back(*ends);
     if (const auto inside = inside_group(make, summaries)) table.groups.push_back(*inside);
     table.groups.push_back(cost_group(make, c.rolling.has_value()));
     return table;

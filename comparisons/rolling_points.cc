@@ -75,6 +75,7 @@ class Runs {
             p.settled_shift = over_levels("final_shift_ratio", p.behaviour);
             p.settled_shift->error += error_of_stopping(finest);
         }
+        if (value_in(finest, "stick_ratio")) p.stick = over_levels("stick_ratio", p.behaviour);
         if (p.behaviour == Behaviour::ratcheting && finest.steps_per_quarter > 1)
             p.increment = over_levels_and_steps("shift_increment_ratio", p.behaviour);
         return p;

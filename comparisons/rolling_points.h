@@ -37,6 +37,8 @@ struct RollingPoint {
     Computed static_shift = {};  ///< u_stat
     /// u_sd; the bar includes what was still to come when the run ended. Empty unless settled.
     std::optional<Computed> settled_shift = {};
+    /// c_sd/a of a line contact; empty unless it shook down.
+    std::optional<Computed> stick = {};
     /// Du of the last period. Empty unless ratcheting in steps finer than the turning points.
     std::optional<Computed> increment = {};
     Computed limit = {};  ///< f_T,lim from the model's own pressures

@@ -62,7 +62,8 @@ json points_json(const std::vector<RollingPoint>& points) {
                        {"static_shift_ratio", computed(p.static_shift)},
                        {"settled_shift_ratio", computed(p.settled_shift)},
                        {"shift_increment_ratio", computed(p.increment)},
-                       {"limit_tangential_ratio", computed(p.limit)}});
+                       {"limit_tangential_ratio", computed(p.limit)},
+                       {"stick_ratio", computed(p.stick)}});
     return all;
 }
 
@@ -175,8 +176,9 @@ std::string fit_json(const StudyFit& fit) {
 std::string points_csv(const StudyFit& fit) {
     std::vector<std::string> heading{"model", "group", "amplitude_ratio", "tangential_ratio",
                                      "behaviour"};
-    for (const std::string result : {"static_shift_ratio", "settled_shift_ratio",
-                                     "shift_increment_ratio", "limit_tangential_ratio"})
+    for (const std::string result :
+         {"static_shift_ratio", "settled_shift_ratio", "shift_increment_ratio",
+          "limit_tangential_ratio", "stick_ratio"})
         heading.insert(heading.end(), {result, result + "_error"});
     std::string text = csv_line(heading);
     for (const RollingPoint& p : fit.points) {
@@ -184,7 +186,7 @@ std::string points_csv(const StudyFit& fit) {
                                      csv_field(p.amplitude_ratio), csv_field(p.tangential_ratio),
                                      name_of(p.behaviour)};
         for (const std::optional<Computed>& c : {std::optional(p.static_shift), p.settled_shift,
-                                                 p.increment, std::optional(p.limit)}) {
+                                                 p.increment, std::optional(p.limit), p.stick}) {
             row.push_back(c ? csv_field(c->value) : "");
             row.push_back(c ? csv_field(c->error) : "");
         }

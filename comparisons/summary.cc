@@ -6,6 +6,7 @@
 
 #include "comparisons/json_number.h"
 #include "comparisons/reference.h"
+#include "comparisons/surface_fields.h"
 #include "theory/body_rolling.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/oscillating_cylinder.h"
@@ -88,6 +89,15 @@ json subsurface_json(const ModelSummary& s) {
             {"peak_position_m", {number(x), number(y), number(z)}}};
 }
 
+/// Null unless the indenter is a roller.
+json ends_json(const ModelSummary& s) {
+    if (!s.ends) return {};
+    return {{"middle_half_width_m", number(s.ends->middle_half_width)},
+            {"widest_half_width_ratio", number(s.ends->widest_ratio)},
+            {"knuckle_m", number(s.ends->knuckle)},
+            {"reach_m", number(s.ends->reach)}};
+}
+
 json to_json(const ModelSummary& s) {
     json audit = json::object();
     for (const auto& check : s.audit)
@@ -107,9 +117,11 @@ json to_json(const ModelSummary& s) {
             {"state", s.state ? json(contact::name_of(*s.state)) : json()},
             {"periods", s.periods},
             {"limit_tangential_ratio", number(s.limit_tangential_ratio)},
+            {"stick_ratio", number(s.stick_ratio)},
             {"kappa", number(s.kappa)},
             {"eta", number(s.eta)},
             {"dissipation_ratio_per_period", numbers(s.dissipation_ratio_per_period)},
+            {"ends", ends_json(s)},
             {"subsurface", subsurface_json(s)},
             {"steps", s.steps},
             {"cpu_s", number(s.cpu_s)},
@@ -136,10 +148,14 @@ ModelSummary summarise(const contact::Case& c, const History& history) {
     s.final_shift_ratio = s.final_shift / s.unit_shift;
     add_periods(c, history, s);
     s.limit_tangential_ratio = history.limit_tangential_ratio;
+    if (c.is_line_contact() && s.state == State::shakedown)
+        if (const auto stick = stick_half_width(history, c.friction_coefficient))
+            s.stick_ratio = *stick / s.contact_radius;
     if (constant_loads(c)) {
         s.kappa = mapping_parameter(c, s);
         s.eta = ratcheting_slope(c, s);
     }
+    s.ends = roller_ends(c, history);
     s.subsurface = history.subsurface;
     s.steps = static_cast<int>(history.steps.size());
     s.cpu_s = history.cpu_s;

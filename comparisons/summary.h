@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/roller_ends.h"
 #include "contact/case.h"
 #include "contact/history.h"
 
@@ -32,6 +33,8 @@ struct ModelSummary {
     int periods = 0;
     double limit_tangential_ratio = 0;  ///< f_T,lim from the computed pressures
 
+    /// c_sd/a, half width of what always sticks; empty unless a line contact shook down.
+    std::optional<double> stick_ratio;
     /// Mapping parameter of f_T = 1 - kappa w u - (1-u)^(3/2) (3.2.16), u the final shift ratio.
     /// Empty unless a paraboloid's or sphere's model shook down under constant loads, 0 <= w, u <=
     /// 1 and w u > 1e-5 (an error of f_T counts 1/(w u) times).
@@ -47,6 +50,7 @@ struct ModelSummary {
     /// cylinder.
     std::vector<std::optional<double>> dissipation_ratio_per_period;
 
+    std::optional<RollerEnds> ends;                 ///< empty unless the indenter is a roller
     std::optional<contact::Subsurface> subsurface;  ///< empty where no inside was written
     int steps = 0;
     double cpu_s = 0, wall_s = 0;

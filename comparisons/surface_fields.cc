@@ -47,6 +47,17 @@ double wrapped_position(const Surface& s, Axis axis, int i) {
     return axis == Axis::x ? s.x(i) - s.offset[0] : s.y(i) - s.offset[1];
 }
 
+/// Other snapshots of the period that ends with `last`.
+std::vector<const Snapshot*> earlier_in_period(const History& history, const Snapshot& last) {
+    std::vector<const Snapshot*> earlier;
+    for (const Snapshot& snapshot : history.snapshots)
+        if (snapshot.phase > last.phase - 1 + phase_tolerance &&
+            snapshot.phase < last.phase - phase_tolerance &&
+            snapshot.surface.size() == last.surface.size())
+            earlier.push_back(&snapshot);
+    return earlier;
+}
+
 /// The two rows on either side of the centre across `axis` (equal when one passes through it).
 std::pair<int, int> middle_rows(const Surface& s, Axis axis) {
     const int across = axis == Axis::x ? 1 : 0;
@@ -81,19 +92,45 @@ std::vector<Zone> zones(const History& history, double friction_coefficient) {
     if (!last) return {};
     std::vector<Zone> result(last->surface.size());
     for (std::size_t i = 0; i < result.size(); ++i) result[i] = zone_at(last->surface, mu, i);
-    for (const Snapshot& snapshot : history.snapshots) {
-        // Inside the period that ends with the last upright state.
-        const bool of_last_period = snapshot.phase > last->phase - 1 + phase_tolerance &&
-                                    snapshot.phase < last->phase - phase_tolerance;
-        if (!of_last_period || snapshot.surface.size() != result.size()) continue;
+    for (const Snapshot* snapshot : earlier_in_period(history, *last)) {
         for (std::size_t i = 0; i < result.size(); ++i) {
-            const Zone now = zone_at(snapshot.surface, mu, i);
+            const Zone now = zone_at(snapshot->surface, mu, i);
             if (result[i] == Zone::open || result[i] == Zone::zero) continue;
             if (now == Zone::open) result[i] = Zone::zero;
             if (now == Zone::slip) result[i] = Zone::slip;
         }
     }
     return result;
+}
+
+std::optional<double> stick_half_width(const History& history, double friction_coefficient) {
+    const Snapshot* last = last_upright(history);
+    if (!last) return {};
+    const Surface& s = last->surface;
+    const std::vector<Zone> zone = zones(history, friction_coefficient);
+    const auto earlier = earlier_in_period(history, *last);
+    const auto lacking = [&](int i) {
+        double least = s.friction_bound[i];
+        for (const Snapshot* snapshot : earlier)
+            least = std::min(least, snapshot->surface.friction_bound[i]);
+        return least - std::abs(s.tangential_traction_x[i]);
+    };
+    const auto sticks = [&](int i) { return i >= 0 && i < s.n_x && zone[i] == Zone::stick; };
+    const double h = s.spacing[0];
+    const int centre = static_cast<int>(std::lround((s.offset[0] - s.first[0]) / h));
+    if (!sticks(centre)) return 0;
+    double width = 0;
+    for (const int side : {-1, 1}) {
+        int outermost = centre;
+        while (sticks(outermost + side)) outermost += side;
+        const double x = std::abs(s.x(outermost) - s.offset[0]);
+        const double d = lacking(outermost), inner = lacking(outermost - side);
+        width += outermost != centre && inner > d
+                     ? std::min(x + h, std::sqrt(x * x + h * (2 * x - h) * d * d /
+                                                             ((inner - d) * (inner + d))))
+                     : x + h / 2;
+    }
+    return width / 2;
 }
 
 CentreLine centre_line(const History& history, double friction_coefficient, Axis axis) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contact/history.h"
@@ -23,6 +24,12 @@ const contact::Snapshot* snapshot_at(const contact::History& history, double pha
 /// Zone of each contact point, from all snapshots of the period that ends with `last_upright`.
 /// In line layout the springs decide, otherwise the tractions. Empty without snapshots.
 std::vector<Zone> zones(const contact::History& history, double friction_coefficient);
+
+/// Half width c_sd [m] of what sticks throughout the period that ends with `last_upright`, of a
+/// line contact (one row along x). Between the cells by what tau lacks to its least bound, which
+/// vanishes like (c_sd^2 - x^2)^(1/2). Zero where nothing sticks; empty without snapshots.
+std::optional<double> stick_half_width(const contact::History& history,
+                                       double friction_coefficient);
 
 /// Values along a line through the indenter's centre, upright, sorted by position.
 struct CentreLine {

@@ -33,16 +33,7 @@ class GroupFigures {
     }
 
     std::vector<Figure> all() const {
-        std::vector<Figure> figures;
-        for (Figure figure : {settled(), limits(), limit_shifts(), slopes(), increments()}) {
-            const bool has_points =
-                std::any_of(figure.curves.begin(), figure.curves.end(),
-                            [](const Curve& c) { return !c.theory && !c.x.empty(); });
-            if (!has_points) continue;
-            std::erase_if(figure.curves, [](const Curve& c) { return c.x.empty(); });
-            figures.push_back(std::move(figure));
-        }
-        return figures;
+        return with_model_points({settled(), limits(), limit_shifts(), slopes(), increments()});
     }
 
   private:
@@ -82,10 +73,7 @@ class GroupFigures {
                 "thesis", 0, 1 - w * w,
                 [&](double u) { return 1 - kappa_ * w * u - std::pow(1 - u, 1.5); },
                 [](double u) { return u; }, thesis_colour()));
-        add_points(f, [](const RollingPoint& p) {
-            return p.settled_shift ? std::optional(std::pair(p.tangential_ratio, *p.settled_shift))
-                                   : std::nullopt;
-        });
+        add_points(f, settled_over_load);
         return f;
     }
 
@@ -101,9 +89,7 @@ class GroupFigures {
         f.curves.push_back(closed_form(
             "exact", 0, 1, [](double w) { return theory::shakedown_limit(w); }, same,
             exact_colour()));
-        add_points(f, once_per_amplitude([](const RollingPoint& p) {
-                       return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
-                   }));
+        add_points(f, amplitude_over_limit());
         return f;
     }
 
@@ -122,10 +108,7 @@ class GroupFigures {
         f.curves.push_back(closed_form(
             "MDR at the exact limit", 0, 1, [](double w) { return theory::shakedown_limit(w); },
             shift, exact_colour()));
-        add_points(f, [](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
-            if (!p.settled_shift || p.tangential_ratio < near_limit * p.limit.value) return {};
-            return std::pair(p.tangential_ratio, *p.settled_shift);
-        });
+        add_points(f, settled_near_limit(near_limit));
         return f;
     }
 
@@ -180,10 +163,7 @@ class GroupFigures {
             f.curves.push_back(closed_form(
                 "thesis", theory::shakedown_limit(w, kappa_), 1, [](double load) { return load; },
                 [&](double load) { return formula(w, load); }, thesis_colour()));
-        add_points(f, [](const RollingPoint& p) {
-            return p.increment ? std::optional(std::pair(p.tangential_ratio, *p.increment))
-                               : std::nullopt;
-        });
+        add_points(f, increment_over_load);
         return f;
     }
 

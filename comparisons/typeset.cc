@@ -59,7 +59,15 @@ std::string with_greek(const std::string& text) {
     return result;
 }
 
-/// "a^2", "q^n", "10^-4", "x^(1/3)" -> superscripts.
+/// Letters and digits, and a point between digits: not that of the sentence's end.
+bool is_part_of_power(const std::string& text, std::size_t at) {
+    const auto is_digit = [&](std::size_t i) {
+        return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    };
+    return is_alphanumeric(text[at]) || (text[at] == '.' && is_digit(at - 1) && is_digit(at + 1));
+}
+
+/// "a^2", "q^n", "10^-4", "f^0.92", "x^(1/3)" -> superscripts.
 std::string with_powers(const std::string& text) {
     std::string html;
     std::size_t copied = 0;
@@ -70,7 +78,7 @@ std::string with_powers(const std::string& text) {
             next = end + 1;
         } else {
             if (end < text.size() && text[end] == '-') ++end;
-            while (end < text.size() && is_alphanumeric(text[end])) ++end;
+            while (end < text.size() && is_part_of_power(text, end)) ++end;
             next = end;
         }
         if (next > text.size() || end == begin) continue;  // no bracket, or nothing follows

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "theory/bracketed_root.h"
+#include "theory/carter.h"
 
 namespace tricontact::theory {
 
@@ -98,6 +99,23 @@ double line_settled_shift_ratio(double w, double c, double lambda) {
     return (line_stick_force(w, c) * (lambda - .5) - logarithm) / lambda;
 }
 
+double line_shakedown_displacement(double x, double w, double c, double lambda) {
+    check_between("c = c_sd/a", c, std::numeric_limits<double>::min(), 1);
+    const double settled = line_settled_shift_ratio(w, c, lambda), distance = std::abs(x);
+    if (distance <= c) return settled;
+    const double force = line_stick_force(w, c), b = 1 - w;
+    const auto lost = [&](double eta) {
+        const double r = std::max(c, distance / std::cosh(eta));
+        return force - (r < b ? line_stick_force(w, r) : 0);
+    };
+    // Punches end at b: beyond it all of the load counts.
+    const double whole = distance > b ? std::acosh(distance / b) : 0,
+                 end = std::acosh(distance / c);
+    boost::math::quadrature::tanh_sinh<double> rule;
+    const double rest = c < b ? rule.integrate(lost, whole, end) : 0;
+    return settled - (whole * force + rest) / lambda;
+}
+
 double line_shakedown_limit(double w) {
     check_between("w = W/a", w, 0, 1);
     return 2 / pi * (std::acos(w) - w * std::sqrt((1 - w) * (1 + w)));
@@ -107,6 +125,11 @@ double line_amplitude_limit(double f) {
     check_between("f = F_T/(mu F_N)", f, 0, 1);
     if (line_shakedown_limit(0) <= f) return 0;
     return bracketed_root([&](double w) { return line_shakedown_limit(w) - f; }, 0., 1.);
+}
+
+double line_steady_slope(double f, double lambda) {
+    check_between("lambda", lambda, 1, std::numeric_limits<double>::max());
+    return 8 * carter_creepage_ratio(f) / lambda;
 }
 
 }  // namespace tricontact::theory

@@ -32,6 +32,12 @@ std::optional<double> line_stick_half_width(double w, double f);
 /// tau/(mu p0) at x (any sign) after shakedown.
 double line_shakedown_traction(double x, double w, double c);
 
+/// Displacement of the surface u_x/U_max at x (any sign, also beyond the contact) after shakedown:
+/// u_sd for |x| <= c, and by each punch of half width r < |x| less, by acosh(|x|/r) of its load:
+///   u_x = u_sd - (1/lambda) ∫_0^acosh(|x|/c) [f(c) - f(|x|/cosh eta)] d eta,
+/// f(r) the load of all punches wider than r, line_stick_force(). c > 0.
+double line_shakedown_displacement(double x, double w, double c, double lambda);
+
 /// Shift u_stat under f before rolling: 1 - (1 - f) [1 - ln(1 - f)/(2 lambda)].
 double line_static_shift_ratio(double f, double lambda);
 /// Frictional work of one cycle of F_T between +-f mu F_N, over mu^2 2 F_N^2/(pi E* L):
@@ -45,5 +51,11 @@ double line_settled_shift_ratio(double w, double c, double lambda);
 double line_shakedown_limit(double w);
 /// Largest w that shakes down, its inverse.
 double line_amplitude_limit(double f);
+
+/// Slope d(Du)/dw [-] of the shift per period Du far beyond the limit, where w may exceed 1: each
+/// way 2 W between turning points ends in steady rolling, with Carter's creepage (carter.h). By
+/// 2 F_N/(pi E* L) = a^2/(2 R) that is 8 (1 - sqrt(1 - f))/lambda. Nearer to the limit no closed
+/// form is known: what sticks then is carried along by what slips.
+double line_steady_slope(double f, double lambda);
 
 }  // namespace tricontact::theory

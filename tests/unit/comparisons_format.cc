@@ -108,6 +108,7 @@ TEST(Format, TypesettingEscapesFirst) {
               "μ d, <i>ν</i><sub>2</sub>, beta, numb, a.mu, mu2");
     EXPECT_EQ(typeset("a^2 - q^n >= (R/2)^(1/3) 10^-4, 2^"),
               "a<sup>2</sup> − q<sup>n</sup> ≥ (R/2)<sup>1/3</sup> 10<sup>−4</sup>, 2^");
+    EXPECT_EQ(typeset("1 − f^0.92 + w, of f^2."), "1 − f<sup>0.92</sup> + w, of f<sup>2</sup>.");
     EXPECT_EQ(typeset("x^(1, ^"), "x^(1, ^");
     EXPECT_EQ(typeset("u = 1"), "u\u00a0=\u00a01");
 }

@@ -202,8 +202,8 @@ TEST(StudyFit, TableOfPointsHasEachResultWithItsError) {
               "model,group,amplitude_ratio,tangential_ratio,behaviour,static_shift_ratio,"
               "static_shift_ratio_error,settled_shift_ratio,settled_shift_ratio_error,"
               "shift_increment_ratio,shift_increment_ratio_error,limit_tangential_ratio,"
-              "limit_tangential_ratio_error\n"
-              "bem,\"parallel, at 8 mm\",0.25,0.5,settled,0.375,0.125,0.5,,,,0.75,0.0625\n");
+              "limit_tangential_ratio_error,stick_ratio,stick_ratio_error\n"
+              "bem,\"parallel, at 8 mm\",0.25,0.5,settled,0.375,0.125,0.5,,,,0.75,0.0625,,\n");
 }
 
 }  // namespace

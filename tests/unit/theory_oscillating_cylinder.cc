@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "theory/oscillating_cylinder.h"
 #include "theory/thesis_cylinder.h"
@@ -54,17 +56,15 @@ TEST(OscillatingCylinder, ThesisForceIsTheIntegralOfItsTraction) {
 /// What the traction displaces at x, without the constant of the half-space:
 /// ∫ tau(s) ln(1/|x - s|) ds 4/pi.
 double logarithm(const std::function<double(double)>& traction, double w, double c, double x) {
-    double sum = 0;
-    const auto part = [&](double begin, double end) {
-        if (!(end > begin)) return;
-        sum += integral([&](double s) { return -traction(s) * std::log(std::abs(x - s)); }, begin,
-                        end);
-    };
     const double b = 1 - w;
-    part(-b, -c);
-    part(-c, x);
-    part(x, c);
-    part(c, b);
+    // Where tau or the logarithm is not smooth.
+    std::vector<double> ends{-b, -c, c, b, std::clamp(x, -b, b)};
+    std::sort(ends.begin(), ends.end());
+    double sum = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        if (ends[i + 1] > ends[i])
+            sum += integral([&](double s) { return -traction(s) * std::log(std::abs(x - s)); },
+                            ends[i], ends[i + 1]);
     return 2 / pi * sum;
 }
 
@@ -78,6 +78,45 @@ TEST(OscillatingCylinder, WhatSticksIsDisplacedUniformly) {
         for (const double share : {0., .4, .9})
             EXPECT_NEAR(constant + logarithm(tau, w, c, share * c), u, 1e-8)
                 << w << ' ' << c << ' ' << share;
+    }
+}
+
+// Superposed punches, and the logarithm of Flamant's line force over the traction itself.
+TEST(OscillatingCylinder, DisplacementBesideTheStickZone) {
+    constexpr double lambda = 5.8;
+    for (const auto& [w, c] : {std::pair(.1, .5), {.26, .3}, {.26, .7}, {.6, .05}, {.77, .2}}) {
+        const auto tau = [&, w = w, c = c](double x) { return line_shakedown_traction(x, w, c); };
+        const double constant = line_stick_force(w, c) * (lambda - .5 - std::numbers::ln2);
+        for (const double x : {0., .9 * c, .5 * (c + 1 - w), -(1 - w), 1., -1.7})
+            EXPECT_NEAR(line_shakedown_displacement(x, w, c, lambda) * lambda,
+                        constant + logarithm(tau, w, c, x), 1e-8)
+                << w << ' ' << c << ' ' << x;
+    }
+}
+
+// 4 W of Carter's creepage mu a/R (1 - sqrt(1 - f)) over U_max = mu a^2/(2 R) lambda.
+TEST(OscillatingCylinder, SteadySlopeIsCartersCreepage) {
+    const double mu = .79, a = 2.07e-3, R = .04, f = .51, lambda = 5.85, W = 3 * a;
+    const double shift = 4 * W * mu * a / R * (1 - .7);  // sqrt(1 - .51) = .7
+    EXPECT_NEAR(line_steady_slope(f, lambda) * W / a, shift / (mu * a * a / (2 * R) * lambda),
+                1e-13);
+    EXPECT_EQ(line_steady_slope(0, lambda), 0);
+}
+
+// Entries of docs/cylinder.md, by elements on the rig: L/a = 38.6, so that (a/L)^2 = 7e-4 remains.
+TEST(OscillatingCylinder, TableOfSettledShifts) {
+    struct Entry {
+        double w, f, shift, error;
+    };
+    const double ratio = 38.652;  // 80 mm over Hertz' half width
+    const double lambda = .5 + std::numbers::ln2 + std::log(ratio) + 1;  // nu = 1/2
+    for (const Entry& e : {Entry{.26, .3, .29702, 2e-5},
+                           {.26, .65, .67979, 1.1e-4},
+                           {.52, .36, .40530, 1.8e-4},
+                           {.77, .12, .14954, 8e-5}}) {
+        const double c = line_stick_half_width(e.w, e.f).value();
+        EXPECT_NEAR(line_settled_shift_ratio(e.w, c, lambda), e.shift, e.error)
+            << e.w << ' ' << e.f;
     }
 }
 
