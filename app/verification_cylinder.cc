@@ -79,7 +79,24 @@ void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowe
              limit);
 }
 
+Case layer_case() {
+    Case c = cylinder_case();
+    c.layer.thickness = 5e-3;
+    return c;
+}
+
 }  // namespace
+
+void verify_fem_line(const Say& say, Verification& all) {
+    Case c = layer_case();
+    c.fem.cache = "none";
+    const double hertz_width = contact::half_space_scales(c).contact_radius;
+    const Levels levels = run_levels(
+        "fem", c, [](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
+        [&](const Case& level) { return *level.fem.size / hertz_width; }, say);
+    // Edges fall between nodes, a tenth of a tributary length of which is seen.
+    add_layer(levels, c, {{3e-3}, {1e-3}}, all);
+}
 
 void verify_cylinder(bool brief, const Say& say, Verification& all) {
     const double cells = brief ? 10 : 40, coarser = brief ? 8 : 1;
@@ -89,9 +106,8 @@ void verify_cylinder(bool brief, const Say& say, Verification& all) {
     const Size size = [](const Case& c) { return 1 / *c.bem.cells_per_radius; };
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
-    Case c = cylinder_case();
-    add_half_space(run_levels("bem", c, set_cells, size, say), allowed, all);
-    c.layer.thickness = 5e-3;
+    const Case c = layer_case();
+    add_half_space(run_levels("bem", cylinder_case(), set_cells, size, say), allowed, all);
     add_layer(run_levels("bem-layer", c, set_cells, size, say), c, allowed, all);
 }
 

@@ -100,8 +100,10 @@ void verify_fem_layer(const Say& say, Verification& all) {
 
 void verify_fem(const Say& say, Verification& all) {
     const auto& models = known_models();
-    if (std::any_of(models.begin(), models.end(), [](const auto& m) { return m.name == "fem"; }))
-        verify_fem_layer(say, all);
+    if (std::none_of(models.begin(), models.end(), [](const auto& m) { return m.name == "fem"; }))
+        return;
+    verify_fem_layer(say, all);
+    verify_fem_line(say, all);
 }
 
 void verify_layer(bool brief, const Say& say, Verification& all) {

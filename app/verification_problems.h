@@ -27,6 +27,8 @@ void verify_peer_shifts(const Say& say, comparisons::Verification& all);
 /// Velocity Verlet beside closed forms and the event-driven integrator.
 void verify_walking(const Say& say, comparisons::Verification& all);
 
+/// fem under a cylinder on a layer.
+void verify_fem_line(const Say& say, comparisons::Verification& all);
 /// fem beside the same; no rows where the program has no finite elements.
 void verify_fem(const Say& say, comparisons::Verification& all);
 

@@ -7,12 +7,14 @@
 #include "app/verification_problems.h"
 #include "bem/case_compliance.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/resistance_theory.h"
 #include "contact/load_path.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
 #include "rolling/linear_creep.h"
 #include "theory/carter.h"
 #include "theory/creep_law.h"
+#include "theory/free_rolling.h"
 #include "theory/kalker.h"
 
 namespace tricontact::app {
@@ -150,12 +152,68 @@ void verify_kalker(const Say& say, Verification& all) {
     }
 }
 
+/// Rolled freely over a relaxing half-space: the pressure leads the cylinder.
+void verify_hunter(bool brief, const Say& say, Verification& all) {
+    constexpr double relaxation_time = .3;
+    Case c = cylinder();
+    c.load.tangential_ratio = 0;
+    c.relaxation = contact::Relaxation{{{2, relaxation_time}}, {}};
+    c.tractive_rolling->speed = .5 * contact::half_space_scales(c).contact_radius / relaxation_time;
+    c.tractive_rolling->distance = 6;
+    VerificationRow row{.problem = "Cylinder over a standard solid, v tau = a/2, G2 = 2 G1",
+                        .quantity = "1000 W/F_N",
+                        .model = "bem",
+                        .source = "Hunter (1961), J. Mech. Phys. Solids 9, 219",
+                        .reference = 0,
+                        .tolerance = brief ? 1e-2 : 2e-3};
+    for (const auto& theory : comparisons::tractive::resistance_theories(c))
+        if (theory.key == "hunter") row.reference = 1e3 * theory.ratio;
+    for (const int factor : {1, 2, 4}) {
+        c.bem.cells_per_radius = (brief ? 6 : 10) * factor;
+        say(fmt::format("bem, relaxing, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        row.sizes.push_back(1 / *c.bem.cells_per_radius);
+        row.values.push_back(1e3 * steady.resistance / *c.load.normal_force);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+/// A rigid cylinder on a half-space of nu = 0, the most dissimilar that there is, without F_T; so
+/// little friction that all slips.
+void verify_free_rolling(bool brief, const Say& say, Verification& all) {
+    Case c = cylinder();
+    c.substrate.poisson = 0;
+    c.contact.coupling = true;
+    c.friction_coefficient = .002;
+    c.load.tangential_ratio = 0;
+    VerificationRow row{.problem = "Free rolling, Dundurs' beta = 0.5",
+                        .quantity = "xi R/a, mu = 0.002",
+                        .model = "bem",
+                        .source =
+                            "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without "
+                            "friction (theory/free_rolling.h): the difference is of the "
+                            "order of mu/beta",
+                        .reference = theory::smooth_free_creepage(.5),
+                        .tolerance = brief ? 2e-2 : 5e-3};
+    for (const int factor : {1, 2, 4}) {
+        c.bem.cells_per_radius = (brief ? 10 : 30) * factor;
+        say(fmt::format("bem, dissimilar cylinders, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        row.sizes.push_back(1 / *c.bem.cells_per_radius);
+        row.values.push_back(steady.creepage.longitudinal * c.indenter.radius /
+                             contact::half_space_scales(c).contact_radius);
+    }
+    all.rows.push_back(std::move(row));
+}
+
 }  // namespace
 
 void verify_rolling(bool brief, const Say& say, Verification& all) {
     verify_springs(brief, say, all);
     verify_carter(brief, say, all);
     verify_kalker(say, all);
+    verify_hunter(brief, say, all);
+    verify_free_rolling(brief, say, all);
 }
 
 }  // namespace tricontact::app
