@@ -196,7 +196,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
                         .reference = theory::smooth_free_creepage(.5),
                         .tolerance = brief ? 2e-2 : 5e-3};
     for (const int factor : {1, 2, 4}) {
-        c.bem.cells_per_radius = (brief ? 10 : 30) * factor;
+        c.bem.cells_per_radius = (brief ? 15 : 30) * factor;
         say(fmt::format("bem, dissimilar cylinders, {} cells", *c.bem.cells_per_radius));
         const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
         row.sizes.push_back(1 / *c.bem.cells_per_radius);

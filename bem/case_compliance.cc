@@ -88,10 +88,16 @@ double relaxing_reach(const contact::Case& c, double radius) {
            (c.is_line_contact() ? line_ahead * std::min(way, longest * radius) : 0);
 }
 
+/// By how much of its radius a coupled contact that rolls on may lie beside the body's lowest
+/// point: enough for Dundurs' beta = 1/2 and mu = 0.6.
+constexpr double rolled_shift = .25;
+
 /// Half sides of the region that the contact centre sweeps, or that is to be seen around it [m].
 contact::Vector2 path_extent(const contact::Case& c, double radius) {
     if (c.tractive_rolling && c.tractive_rolling->speed > 0 && c.relaxation)
         return {relaxing_reach(c, radius), 0};
+    const bool coupled = c.contact.coupling && (is_coupled(c.materials()) || c.layer.thickness);
+    if (c.tractive_rolling && coupled) return {rolled_shift * radius, 0};
     if (!c.rolling) return {0, 0};
     const double reach = rolling_amplitude(*c.rolling, radius);
     return {std::abs(reach * std::cos(c.rolling->angle)),
