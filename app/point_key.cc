@@ -5,13 +5,32 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 namespace tricontact::app {
 
-std::string point_key(const std::string& resolved) {
-    const std::string text = std::string(TRICONTACT_VERSION) + '\n' + resolved;
+namespace {
+
+std::string digest(const std::string& text) {
     const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
     return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace
+
+std::string point_key(const std::string& resolved) {
+    return digest(std::string(TRICONTACT_VERSION) + '\n' + resolved);
+}
+
+std::string file_digests(const contact::Case& c) {
+    std::string digests;
+    for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh}) {
+        if (!*name) continue;
+        std::ifstream file(**name, std::ios::binary);
+        digests += digest({std::istreambuf_iterator<char>(file), {}}) + '\n';
+    }
+    return digests;
 }
 
 bool Shard::has(const std::string& key) const {

@@ -2,10 +2,17 @@
 
 #include <string>
 
+#include "contact/case.h"
+
 namespace tricontact::app {
 
-/// Digest of the program's version and the resolved text of a case: what results depend on.
+/// Digest of the program's version and the resolved text of a case: what results depend on, but for
+/// the files that the text names.
 std::string point_key(const std::string& resolved);
+
+/// Digests of what the files hold that the case names, a line each; empty if it names none. Belongs
+/// beside the resolved text wherever results are found again by it.
+std::string file_digests(const contact::Case& c);
 
 /// Shard i of n, from 1, of a study's points.
 struct Shard {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/commands.h"
+#include "app/point_key.h"
 #include "app/refinement_levels.h"
 #include "app/run_model.h"
 #include "comparisons/refined_values.h"
@@ -60,6 +61,7 @@ class Levels {
         const Finished done{comparisons::level_values(level.c, history), history.cpu_s};
         const json document{{"version", version},
                             {"case", level.resolved},
+                            {"files", file_digests(level.c)},
                             {"cpu_s", done.cpu_s},
                             {"values", done.values}};
         io::write_file(file(level), document.dump(2) + "\n");
@@ -68,7 +70,8 @@ class Levels {
     std::optional<Finished> find(const Level& level) const {
         const json found = json::parse(read_text(file(level)), nullptr, false);
         if (found.is_discarded() || !found.is_object() || found.value("version", "") != version ||
-            found.value("case", "") != level.resolved)
+            found.value("case", "") != level.resolved ||
+            found.value("files", "") != file_digests(level.c))
             return {};
         try {
             const Finished done{found.at("values").get<LevelValues>(),

@@ -8,6 +8,7 @@
 #include "app/case_run.h"
 #include "app/loading_study.h"
 #include "app/models.h"
+#include "app/point_key.h"
 #include "contact/error.h"
 #include "contact/run.h"
 #include "io/atomic_file.h"
@@ -79,9 +80,9 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     auto made = make_model(name, c, options.threads, say);
     io::JournalledModel* journal = nullptr;
     if (name == "fem") {
-        auto journalled =
-            std::make_unique<io::JournalledModel>(std::move(made), folder + "/steps.journal",
-                                                  version + '\n' + name + '\n' + resolved, say);
+        auto journalled = std::make_unique<io::JournalledModel>(
+            std::move(made), folder + "/steps.journal",
+            version + '\n' + name + '\n' + resolved + file_digests(c), say);
         journal = journalled.get();
         made = std::move(journalled);
         if (journal->n_found() > 0)

@@ -46,7 +46,7 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
 std::string key_of(const Case& c) {
     Case content = c;
     content.fem.cache.clear();  // where things are kept changes no number
-    return point_key(io::write_case(content));
+    return point_key(io::write_case(content) + file_digests(content));
 }
 
 io::Entry models_entry(const std::string& model) {
@@ -101,7 +101,8 @@ SweepPoint make_point(const Case& c, const std::string& model, int level, const 
     SweepPoint point{.values = {}, .model = model, .level = level, .c = c, .output = c.output};
     point.c.title.clear();
     point.c.models = {model};
-    point.c.output = {.vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none};
+    point.c.output = {
+        .vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none, .volume_depth = {}};
     if (level > 0)
         point.c = io::parse_case(io::write_case(point.c), name, finer(model, point.c, level));
     point.resolved = io::write_case(point.c);
