@@ -139,6 +139,7 @@ InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_th
     if (body == Body::layer) {
         inside.layers = theory::layers_of("bem-layer", c);
         inside.material = inside.layers->sheets.front().material;
+        inside.plane_strain = c.is_line_contact();
         depth = std::min(depth, inside.layers->thickness());
     }
     return {inside, interior_depths(spacing, radius, depth), n_threads};
@@ -151,13 +152,13 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
         return tabulated_compliance(*table, *c.bem.influence,
                                     body == Body::layer || is_coupled(c.materials()),
                                     std::move(grid), n_threads);
-    if (body == Body::layer && c.is_line_contact())
-        return plane_layer_compliance(theory::layers_of("bem-layer", c), c.indenter.material,
-                                      std::move(grid), n_threads);
     const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
+    const auto& indenter = c.indenter.material;
     auto compliance =
-        body == Body::layer
-            ? layer_compliance(*view.body.layers, c.indenter.material, std::move(grid), n_threads)
+        view.body.plane_strain
+            ? plane_layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
+        : body == Body::layer
+            ? layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
             : half_space_compliance(c.materials(), std::move(grid), n_threads);
     compliance->set_view(view);
     return compliance;

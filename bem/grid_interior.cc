@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
+#include <memory>
 
 #include "bem/interior_transform.h"
+#include "bem/plane_interior_influence.h"
 
 namespace tricontact::bem {
 
@@ -33,7 +36,9 @@ struct Side {
     }
 };
 
-Side make_side(int n_cells, double first, double spacing, int block, double margin) {
+Side make_side(int n_cells, double first, double spacing, double margin) {
+    int block = 1;
+    while ((n_cells + block - 1) / block > most_cells) block += 2;
     const int middle = (n_cells - 1) / 2;
     const int beside = (std::max(middle, n_cells - 1 - middle) + block / 2) / block;
     Side side{.n = 2 * beside + 1,
@@ -46,13 +51,11 @@ Side make_side(int n_cells, double first, double spacing, int block, double marg
     return side;
 }
 
-std::array<Side, 2> make_sides(const contact::ContactPoints& grid) {
-    const int longer = std::max(grid.n_x, grid.n_y);
-    int block = 1;
-    while ((longer + block - 1) / block > most_cells) block += 2;
-    const double margin = std::min(grid.n_x * grid.spacing[0], grid.n_y * grid.spacing[1]) / 2;
-    return {make_side(grid.n_x, grid.first[0], grid.spacing[0], block, margin),
-            make_side(grid.n_y, grid.first[1], grid.spacing[1], block, margin)};
+std::array<Side, 2> make_sides(const contact::ContactPoints& grid, bool plane_strain) {
+    const double length_x = grid.n_x * grid.spacing[0], length_y = grid.n_y * grid.spacing[1];
+    const double margin = (plane_strain ? length_x : std::min(length_x, length_y)) / 2;
+    return {make_side(grid.n_x, grid.first[0], grid.spacing[0], margin),
+            make_side(grid.n_y, grid.first[1], grid.spacing[1], plane_strain ? 0 : margin)};
 }
 
 /// Blocks whose centres become points, from the middle outwards.
@@ -118,11 +121,26 @@ void pick(const Problem& problem, std::span<const double> field, std::size_t lev
             store(to++, field[static_cast<std::size_t>(j) * problem.sides[0].size() + i]);
 }
 
-void fill_level(const InteriorInfluence& influence, std::size_t level, Problem& problem,
+/// Of one block at a depth, so many blocks away.
+using Response = std::function<theory::InteriorResponse(std::size_t level, int i, int j)>;
+
+Response response_of(const InteriorView& view, const std::array<Side, 2>& sides) {
+    const double h_x = sides[0].spacing, h_y = sides[1].spacing;
+    const double length_x = sides[0].size() * h_x, length_y = sides[1].size() * h_y;
+    if (view.body.plane_strain) {
+        const auto strip = std::make_shared<const PlaneInteriorInfluence>(
+            view.body.layers.value(), h_x, view.depths, length_x);
+        return [=](std::size_t level, int i, int) { return strip->at(level, i * h_x); };
+    }
+    const auto cell = std::make_shared<const InteriorInfluence>(
+        view.body, contact::Vector2{h_x, h_y}, view.depths, std::hypot(length_x, length_y));
+    return [=](std::size_t level, int i, int j) { return cell->at(level, i * h_x, j * h_y); };
+}
+
+void fill_level(const Response& response, std::size_t level, Problem& problem,
                 std::array<double, 3>& surface_work) {
-    InteriorTransform::Level transform(problem.transform, [&](int i, int j) {
-        return influence.at(level, i * problem.sides[0].spacing, j * problem.sides[1].spacing);
-    });
+    InteriorTransform::Level transform(problem.transform,
+                                       [&](int i, int j) { return response(level, i, j); });
     auto& interior = problem.interior;
     for (int c = 0; c < 3; ++c) {
         const double sign = c == 2 ? -1 : 1;
@@ -140,7 +158,7 @@ void fill_level(const InteriorInfluence& influence, std::size_t level, Problem& 
 
 Problem make_problem(const InteriorView& view, const contact::ContactPoints& grid,
                      std::span<const double> p, const contact::TangentialField& t) {
-    const auto sides = make_sides(grid);
+    const auto sides = make_sides(grid, view.body.plane_strain);
     std::array<std::vector<double>, 3> tractions = {by_blocks(t.x, grid.n_x, sides),
                                                     by_blocks(t.y, grid.n_x, sides),
                                                     by_blocks(p, grid.n_x, sides)};
@@ -178,12 +196,11 @@ contact::Interior grid_interior(const InteriorView& view, const contact::Contact
                                 std::span<const double> p, const contact::TangentialField& t) {
     Problem problem = make_problem(view, grid, p, t);
     const auto& [x, y] = problem.sides;
-    const InteriorInfluence influence(view.body, {x.spacing, y.spacing}, view.depths,
-                                      std::hypot(x.size() * x.spacing, y.size() * y.spacing));
+    const Response response = response_of(view, problem.sides);
     std::array<double, 3> work{};
 #pragma omp parallel for num_threads(view.n_threads) if (view.n_threads > 1) schedule(dynamic)
     for (std::size_t level = 0; level < view.depths.size(); ++level)
-        fill_level(influence, level, problem, work);
+        fill_level(response, level, problem, work);
 
     const double area = x.spacing * y.spacing;
     problem.interior.strain_energy = area / 2 * (work[0] + work[1] + work[2]);

@@ -26,9 +26,12 @@ std::vector<double> interior_depths(double spacing, double contact_radius, doubl
 /// `strain_energy` half their work. Zero-padded FFT convolution per depth: one transform per
 /// coefficient (27, or 9 without tangential tractions) and nine back.
 ///
-/// A grid of more than 256 cells along a side is taken by blocks of 3 x 3, 5 x 5, ... cells with
-/// their mean tractions; points are thinned to 128 along a side, and more and more outside the
-/// grid. Both bound time and memory.
+/// A side of more than 256 cells is taken by blocks of 3, 5, ... cells with their mean tractions;
+/// points are thinned to 128 along a side, and more and more outside the grid. Both bound time and
+/// memory.
+///
+/// In plane strain the grid is one row of strips and the points are those of its section, y that of
+/// the row.
 contact::Interior grid_interior(const InteriorView& view, const contact::ContactPoints& grid,
                                 std::span<const double> p, const contact::TangentialField& t);
 

@@ -14,6 +14,7 @@ namespace tricontact::bem {
 struct InteriorBody {
     contact::Material material;
     std::optional<theory::LayerStack> layers;
+    bool plane_strain = false;  ///< of layers, under strips: see PlaneInteriorInfluence
 };
 
 /// Displacements and stresses inside per uniform traction on a rectangle of the surface: closed

@@ -18,7 +18,6 @@ namespace {
 using theory::InteriorWaves;
 using theory::LayerStack;
 
-constexpr double last_kb = 48;          // exp(-kb) (kb)^3 < 1e-16 at the bottom of the layer
 constexpr double table_step = 1. / 60;  // of asinh(r/b): b/60 near the force
 constexpr int lagrange_points = 6;
 
@@ -70,12 +69,6 @@ Values amplitudes(const InteriorWaves& w) {
     return v;
 }
 
-/// The half-space that the top layer would be part of, cut where the layers are.
-LayerStack continued(const LayerStack& stack) {
-    const auto& top = stack.sheets.front();
-    return {{{top.material, stack.thickness()}}, stack.base, top.material};
-}
-
 struct InsideWave {
     double k;
     std::vector<Values> amplitude;  // per depth, weights included
@@ -85,7 +78,7 @@ std::vector<InsideWave> waves_of(const LayerStack& stack, const std::vector<doub
                                  double farthest) {
     std::vector<InsideWave> waves;
     const LayerStack half_space = continued(stack);
-    for (const auto& [k, weight] : layer_waves(stack, farthest, last_kb)) {
+    for (const auto& [k, weight] : layer_waves(stack, farthest, last_inside_wave)) {
         const double factor = weight * k / (2 * std::numbers::pi);
         const auto layers = theory::interior_waves(stack, k, depths),
                    plain = theory::interior_waves(half_space, k, depths);

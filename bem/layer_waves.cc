@@ -44,4 +44,9 @@ theory::LayerCompliance half_space_at(const contact::Material& material, double 
     return {(1 - nu) * scale, (1 - nu) * scale, scale, (1 - 2 * nu) / 2 * scale};
 }
 
+theory::LayerStack continued(const theory::LayerStack& stack) {
+    const auto& top = stack.sheets.front();
+    return {{{top.material, stack.thickness()}}, stack.base, top.material};
+}
+
 }  // namespace tricontact::bem

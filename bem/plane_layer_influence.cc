@@ -14,15 +14,6 @@ namespace {
 
 using theory::LayerStack;
 
-const LayerStack& checked(const LayerStack& stack) {
-    theory::check(stack);
-    if (stack.half_space)
-        throw contact::InputError(
-            "bem-layer: in plane strain an elastic half-space below the layers displaces without "
-            "bound; take a rigid ground (substrate.base), or a body of finite length");
-    return stack;
-}
-
 /// ∫_0^inf (1 - exp(-k c)) cos(k s)/k dk = ln(1 + c^2/s^2)/2, integrated over s from 0.
 double even_part(double s, double c) {
     return s == 0 ? 0 : s / 2 * std::log1p(c * c / (s * s)) + c * std::atan(s / c);
@@ -35,11 +26,20 @@ double odd_part(double s, double c) {
 
 }  // namespace
 
+const LayerStack& checked_in_plane_strain(const LayerStack& stack) {
+    theory::check(stack);
+    if (stack.half_space)
+        throw contact::InputError(
+            "bem-layer: in plane strain an elastic half-space below the layers displaces without "
+            "bound; take a rigid ground (substrate.base), or a body of finite length");
+    return stack;
+}
+
 PlaneLayerInfluence::PlaneLayerInfluence(const LayerStack& stack,
                                          const std::optional<contact::Material>& indenter,
                                          double width_x, double width_y, double reach)
     : half_width_(width_x / 2), hold_(0), twice_thickness_(0), scale_{} {
-    const auto& top = checked(stack).sheets.front();
+    const auto& top = checked_in_plane_strain(stack).sheets.front();
     twice_thickness_ = 2 * top.thickness;
     if (stack.base == theory::LayerBase::frictionless)
         hold_ = LayerKernel::frictionless_hold * stack.thickness();

@@ -123,11 +123,20 @@ void check_room(const Case& c, const Document& document) {
            "reduce it, enlarge bem.period, or take poisson below 0.5");
 }
 
+void check_inside(const Case& c, const Document& document) {
+    if (c.output.volume == Case::VolumeOutput::none) return;
+    const char* why = c.bem.influence ? "coefficients of the surface say nothing of the inside"
+                      : c.bem.period  ? "the inside below periodic contacts is not computed"
+                                      : nullptr;
+    if (why) refuse(document, "output.volume", why, "leave output.volume out");
+}
+
 }  // namespace
 
 void check_bem_options(const Case& c, const Document& document) {
     const bool layer = computes(c, "bem-layer");
     if (!layer && !computes(c, "bem")) return;
+    check_inside(c, document);
     if (c.bem.influence) check_influence(c, document);
     if (!c.bem.period) return;
     check_mean(c, document);

@@ -106,7 +106,7 @@ TEST(GridInterior, ThreadsChangeNoBit) {
     EXPECT_EQ(one.strain_energy, three.strain_energy);
 }
 
-// 300 cells along x become blocks of 3 x 3: the force is kept, and points are few.
+// 300 cells along x become blocks of 3: the force is kept, and points are few.
 TEST(GridInterior, LargeGridsAreTakenByBlocks) {
     const Loads loads = some_loads(300, 8, .1e-3);
     const auto fields = grid_interior({{rubber, {}}, {0, 1e-3}, 1}, loads.grid, loads.p, loads.t);
