@@ -35,6 +35,7 @@ std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories)
     add(dissipation_plots(c, histories));
     add(surface_figures(c, are_on_grids(histories) ? histories : on_grids(histories)));
     add(end_plots(c, histories));
+    add(rough_plots(c, histories));
     add(subsurface_plots(c, histories));
     return plots;
 }

@@ -41,6 +41,10 @@ std::vector<Plot> surface_plots(const contact::Case& c, const Histories& histori
 /// none where no inside was written.
 std::vector<Plot> subsurface_plots(const contact::Case& c, const Histories& histories);
 
+/// Of a rough case: power spectral density, measured beside prescribed; of a nominally flat one
+/// contact area over load, with what theories say.
+std::vector<Plot> rough_plots(const contact::Case& c, const Histories& histories);
+
 /// All of the above, in the report's order; what needs grids is resampled (see resample.h).
 std::vector<Plot> make_plots(const contact::Case& c, const Histories& histories);
 

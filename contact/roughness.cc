@@ -39,12 +39,18 @@ void check(const Roughness& r) {
         throw InputError(fmt::format("roughness: more than {} waves in a period", most_waves));
 }
 
-/// Amplitude of a wave, the surface being their sum of 2 amplitude cos(q x + phase), for an rms
-/// slope that `scale` sets: the root of C(q), for all waves have the same share of the q plane.
-double amplitude(const Roughness& r, const Wave& m) {
-    const double wave = std::hypot(m.x, m.y), roll_off = r.long_wavelength / r.roll_off;
-    if (wave * r.short_wavelength > r.long_wavelength * (1 + rounding)) return 0;
+/// Amplitude of `wave` waves in a period, the surface being the sum of 2 amplitude cos(q x +
+/// phase), for an rms slope that `scale` sets: the root of C(q), for all waves have the same share
+/// of the q plane.
+double amplitude(const Roughness& r, double wave) {
+    const double roll_off = r.long_wavelength / r.roll_off;
+    if (wave < 1 - rounding || wave * r.short_wavelength > r.long_wavelength * (1 + rounding))
+        return 0;
     return wave <= roll_off ? 1 : std::pow(wave / roll_off, -(1 + r.hurst));
+}
+
+double amplitude(const Roughness& r, const Wave& m) {
+    return amplitude(r, std::hypot(m.x, m.y));
 }
 
 /// All waves up to `n`, one of each pair of opposite ones, ring by ring of max(|m_x|, |m_y|):
@@ -74,6 +80,11 @@ Moments moments(const Roughness& r) {
         sum.slope += 2 * a * a * q * q;
     });
     return sum;
+}
+
+/// Of the amplitudes, for the prescribed rms slope [m].
+double scale(const Roughness& r) {
+    return r.rms_slope / std::sqrt(moments(r).slope);
 }
 
 /// Uniform in [0, 2 pi): the upper 53 bits. std's distributions differ between libraries.
@@ -132,11 +143,11 @@ HeightMap make_roughness(const Roughness& roughness, int n) {
             "roughness: {} nodes in a period of {:.6g} m do not resolve waves of {:.6g} m; take "
             "more than {}",
             n, roughness.long_wavelength, roughness.short_wavelength, 2 * waves));
-    const double scale = roughness.rms_slope / std::sqrt(moments(roughness).slope);
+    const double height = scale(roughness);
     std::mt19937_64 bits(static_cast<std::uint64_t>(roughness.seed));
     Spectrum spectrum(n);
     for_each_wave(waves, [&](const Wave& m) {
-        spectrum.set(m, scale * amplitude(roughness, m), random_phase(bits));
+        spectrum.set(m, height * amplitude(roughness, m), random_phase(bits));
     });
     const double spacing = roughness.long_wavelength / n;
     return {n, n, {spacing, spacing}, spectrum.surface()};
@@ -152,6 +163,17 @@ int fewest_roughness_nodes(const Roughness& roughness) {
     };
     while (!is_fast(n)) n += 2;
     return n;
+}
+
+std::vector<double> spectral_density(const Roughness& roughness,
+                                     const std::vector<double>& wave_numbers) {
+    check(roughness);
+    const double unit = 2 * std::numbers::pi / roughness.long_wavelength;
+    const double height = scale(roughness);
+    std::vector<double> densities;
+    for (const double q : wave_numbers)
+        densities.push_back(std::pow(height * amplitude(roughness, q / unit) / unit, 2));
+    return densities;
 }
 
 double rms_height(const Roughness& roughness) {

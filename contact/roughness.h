@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "contact/height_map.h"
 
 namespace tricontact::contact {
@@ -26,6 +28,11 @@ HeightMap make_roughness(const Roughness& roughness, int n);
 /// Fewest nodes per period that the surface is looked up on without loss: 8 per shortest wave, a
 /// number FFTs are fast at.
 int fewest_roughness_nodes(const Roughness& roughness);
+
+/// Power spectral density C [m^4] at wave numbers q [1/m], ∫ C d^2q being the mean square of the
+/// heights; 0 of waves longer than long_wavelength or shorter than short_wavelength.
+std::vector<double> spectral_density(const Roughness& roughness,
+                                     const std::vector<double>& wave_numbers);
 
 /// Root mean square of the surface's heights [m].
 double rms_height(const Roughness& roughness);

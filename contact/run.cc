@@ -8,6 +8,7 @@
 
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/rough_scales.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {
@@ -80,8 +81,11 @@ class Run {
         history_.static_shift = history_.steps.back().shift[0];
     }
 
-    /// How the contact came to be pressed is not forgotten.
-    bool path_matters() const { return model_.is_coupled() || case_.relaxation.has_value(); }
+    /// How the contact came to be pressed is not forgotten, or, of a nominally flat one, whose area
+    /// grows with the load, is to be shown.
+    bool path_matters() const {
+        return model_.is_coupled() || case_.relaxation.has_value() || is_nominally_flat(case_);
+    }
 
     void find_path() {
         history_.scales = model_.scales();

@@ -101,7 +101,8 @@ void add_press(std::vector<CaseKey>& keys) {
                      .range = {1, 1000},
                      .default_value = "20",
                      .example = "20",
-                     .text = "equal steps in which coupled models are pressed with friction"},
+                     .text = "equal steps in which coupled models and nominally flat contacts are "
+                             "pressed with friction"},
                     [](Case& c) -> Field { return &c.load.press_steps; }});
 }
 
