@@ -24,6 +24,14 @@ inline std::vector<Body> bodies() {
             {"Ellipsoid", ellipsoid, 0}};
 }
 
+/// A sphere of `radius` worn flat up to `flat` from its axis, by points: h = (r^2 - flat^2)/2 R.
+inline std::vector<contact::ProfileCurve::Point> worn_sphere(double radius, double flat) {
+    std::vector<contact::ProfileCurve::Point> points{{0, 0, false}, {flat, 0, true}};
+    for (double r = flat + .5e-3; r < 12e-3; r += .5e-3)
+        points.push_back({r, (r * r - flat * flat) / (2 * radius), false});
+    return points;
+}
+
 /// A rigid body on rubber, uncoupled and not rolling; no scale is 1.
 inline contact::Case body_case(contact::Case::Shape shape, double exponent) {
     contact::Case c;
@@ -33,6 +41,7 @@ inline contact::Case body_case(contact::Case::Shape shape, double exponent) {
     c.indenter.radius = .04;
     c.indenter.radius_y = .1;
     c.indenter.flat_radius = .003;
+    c.indenter.profile = worn_sphere(c.indenter.radius, .002);
     c.substrate = {5.2e6, .5};
     c.friction_coefficient = .57;
     c.contact.coupling = false;
