@@ -19,8 +19,9 @@ using contact::Case;
 using contact::History;
 using contact::Subsurface;
 
-constexpr double half_width = 2;  // of the map, over a
-constexpr double deepest = 3;     // over a
+constexpr double half_width = 2;               // of the map, over a
+constexpr double deepest = 3;                  // over a
+constexpr int margins = 130, map_width = 400;  // of the map, above, below and across [pixels]
 constexpr int theory_points = 120;
 constexpr double first_depth = 1e-3;  // of the theory's curve, over a
 
@@ -58,7 +59,7 @@ Plot section_plot(const History& history) {
             "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', "
             "4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
             "set xrange [-{0}:{0}]\nset yrange [{1:.4g}:0]\nset cbrange [0:*]\n"
-            "set size ratio {2:.4g}\nset xlabel 'x/a'\nset ylabel 'z/a'\n"
+            "set size ratio {2:.4g}\nset xlabel 'x/a'\nset ylabel 'z/a' offset 1,0\n"
             "set cblabel 'von Mises / p_0'\n"
             "set label 1 '' at {3:.5g},{4:.5g},0 point pointtype 1 pointsize 1.4 linecolor rgb "
             "'#000000' front\n"
@@ -70,7 +71,7 @@ Plot section_plot(const History& history) {
         fmt::format("Section through the middle of the contact, the load along x. Largest at "
                     "the cross: {} p_0 at x = {} a, z = {} a.",
                     significant(s.peak_von_mises / p0, 3), significant(x, 2), significant(z, 2)),
-        {600, 480, script},
+        {600, margins + static_cast<int>(map_width * -bottom / (2 * half_width)), script},
         ImageFormat::png};
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "bem/model.h"
@@ -29,13 +30,16 @@ TEST_P(FemBodies, AgreeWithBoundaryElements) {
     c.rolling->steps_per_quarter = 1;
     c.rolling->periods = 1;
     c.bem.cells_per_radius = 16;
-    c.fem.size = .8e-3;
+    const auto half = contact::half_space_scales(c).half_widths;
+    c.fem.size = std::min(half[0], half[1]) / 4.5;
     c.fem.cache = TRICONTACT_LAYER_CACHE;
     const History fem = contact::run(c, *make_layer_model(c));
     const History bem = contact::run(c, *bem::make_model(c, 1, bem::Body::layer));
     // Some five elements in the contact radius, whose edge cuts them.
     EXPECT_NEAR(fem.scales.indentation / bem.scales.indentation, 1, .01);
-    EXPECT_NEAR(fem.scales.unit_shift / bem.scales.unit_shift, 1, .01);
+    // Of the point whose pressure is infinite under a tip, which an element blurs.
+    const double at_centre = contact::has_conical_tip(c) ? .05 : .02;
+    EXPECT_NEAR(fem.scales.unit_shift / bem.scales.unit_shift, 1, at_centre);
     EXPECT_NEAR(fem.static_shift / bem.static_shift, 1, .02);
     EXPECT_NEAR(fem.shift_per_period.back() / bem.shift_per_period.back(), 1, .03);
     EXPECT_NEAR(fem.limit_tangential_ratio / bem.limit_tangential_ratio, 1, .02);
