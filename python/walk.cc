@@ -5,6 +5,7 @@
 #include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_report.h"
 #include "dynamics/walk_run.h"
+#include "io/atomic_file.h"
 #include "io/walk_writer.h"
 #include "python/bindings.h"
 
@@ -51,7 +52,9 @@ void add_walk(py::module_& module) {
     module.def("_walk", walk, py::arg("case"));
     module.def("_sweep", sweep, py::arg("study"), py::arg("folder"), py::arg("jobs"),
                py::arg("retry_failed"), py::arg("vtk"), py::arg("report"));
-    module.def("_default_sweep_folder", app::default_sweep_folder, py::arg("study"));
+    module.def(
+        "_default_sweep_folder",
+        [](const std::string& study) { return io::output_folder({}, study); }, py::arg("study"));
 }
 
 }  // namespace tricontact::python
