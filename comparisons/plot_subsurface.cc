@@ -59,7 +59,7 @@ Plot section_plot(const History& history) {
             "set palette defined (0 '#440154', 1 '#46327e', 2 '#365c8d', 3 '#277f8e', "
             "4 '#1fa187', 5 '#4ac16d', 6 '#a0da39', 7 '#fde725')\n"
             "set xrange [-{0}:{0}]\nset yrange [{1:.4g}:0]\nset cbrange [0:*]\n"
-            "set size ratio {2:.4g}\nset xlabel 'x/a'\nset ylabel 'z/a' offset 1,0\n"
+            "set size ratio {2:.4g}\nset xlabel 'x/a'\nset ylabel 'z/a' offset -1,0\n"
             "set cblabel 'von Mises / p_0'\n"
             "set label 1 '' at {3:.5g},{4:.5g},0 point pointtype 1 pointsize 1.4 linecolor rgb "
             "'#000000' front\n"
