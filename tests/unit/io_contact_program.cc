@@ -14,26 +14,15 @@
 #include "io/contact_program/program_case.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/sequence_text.h"
+#include "tests/unit/io_sphere_case.h"
 
 namespace tricontact::io {
 namespace {
 
 using contact::Case;
 
-const std::string sphere = R"(
-title = "A rig % with a comment"
-models = ["bem"]
-[indenter]
-radius = "40 mm"
-[substrate]
-young = "5.2 MPa"
-poisson = 0.5
-[friction]
-coefficient = 0.57
-[load]
-normal_force = "21.1 N"
-tangential_ratio = 0.56
-press_steps = 3
+const std::string sphere =
+    "title = \"A rig % with a comment\"\n" + loaded_sphere + R"(press_steps = 3
 [rolling]
 amplitude = "1.3 mm"
 steps_per_quarter = 2
