@@ -71,7 +71,8 @@ void sweep_command(const SweepOptions& options) {
     io::make_output_folder(folder);
     io::ResultStore store(folder + '/' + io::result_store_name);
     const std::string table = folder + '/' + table_name, report = folder + '/' + report_name;
-    io::remove_old_results(folder, {table_name, report_name});  // they seem those of a whole sweep
+    // Those of an earlier sweep must not seem to be of this one while it is unfinished.
+    io::remove_old_results(folder, {table_name, report_name});
     run->compute(store, folder);
     io::write_file(table, run->table(store));
     if (options.report)

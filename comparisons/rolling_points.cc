@@ -1,6 +1,5 @@
 #include "comparisons/rolling_points.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
