@@ -5,6 +5,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/layer_report.h"
+#include "contact/far_sides.h"
 
 namespace tricontact::comparisons {
 
@@ -12,10 +13,9 @@ namespace {
 
 using contact::Case;
 
-constexpr double wide_enough = 6;  // thicknesses from the centre to a side
-
 /// "3.19 % larger"
 std::string larger(double ratio) {
+    if (ratio == 1) return "equal";
     return fmt::format("{} % {}", significant(100 * std::abs(ratio - 1), 3),
                        ratio > 1 ? "larger" : "smaller");
 }
@@ -75,7 +75,7 @@ std::string apparent_sentence(const Case& c, const LayerComparison& layer) {
     const ApparentModuli& apparent = *layer.apparent;
     return fmt::format(
         "Hertz' theory would identify on this layer E = {} from force and indentation, {} from "
-        "the contact radius{}; the rubber has {}.",
+        "the contact radius{}; the layer has {}.",
         quantity(apparent.from_indentation, "Pa", 3),
         quantity(apparent.from_contact_radius, "Pa", 3),
         apparent.from_unit_shift
@@ -99,17 +99,21 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
             "The block is that of {}; exact layer and half-space are infinitely "
             "wide.",
             *c.fem.mesh);
+    const double far = contact::far_sides(c);
     if (!layer.half_width && !layer.half_depth)
-        return "The block is chosen wide enough for its sides not to be felt (6 thicknesses to "
-               "each side, or more); exact layer and half-space are infinitely wide.";
+        return fmt::format(
+            "The block is chosen wide enough for its sides to be hardly felt ({} "
+            "thicknesses to each side, or more); exact layer and half-space are "
+            "infinitely wide.",
+            far);
     std::string text = fmt::format("The block is finite: {}, {}.",
                                    side_text("width", layer.half_width, c.layer.width),
                                    side_text("depth", layer.half_depth, c.layer.depth));
-    if (std::min(layer.half_width.value_or(wide_enough), layer.half_depth.value_or(wide_enough)) <
-        wide_enough)
-        text +=
-            " Less than 6 are felt; exact layer and half-space are infinitely wide and do not "
-            "tell by how much.";
+    if (std::min(layer.half_width.value_or(far), layer.half_depth.value_or(far)) < far)
+        text += fmt::format(
+            " Less than {} may be felt; exact layer and half-space are infinitely "
+            "wide and do not tell by how much.",
+            far);
     return text;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/far_sides.h"
 #include "contact/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "fem/patch.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/far_sides.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
 
@@ -78,15 +79,6 @@ contact::NormalControl hardest_press(const Case& c) {
 
 bool is_symmetric(const Case& c) {
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
-}
-
-// On a bonded base 0.01 % is left of the difference between held and free sides at 6 thicknesses; a
-// line's displacements fall slower with the distance, 0.03 % at 6 and 0.003 % at 8.
-// On a frictionless one the layer is a sheet whose sides are felt as the inverse square of their
-// distance: 1.4 % at 6 thicknesses, nu = 1/2.
-double far_sides(const Case& c) {
-    if (c.layer.base != Case::Base::bonded) return 40;
-    return c.is_line_contact() ? 8 : 6;
 }
 
 meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius) {

@@ -16,9 +16,6 @@ bool is_symmetric(const contact::Case& c);
 /// Short over long half axis of the case's contact on the half-space, 1 of a circle.
 double narrowness(const contact::Case& c);
 
-/// Distance of the sides from the load at which they are hardly felt, in thicknesses.
-double far_sides(const contact::Case& c);
-
 /// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path.
 /// Under a cylinder a slice in plane strain; under a roller the patch is as long as it, and finer
 /// towards its ends.
