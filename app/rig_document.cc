@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/rig_text.h"
+#include "contact/sentence.h"
 
 namespace tricontact::app {
 
@@ -183,22 +184,60 @@ void add_figures(DocumentSection& section, const rig::ForceCurves& curves) {
                                            curves.layer_indentation));
 }
 
-Verdict printed_verdict(const std::vector<rig::PrintedCheck>& printed) {
+/// "contact radius 4.56 mm; indentation 0.52 mm": printed numbers that `flagged` picks.
+template <class Flagged>
+std::string names_of(const std::vector<rig::PrintedCheck>& printed, const Flagged& flagged) {
     std::string names;
-    int n = 0;
     for (const rig::PrintedCheck& check : printed) {
-        if (!check.calculation || !is_flagged(check)) continue;
+        if (!check.calculation || !flagged(check)) continue;
         std::string name = check.printed.name;
         std::ranges::replace(name, '_', ' ');
-        names += fmt::format("{}{} {}", n++ ? "; " : "", name, check.printed.text);
+        names += fmt::format("{}{} {}", names.empty() ? "" : "; ", name, check.printed.text);
     }
-    if (n == 0)
-        return {Verdict::Standing::finding,
-                fmt::format("All {} printed numbers that can be computed follow from the others.",
-                            printed.size())};
-    return {Verdict::Standing::finding,
-            fmt::format("{} of {} printed numbers do not follow from the others: {}.", n,
-                        printed.size(), names)};
+    return names;
+}
+
+/// How many of the printed numbers can be computed, and which of these disagree.
+struct PrintedSubject {
+    std::size_t n_printed = 0, n_computed = 0, n_differ = 0;
+    std::string differ, wrong_error;
+};
+
+PrintedSubject subject_of(const std::vector<rig::PrintedCheck>& printed) {
+    const auto differs = [](const auto& check) { return check.agreement == Agreement::differs; };
+    const auto computed = [](const auto& check) { return check.calculation.has_value(); };
+    return {printed.size(), static_cast<std::size_t>(std::ranges::count_if(printed, computed)),
+            static_cast<std::size_t>(std::ranges::count_if(printed, differs)),
+            names_of(printed, differs), names_of(printed, [&](const auto& check) {
+                return !check.error_agrees && !differs(check);
+            })};
+}
+
+constexpr contact::Sentence<PrintedSubject> printed_sentences[] = {
+    {[](const PrintedSubject& s) { return s.n_computed < s.n_printed; },
+     [](const PrintedSubject& s) {
+         return fmt::format("{} of {} printed numbers can be computed from the others.",
+                            s.n_computed, s.n_printed);
+     }},
+    {[](const PrintedSubject& s) { return s.n_computed > 0 && s.n_differ == 0; },
+     [](const PrintedSubject& s) {
+         return fmt::format(
+             "All that can be computed ({}) follow from the others, rounded or "
+             "within their errors.",
+             s.n_computed);
+     }},
+    {[](const PrintedSubject& s) { return s.n_differ > 0; },
+     [](const PrintedSubject& s) {
+         return fmt::format("{} of {} printed numbers do not follow from the others: {}.",
+                            s.n_differ, s.n_computed, s.differ);
+     }},
+    {[](const PrintedSubject& s) { return !s.wrong_error.empty(); },
+     [](const PrintedSubject& s) {
+         return fmt::format("Printed with an error that does not follow: {}.", s.wrong_error);
+     }}};
+
+Verdict printed_verdict(const std::vector<rig::PrintedCheck>& printed) {
+    return {Verdict::Standing::finding, told(printed_sentences, subject_of(printed))};
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct RollingRig {
         Uncertain poisson;                   ///< nu_2 [-]
         std::optional<Uncertain> density;    ///< rho [kg/m^3]
         std::optional<Uncertain> viscosity;  ///< eta [Pa s] of a standard solid with G_1 = E_2's
+        std::optional<Uncertain> maxwell_ratio;  ///< G_2/G_1 of that solid
     };
     struct Drive {
         Uncertain speed;                            ///< v [m/s] of the roller's centre

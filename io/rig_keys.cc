@@ -39,6 +39,7 @@ std::vector<RigKey> rig_keys(RollingRig& rig) {
         {"substrate.poisson", none, poisson_range, "0.5", &substrate.poisson},
         {"substrate.density", density, positive, R"("1100 kg/m3")", &substrate.density},
         {"substrate.viscosity", viscosity, positive, R"("40 Pa s")", &substrate.viscosity},
+        {"substrate.maxwell_ratio", none, positive, "10", &substrate.maxwell_ratio},
         {"friction.coefficient", none, above_zero(100), "0.57", &rig.friction_coefficient},
         {"load.normal_force", force, positive, R"("21.1 N")", &rig.normal_force},
         {"drive.speed", velocity, positive, R"("1 mm/s")", &drive.speed},

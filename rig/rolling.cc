@@ -1,5 +1,6 @@
 #include "rig/rolling.h"
 
+#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
 
 namespace tricontact::rig {
@@ -14,7 +15,7 @@ RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_sh
     report.assumptions.push_back(uncoupled(rig, static_shift));
     if (!cylinder) {
         report.assumptions.push_back(fitted_constants(rig));
-        report.curves = force_curves(rig);
+        if (roller_is_rigid(rig)) report.curves = force_curves(rig);
     }
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;

@@ -3,8 +3,11 @@
 
 #include <cmath>
 
+#include "contact/number_text.h"
+#include "contact/sentence.h"
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
+#include "rig/thesis_rigs.h"
 #include "theory/hertz.h"
 
 namespace tricontact::rig {
@@ -12,7 +15,10 @@ namespace tricontact::rig {
 namespace {
 
 using contact::HalfSpaceScales;
+using contact::quantity;
 using contact::RollingRig;
+using contact::Sentence;
+using contact::significant;
 using theory::LayerContact;
 
 constexpr const char* hertz_source = "(2.1.8), (2.1.9)";
@@ -133,53 +139,104 @@ double ratio(const Quantity& q, const RollingRig& rig) {
     return layer_value(q, x) / hertz_value(q, x);
 }
 
-std::string beside(double ratio) {
-    return fmt::format("{:.1f} % {}", 100 * std::abs(ratio - 1),
-                       ratio < 1 ? "below Hertz" : "above Hertz");
+/// The contact of a rig, by both theories where both hold.
+struct Subject {
+    const RollingRig& rig;
+    bool rigid = roller_is_rigid(rig);
+};
+
+bool rigid(const Subject& s) {
+    return s.rigid;
+}
+bool not_rigid(const Subject& s) {
+    return !s.rigid;
+}
+bool measured(const Subject& s) {
+    return s.rigid && s.rig.measured_contact_size.has_value();
+}
+bool measured_with_error(const Subject& s) {
+    return measured(s) && s.rig.measured_contact_size->standard_error > 0;
+}
+bool measured_without_error(const Subject& s) {
+    return measured(s) && !measured_with_error(s);
 }
 
-std::string print_sentence(const RollingRig& rig) {
-    if (!rig.measured_contact_size) return "";
-    const double hertz = 2 * half_size(rig), layer = hertz * ratio(quantities[0], rig);
-    const auto [size, error] = *rig.measured_contact_size;
+std::string layer_sentence(const Subject& s) {
+    const auto beside = [&](std::size_t i) { return beside_hertz(ratio(quantities[i], s.rig)); };
+    return fmt::format(
+        "Indentation is {}: E from force and indentation would be {} times the true one. The "
+        "stiffness is {} times Hertz', the peak pressure {}, the unit of shift {}. The contact "
+        "radius is {}.",
+        beside(1), significant(modulus_factor(s.rig, true).result.value, 3),
+        significant(ratio(quantities[4], s.rig), 3), beside(2), beside(3), beside(0));
+}
+
+std::string measured_sentence(const Subject& s) {
+    const double hertz = 2 * half_size(s.rig), layer = hertz * ratio(quantities[0], s.rig);
+    const auto [size, error] = *s.rig.measured_contact_size;
     const bool fits_hertz = std::abs(size - hertz) <= error;
     const bool fits_layer = std::abs(size - layer) <= error;
     const char* verdict = fits_hertz && fits_layer ? "cannot tell the two apart"
                           : fits_layer             ? "fits the layer, not Hertz"
                           : fits_hertz             ? "fits Hertz, not the layer"
                                                    : "fits neither";
-    return fmt::format(
-        " The measured diameter of {:.2f} ± {:.2f} mm {}: {:.2f} mm on the layer, {:.2f} mm by "
-        "Hertz.",
-        1e3 * size, 1e3 * error, verdict, 1e3 * layer, 1e3 * hertz);
+    const auto unit = contact::fitting_prefix(size);
+    return fmt::format("The measured diameter of {} {}m {}: {} on the layer, {} by Hertz.",
+                       contact::with_error(size / unit.factor, error / unit.factor), unit.symbol,
+                       verdict, quantity(layer, "m", 3), quantity(hertz, "m", 3));
 }
 
+std::string unjudged_sentence(const Subject& s) {
+    const double hertz = 2 * half_size(s.rig);
+    return fmt::format(
+        "The measured diameter of {}, whose error is not given, stands beside {} on the layer and "
+        "{} by Hertz.",
+        quantity(s.rig.measured_contact_size->value, "m", 3),
+        quantity(hertz * ratio(quantities[0], s.rig), "m", 3), quantity(hertz, "m", 3));
+}
+
+std::string elastic_roller_sentence(const Subject& /*s*/) {
+    return "The roller is not rigid beside the substrate, as the layer's theory takes it: the "
+           "two contacts are not compared.";
+}
+
+constexpr Sentence<Subject> sentences[] = {{rigid, layer_sentence},
+                                           {measured_with_error, measured_sentence},
+                                           {measured_without_error, unjudged_sentence},
+                                           {not_rigid, elastic_roller_sentence}};
+
 }  // namespace
+
+Criterion thick_enough(Calculation thickness_ratio) {
+    return {std::move(thickness_ratio), Criterion::Relation::at_least, 1,
+            "the rule of Wetter (2016), section 5.1.5: necessary, not sufficient"};
+}
+
+std::string half_space_claim(const RollingRig& rig) {
+    return is_thesis_rig(rig) ? "The substrate is a half-space, since b >= D_c suffices"
+                              : "The substrate is a half-space";
+}
 
 Assumption half_space(const RollingRig& rig) {
     Assumption a{.name = "half_space",
                  .title = "Half-space",
-                 .claim = "The substrate is a half-space, since b >= D_c suffices",
-                 .criteria = {{thickness_ratio(rig), Criterion::Relation::at_least, 1,
-                               "the thesis' own rule (section 5.1.5)"}},
+                 .claim = half_space_claim(rig),
+                 .criteria = {thick_enough(thickness_ratio(rig))},
                  .background = {},
                  .missing = {},
-                 .consequence = {}};
+                 .consequence = told(sentences, Subject{rig})};
+    const bool compared = roller_is_rigid(rig);
+    if (!compared) a.missing = {theory_of_elastic_roller};
     for (const Quantity& q : quantities) {
+        a.background.push_back(on_half_space(q, rig));
+        if (!compared) continue;
         a.criteria.push_back({difference(q, rig), Criterion::Relation::at_most, accepted_difference,
                               accepted_reason});
-        a.background.push_back(on_half_space(q, rig));
         a.background.push_back(on_layer(q, rig));
     }
-    a.background.push_back(modulus_factor(rig, true));
-    a.background.push_back(modulus_factor(rig, false));
-    a.consequence = fmt::format(
-        "Indentation is {}: E from force and indentation would be {:.2f} times the true one. "
-        "The stiffness is {:.2f} times Hertz', the peak pressure {}, the unit of shift {}. "
-        "The contact radius is {}.{}",
-        beside(ratio(quantities[1], rig)), modulus_factor(rig, true).result.value,
-        ratio(quantities[4], rig), beside(ratio(quantities[2], rig)),
-        beside(ratio(quantities[3], rig)), beside(ratio(quantities[0], rig)), print_sentence(rig));
+    if (compared)
+        for (const bool from_indentation : {true, false})
+            a.background.push_back(modulus_factor(rig, from_indentation));
     return a;
 }
 

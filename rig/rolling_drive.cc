@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "contact/number_text.h"
+#include "contact/sentence.h"
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
 
@@ -11,6 +13,8 @@ namespace tricontact::rig {
 namespace {
 
 using contact::RollingRig;
+using contact::Sentence;
+using contact::significant;
 
 // Inertia changes an amplitude by (f_0/f_1)^2: 1 % at 10.
 constexpr double least_frequency_ratio = 10;
@@ -132,14 +136,37 @@ Calculation wobble_ratio(const RollingRig& rig) {
                       .result = {}});
 }
 
+bool below_resonance(const double& ratio) {
+    return ratio > 1;
+}
+
+// Of f_1/f_0.
+constexpr Sentence<double> inertia_sentences[] = {
+    {below_resonance,
+     [](const double& ratio) {
+         // x/(1 - x), x = (f_0/f_1)^2: an undamped oscillator driven at its base
+         return fmt::format(
+             "Without damping inertia of the rig changes the motion by {}: the "
+             "fastest oscillation is {} times slower than the lowest "
+             "eigenfrequency.",
+             percent_text(1 / (ratio * ratio - 1), 2), significant(ratio, 3));
+     }},
+    {[](const double& ratio) { return !below_resonance(ratio); },
+     [](const double& ratio) {
+         return fmt::format(
+             "The fastest oscillation is {} times as fast as the lowest "
+             "eigenfrequency: inertia of the rig decides its motion.",
+             significant(1 / ratio, 3));
+     }}};
+
 }  // namespace
 
 Assumption quasi_static_drive(const RollingRig& rig) {
     Assumption a{.name = "quasi_static_drive",
                  .title = "Quasi-static drive",
                  .claim =
-                     "The drive is quasi-static: neither the rig nor waves in the substrate "
-                     "have a say",
+                     "The drive is quasi-static: inertia of the rig and elastic waves are "
+                     "negligible",
                  .criteria = {},
                  .background = {smallest_amplitude(rig), excitation_frequency(rig)},
                  .missing = {},
@@ -158,13 +185,8 @@ Assumption quasi_static_drive(const RollingRig& rig) {
                               "shear waves cross the contact a hundred times within a period"});
     else
         a.missing.push_back("substrate.density");
-    if (rig.drive.eigenfrequency) {
-        const double ratio = a.criteria.front().calculation.result.value;
-        a.consequence = fmt::format(
-            "Inertia of the rig changes the motion by {:.2g} %: the fastest oscillation is {:.0f} "
-            "times slower than the lowest eigenfrequency.",
-            100 / (ratio * ratio), ratio);
-    }
+    if (rig.drive.eigenfrequency)
+        a.consequence = told(inertia_sentences, a.criteria.front().calculation.result.value);
     return a;
 }
 
@@ -183,15 +205,15 @@ Assumption ideal_rolling(const RollingRig& rig) {
         return a;
     }
     a.criteria.push_back({wobble_ratio(rig), Criterion::Relation::at_most, largest_wobble,
-                          "measured shifts are of the order mu d, d = a^2/R"});
+                          "measured shifts are of the order mu a^2/R"});
     a.background.push_back(pivot_amplitude(rig));
     a.background.push_back(pivot_height_error(rig));
     if (const auto* height = find_printed(rig, "pivot_height_error"))
         a.background.push_back(pivot_displacement(rig, *height));
     a.consequence = fmt::format(
-        "Shifts wobble by {:.2g} % of mu d within a period; read with the roller upright they are "
+        "Shifts wobble by {} of mu a^2/R within a period; read with the roller upright they are "
         "not touched.",
-        100 * a.criteria.front().calculation.result.value);
+        percent_text(a.criteria.front().calculation.result.value, 2));
     return a;
 }
 

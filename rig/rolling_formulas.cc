@@ -1,8 +1,10 @@
 #include "rig/rolling_formulas.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/line_contact_scales.h"
+#include "contact/number_text.h"
 
 namespace tricontact::rig {
 
@@ -73,6 +75,20 @@ double half_size(const RollingRig& rig) {
 
 theory::Uncertain reference_radius(const RollingRig& rig) {
     return rig.drive.reference_radius.value_or(theory::Uncertain{half_size(rig)});
+}
+
+bool roller_is_rigid(const RollingRig& rig) {
+    const contact::MaterialPair pair = materials_of(values_of(hertz_given(rig)));
+    const contact::Material roller{rig.roller.young.value, rig.roller.poisson.value};
+    return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
+}
+
+std::string percent_text(double share, int digits) {
+    return contact::significant(100 * share, digits) + " %";
+}
+
+std::string beside_hertz(double ratio) {
+    return percent_text(std::abs(ratio - 1)) + (ratio < 1 ? " below Hertz" : " above Hertz");
 }
 
 const contact::PrintedValue* find_printed(const RollingRig& rig, const char* name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "contact/case.h"
@@ -33,11 +34,21 @@ theory::LineContact layer_line_of(const std::vector<double>& x);
 double half_size(const contact::RollingRig& rig);
 /// The radius [m] that amplitude ratios of the rig refer to.
 theory::Uncertain reference_radius(const contact::RollingRig& rig);
+/// The layer's theory takes the roller as rigid: that is so where the roller has less than 1 % of
+/// the compliance, a fifth of what counts as a difference here.
+bool roller_is_rigid(const contact::RollingRig& rig);
+inline constexpr const char* theory_of_elastic_roller =
+    "a theory of the layer under a roller that is not rigid beside it";
 /// The printed value of this name, if the rig has it.
 const contact::PrintedValue* find_printed(const contact::RollingRig& rig, const char* name);
 
 /// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
 inline constexpr double accepted_difference = 0.05;
 inline constexpr const char* accepted_reason = "below the scatter of repeated runs";
+
+/// "3.12 %" of a share.
+std::string percent_text(double share, int digits = 3);
+/// "36.3 % below Hertz", of a quantity over Hertz'.
+std::string beside_hertz(double ratio);
 
 }  // namespace tricontact::rig

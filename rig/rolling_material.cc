@@ -1,66 +1,29 @@
-// The substrate's material: elastic, uncoupled, and what was fitted.
+// The substrate's material: uncoupled, and what was fitted.
 #include <fmt/format.h>
 
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <numeric>
+#include <optional>
 
+#include "contact/number_text.h"
+#include "contact/sentence.h"
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
+#include "rig/thesis_rigs.h"
 #include "theory/layer_compliance.h"
 
 namespace tricontact::rig {
 
 namespace {
 
+using contact::quantity;
 using contact::RollingRig;
+using contact::Sentence;
+using contact::significant;
 
-constexpr double largest_loss = 0.01;
 constexpr double largest_beta = 0.01;
-// G_2/G_1 of the example for the loss modulus; rubbers have more than this.
-constexpr double maxwell_ratio = 10;
-
-std::vector<Given> viscous_given(const RollingRig& rig) {
-    return {{"v", rig.drive.speed, "m/s"},      {"w", rig.drive.smallest_amplitude_ratio, "1"},
-            {"a", reference_radius(rig), "m"},  {"eta", *rig.substrate.viscosity, "Pa s"},
-            {"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}};
-}
-
-double shear_modulus_of(double young, double poisson) {
-    return young / (2 * (1 + poisson));
-}
-
-// omega eta/G_1 of values in the order of viscous_given.
-double viscous_ratio_of(const std::vector<double>& x) {
-    return 2 * std::numbers::pi * x[0] / (4 * x[1] * x[2]) * x[3] / shear_modulus_of(x[4], x[5]);
-}
-
-Calculation viscous(const RollingRig& rig, const char* name, const char* symbol,
-                    const char* formula, const char* source, const char* unit,
-                    double (*function)(const std::vector<double>&)) {
-    return calculate({.name = name,
-                      .symbol = symbol,
-                      .formula = formula,
-                      .source = source,
-                      .unit = unit,
-                      .given = viscous_given(rig),
-                      .function = function,
-                      .result = {}});
-}
-
-Calculation shear_modulus(const RollingRig& rig) {
-    return calculate(
-        {.name = "shear_modulus",
-         .symbol = "G_1",
-         .formula = "E_2/(2 (1 + nu_2))",
-         .source = "section 5.1.5",
-         .unit = "Pa",
-         .given = {{"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}},
-         .function = [](const auto& x) { return shear_modulus_of(x[0], x[1]); },
-         .result = {}});
-}
 
 Calculation dundurs_beta(const RollingRig& rig) {
     return calculate(
@@ -142,49 +105,53 @@ Calculation layer_modulus(const RollingRig& rig, bool as_factor) {
                       .result = {}});
 }
 
-}  // namespace
+/// Whether normal and tangential contact couple, on half-spaces and on the layer.
+struct CouplingSubject {
+    double beta, layer;            ///< |beta|; |C_13| over the mean of C_11 and C_33
+    std::optional<double> effect;  ///< on the static shift, if it was computed
+};
 
-Assumption elastic_substrate(const RollingRig& rig) {
-    Assumption a{.name = "elastic_substrate",
-                 .title = "Elastic rubber",
-                 .claim = "The rubber is elastic at the speed of the drive",
-                 .criteria = {},
-                 .background = {shear_modulus(rig)},
-                 .missing = {},
-                 .consequence = {}};
-    if (!rig.substrate.viscosity) {
-        a.missing = {"substrate.viscosity"};
-        return a;
-    }
-    a.criteria.push_back({viscous(rig, "viscous_ratio", "omega eta/G_1",
-                                  "2 pi v/(4 w a) eta/G_1, G_1 = E_2/(2 (1 + nu_2))", "(5.1.17)",
-                                  "1", viscous_ratio_of),
-                          Criterion::Relation::at_most, largest_loss,
-                          "the loss angle of the standard solid at low frequencies"});
-    a.background.push_back(viscous(
-        rig, "elastic_speed", "v_max", "0.01 v/(omega eta/G_1)", "(5.1.17)", "m/s",
-        [](const std::vector<double>& x) { return largest_loss * x[0] / viscous_ratio_of(x); }));
-    a.background.push_back(viscous(rig, "loss_modulus", "G''/(omega eta)",
-                                   "1/(1 + (omega tau)^2), tau = eta/G_2, G_2 = 10 G_1",
-                                   "standard solid", "1", [](const std::vector<double>& x) {
-                                       const double t = viscous_ratio_of(x) / maxwell_ratio;
-                                       return 1 / (1 + t * t);
-                                   }));
-    a.background.push_back(
-        viscous(rig, "loss_modulus_as_printed", "G''/(omega eta), print",
-                "omega tau/(1 + (omega tau)^2), from G'' = G_2 (omega tau)^2/(1 + (omega tau)^2)",
-                "(5.1.16)", "1", [](const std::vector<double>& x) {
-                    const double t = viscous_ratio_of(x) / maxwell_ratio;
-                    return t / (1 + t * t);
-                }));
-    a.consequence = fmt::format(
-        "Viscous stresses are one part in {:.0f} of the elastic ones; they reach 1 % at a drive "
-        "speed of {:.0f} mm/s. The loss modulus as printed in (5.1.16) has a square too many: a "
-        "slow dash-pot gives G'' = omega eta, the print one part in {:.0f} of that.",
-        1 / a.criteria.front().calculation.result.value, 1e3 * a.background[1].result.value,
-        1 / a.background[3].result.value);
-    return a;
+bool half_spaces_couple(const CouplingSubject& s) {
+    return s.beta > largest_beta;
 }
+bool half_spaces_do_not_couple(const CouplingSubject& s) {
+    return !half_spaces_couple(s);
+}
+bool effect_is_accepted(const CouplingSubject& s) {
+    return s.effect && *s.effect <= accepted_difference;
+}
+bool effect_is_not_accepted(const CouplingSubject& s) {
+    return s.effect && *s.effect > accepted_difference;
+}
+
+constexpr Sentence<CouplingSubject> coupling_sentences[] = {
+    {half_spaces_do_not_couple,
+     [](const CouplingSubject& s) {
+         return fmt::format("Two half-spaces of these materials would not couple: |beta| = {}.",
+                            significant(s.beta, 2));
+     }},
+    {half_spaces_couple,
+     [](const CouplingSubject& s) {
+         return fmt::format("Two half-spaces of these materials would couple: |beta| = {}.",
+                            significant(s.beta, 2));
+     }},
+    {contact::always,
+     [](const CouplingSubject& s) {
+         return fmt::format(
+             "On the bonded layer the coupling compliance |C_13| is {} of "
+             "sqrt(C_11 C_33) at the wave number 1/a.",
+             percent_text(s.layer, 2));
+     }},
+    {effect_is_accepted,
+     [](const CouplingSubject& s) {
+         return fmt::format("Coupling changes the static shift by {} only.",
+                            percent_text(*s.effect, 2));
+     }},
+    {effect_is_not_accepted, [](const CouplingSubject& s) {
+         return fmt::format("Coupling changes the static shift by {}.", percent_text(*s.effect, 2));
+     }}};
+
+}  // namespace
 
 Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
     using enum Criterion::Relation;
@@ -196,36 +163,42 @@ Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
                  .background = {layer_coupling(rig)},
                  .missing = {},
                  .consequence = {}};
-    a.consequence = fmt::format(
-        "Two half-spaces of these materials would not couple. The bonded layer does, at {:.0f} % "
-        "of the geometric mean of its compliances at the wave number 1/a",
-        100 * a.background.front().result.value);
-    if (!static_shift) {
+    CouplingSubject subject{
+        a.criteria.front().calculation.result.value, a.background.front().result.value, {}};
+    if (static_shift && roller_is_rigid(rig)) {
+        a.criteria.push_back({coupling_effect(static_shift(rig, true), static_shift(rig, false)),
+                              at_most, accepted_difference, accepted_reason});
+        subject.effect = a.criteria.back().calculation.result.value;
+    } else {
         a.missing = {"the effect of the layer's coupling on the shift"};
-        a.consequence += '.';
-        return a;
     }
-    a.criteria.push_back({coupling_effect(static_shift(rig, true), static_shift(rig, false)),
-                          at_most, accepted_difference, accepted_reason});
-    a.consequence += fmt::format(", but that changes the static shift by {:.2f} % only.",
-                                 100 * a.criteria.back().calculation.result.value);
+    a.consequence = told(coupling_sentences, subject);
     return a;
 }
 
 Assumption fitted_constants(const RollingRig& rig) {
     Assumption a{.name = "fitted_constants",
                  .title = "Fitted constants",
-                 .claim = "E_2, fitted to static shifts by the half-space, is the rubber's",
-                 .criteria = {{layer_modulus(rig, true), Criterion::Relation::at_most,
-                               accepted_difference, accepted_reason}},
-                 .background = {layer_modulus(rig, false)},
+                 .claim = is_thesis_rig(rig)
+                              ? "E_2, fitted to static shifts by the half-space, is the rubber's"
+                              : "E_2, if fitted to static shifts by the half-space, is the "
+                                "substrate's",
+                 .criteria = {},
+                 .background = {},
                  .missing = {},
                  .consequence = {}};
+    if (!roller_is_rigid(rig)) {
+        a.missing = {theory_of_elastic_roller};
+        return a;
+    }
+    const Calculation error = layer_modulus(rig, true), modulus = layer_modulus(rig, false);
+    a.criteria = {{error, Criterion::Relation::at_most, accepted_difference, accepted_reason}};
+    a.background = {modulus};
     a.consequence = fmt::format(
-        "The half-space finds {:.2f} MPa where the layer has {:.2f} MPa: {:.0f} % too high. mu is "
+        "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is "
         "not touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
-        1e-6 * rig.substrate.young.value, 1e-6 * a.background.front().result.value,
-        100 * a.criteria.front().calculation.result.value);
+        quantity(rig.substrate.young.value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
+        percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
     return a;
 }
 

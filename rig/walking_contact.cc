@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/number_text.h"
+#include "contact/sentence.h"
 #include "rig/walking_formulas.h"
 #include "rig/walking_parts.h"
 
@@ -11,6 +13,9 @@ namespace tricontact::rig {
 
 namespace {
 
+using contact::quantity;
+using contact::Sentence;
+using contact::significant;
 using contact::WalkingRig;
 
 constexpr double largest_factor = 2;
@@ -179,25 +184,74 @@ Calculation weight_ratio(const WalkingRig& rig) {
                       .result = {}});
 }
 
+std::string claim_of_diameter(const WalkingRig& rig) {
+    const int ways = 1 + (rig.contact.wear_diameter ? 1 : 0) + (rig.oscillation ? 1 : 0);
+    if (ways == 1) return "Hertz' formula finds the contact diameter of the evaluation";
+    return fmt::format("{} ways find the same contact diameter", ways == 2 ? "Two" : "Three");
+}
+
+/// D_c of Hertz over that of the evaluation, beside the rig.
+struct EdgeSubject {
+    const WalkingRig& rig;
+    double hertz = hertz_diameter(rig).result.value;
+    double ratio = hertz_ratio(rig).calculation.result.value;
+};
+
+constexpr Sentence<EdgeSubject> edge_sentences[] = {
+    {contact::always,
+     [](const EdgeSubject& s) {
+         return fmt::format(
+             "A round edge of {} pressed for the first time has a contact of {} "
+             "diameter, {} times as stiff as one of D_c = {}.",
+             quantity(s.rig.specimen.edge_radius.value, "m", 3), quantity(s.hertz, "m", 2),
+             significant(s.ratio, 2), quantity(s.rig.contact.diameter.value, "m", 2));
+     }},
+    {[](const EdgeSubject& s) { return s.ratio < 1 / largest_factor; },
+     [](const EdgeSubject& /*s*/) {
+         return std::string(
+             "The evaluation rests on contacts that are not fresh edges, as by "
+             "wear.");
+     }}};
+
+/// The contact stiffness k_x, and its relative standard error.
+struct StiffnessSubject {
+    const WalkingRig& rig;
+    double error = 0;
+};
+
+bool error_is_known(const StiffnessSubject& s) {
+    return s.error > 0;
+}
+bool time_has_an_error(const StiffnessSubject& s) {
+    return s.rig.oscillation && s.rig.oscillation->time.standard_error > 0;
+}
+
+constexpr Sentence<StiffnessSubject> stiffness_sentences[] = {
+    {error_is_known,
+     [](const StiffnessSubject& s) {
+         return fmt::format("The contact stiffness is uncertain by {} %.",
+                            significant(100 * s.error, 2));
+     }},
+    {time_has_an_error, [](const StiffnessSubject& s) {
+         const auto& [time, error] = s.rig.oscillation->time;
+         return fmt::format("It goes with 1/tau^2, so that the {} % of tau count twice.",
+                            significant(100 * error / time, 2));
+     }}};
+
 }  // namespace
 
 Assumption contact_diameter(const WalkingRig& rig) {
     Assumption a{.name = "contact_diameter",
                  .title = "Contact diameter",
-                 .claim = "Three ways find the same contact diameter",
+                 .claim = claim_of_diameter(rig),
                  .criteria = {hertz_ratio(rig)},
                  .background = {hertz_diameter(rig), normal_stiffness(rig),
                                 tangential_stiffness(rig), stiffness_ratio(rig), half_height(rig),
                                 half_width(rig), slenderness(rig), weight_ratio(rig)},
                  .missing = {},
-                 .consequence = {}};
+                 .consequence = told(edge_sentences, EdgeSubject{rig})};
     if (rig.contact.wear_diameter) a.criteria.push_back(wear_ratio(rig));
     if (rig.oscillation) a.background.push_back(diameter_of_frequency(rig));
-    a.consequence = fmt::format(
-        "A round edge of {:.3g} mm pressed for the first time has a contact of {:.2f} mm, {:.1f} "
-        "times less stiff than D_c = {:.2g} mm: the evaluation rests on worn contacts.",
-        1e3 * rig.specimen.edge_radius.value, 1e3 * a.background.front().result.value,
-        1 / a.criteria.front().calculation.result.value, 1e3 * rig.contact.diameter.value);
     return a;
 }
 
@@ -214,12 +268,11 @@ Assumption known_stiffness(const WalkingRig& rig) {
                  .consequence = {}};
     if (rig.oscillation)
         a.background = {characteristic_time(rig), stiffness, stiffness_of_means(rig)};
-    const double error = a.criteria.front().calculation.result.value;
-    a.consequence = fmt::format("The contact stiffness is uncertain by {:.0f} %.", 100 * error);
-    if (rig.oscillation)
-        a.consequence +=
-            fmt::format(" It goes with 1/tau^2, so that the {:.0f} % of tau count twice.",
-                        100 * rig.oscillation->time.standard_error / rig.oscillation->time.value);
+    const StiffnessSubject subject{rig, a.criteria.front().calculation.result.value};
+    if (!error_is_known(subject))
+        a.missing = {rig.oscillation ? "standard errors of specimen.mass and oscillation.time"
+                                     : "standard errors of contact.diameter and of the materials"};
+    a.consequence = told(stiffness_sentences, subject);
     return a;
 }
 

@@ -102,7 +102,7 @@ Calculation spring_stiffness(const WalkingRig& rig) {
     if (rig.spring.sensor_stiffness) {
         c.given.push_back({"k_sensor", *rig.spring.sensor_stiffness, "N/m"});
     } else {
-        c.formula = "k, the sensor being rigid";
+        c.formula = "k, the sensor taken as rigid";
         c.function = [](const auto& x) { return x[0]; };
     }
     return calculate(std::move(c));

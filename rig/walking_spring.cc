@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/number_text.h"
 #include "rig/walking_formulas.h"
 #include "rig/walking_parts.h"
 
@@ -11,6 +12,7 @@ namespace tricontact::rig {
 
 namespace {
 
+using contact::significant;
 using contact::WalkingRig;
 using Relation = Criterion::Relation;
 
@@ -101,8 +103,11 @@ Assumption similar_stiffness(const WalkingRig& rig) {
                          {kappa, Relation::at_most, largest_kappa1, reason}},
             .background = {spring_stiffness(rig)},
             .missing = {},
-            .consequence = fmt::format("kappa_1 is {:.2g} ± {:.1g}.", kappa.result.value,
-                                       kappa.result.standard_error)};
+            .consequence = fmt::format(
+                "kappa_1 is {}.",
+                kappa.result.standard_error > 0
+                    ? contact::with_error(kappa.result.value, kappa.result.standard_error)
+                    : significant(kappa.result.value, 3))};
 }
 
 Assumption rigid_sensor(const WalkingRig& rig) {
@@ -120,15 +125,15 @@ Assumption rigid_sensor(const WalkingRig& rig) {
     a.criteria = {{series_ratio(rig), Relation::at_least, least_series_ratio,
                    "5 % of the spring's stiffness"}};
     a.consequence =
-        fmt::format("With the sensor in series the spring is {:.1f} % softer than alone.",
-                    100 * (1 - a.criteria.front().calculation.result.value));
+        fmt::format("With the sensor in series the spring is {} % softer than alone.",
+                    significant(100 * (1 - a.criteria.front().calculation.result.value), 2));
     return a;
 }
 
 Assumption rod_as_spring(const WalkingRig& rig) {
     Assumption a{.name = "rod_as_spring",
                  .title = "Rod as a spring",
-                 .claim = "The rod pulls only: its bending acts on nothing",
+                 .claim = "The rod pulls only: its bending is negligible",
                  .criteria = {},
                  .background = {},
                  .missing = {},
@@ -154,9 +159,9 @@ Assumption rod_as_spring(const WalkingRig& rig) {
                slender),
         of_rod(rig, "beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2", "(5.2.42)", "1",
                over_width, {width})};
-    a.consequence = fmt::format(
-        "Bending adds {:.2g} % to the contact's force and {:.2g} % to its moment.",
-        100 * a.criteria[0].calculation.result.value, 100 * a.criteria[1].calculation.result.value);
+    a.consequence = fmt::format("Bending adds {} % to the contact's force and {} % to its moment.",
+                                significant(100 * a.criteria[0].calculation.result.value, 2),
+                                significant(100 * a.criteria[1].calculation.result.value, 2));
     return a;
 }
 
@@ -173,9 +178,10 @@ Assumption no_tilting(const WalkingRig& rig) {
         return a;
     }
     a.criteria = {{tilting_ratio(rig), Relation::at_most, 1, "at mu_c one contact lifts off"}};
-    a.consequence =
-        fmt::format("The critical coefficient is {:.2f}.",
-                    rig.friction_coefficient.value / a.criteria.front().calculation.result.value);
+    a.consequence = fmt::format(
+        "The critical coefficient is {}.",
+        significant(rig.friction_coefficient.value / a.criteria.front().calculation.result.value,
+                    3));
     return a;
 }
 
@@ -211,8 +217,8 @@ Assumption sampled_often(const WalkingRig& rig) {
                    .given = {frequency},
                    .function = [](const auto& x) { return 2 * x[0] / (2 * std::numbers::pi); },
                    .result = {}})};
-    a.consequence = fmt::format("The force is sampled {:.1f} times as often as it has to be.",
-                                a.criteria.front().calculation.result.value);
+    a.consequence = fmt::format("The force is sampled at {} times the least rate.",
+                                significant(a.criteria.front().calculation.result.value, 3));
     return a;
 }
 

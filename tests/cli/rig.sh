@@ -36,6 +36,22 @@ tells micro_walking_set_5.txt 'Omega_exp = 240 ± 62 Hz'
 tells results/sphere_parallel/rig.json '"standing": "fails"'
 tells results/sphere_parallel/report.html 'does not follow'
 
+tells sphere_parallel.txt '\(5\.1\.16\) has a square too many'
+tells results/sphere_parallel/report.html 'printed numbers do not follow from the others'
+
+# Of another rig no remark on the thesis; what nobody can compute does not follow from anything.
+sed -e 's/"8 mm"/"7 mm"/; /^maxwell_ratio/d' -e '/^\[printed\]/,$d' "$source_dir/rigs/sphere_parallel.toml" >other.toml
+cat >>other.toml <<'END'
+[printed]
+thickness_ratio = {value = "0.78", source = "a note"}
+length_ratio = {value = "20", source = "a note"}
+END
+"$program" rig other.toml >other.txt
+if grep -qE '5\.1\.16|suffices|loss_modulus' other.txt results/other/rig.json; then
+    complain "another rig is told of the thesis"
+fi
+tells results/other/report.html '1 of 2 printed numbers can be computed from the others\. All that can be computed \(1\) follow'
+
 # 3. The same file, the same bytes.
 "$program" rig "$source_dir/rigs/sphere_parallel.toml" --output again >/dev/null
 cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
