@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparisons/format.h"
 #include "comparisons/layer.h"
 #include "comparisons/loading_report.h"
+#include "comparisons/model_assumptions.h"
 
 namespace tricontact::comparisons {
 
@@ -15,8 +15,6 @@ namespace {
 
 using contact::Case;
 using contact::State;
-
-constexpr double negligible_beta = 1e-3;  // of Dundurs: coupling below is not felt
 
 /// "151.6 µm instead of 150.6 µm (+0.64 %)"
 std::string instead(double changed, double chosen, std::optional<double> ratio) {
@@ -68,24 +66,25 @@ std::string coupling_sentence(const Case& c, const std::vector<std::string>& cou
 }
 
 std::string uncoupled_layer_sentence(const std::vector<std::string>& models) {
-    if (std::find(models.begin(), models.end(), "mdr-layer") == models.end()) return {};
-    return "MDR layer has no such coupling: its springs along the line of contact move in one "
-           "direction at a time.";
+    if (std::ranges::find(models, "mdr-layer") == models.end()) return {};
+    return "MDR layer leaves out the coupling of normal and tangential contact: its springs along "
+           "the line of contact move in one direction at a time.";
 }
 
+/// Half-space models that take no coupling: whether that is right for these materials.
 std::string half_space_sentence(const Case& c, const std::vector<std::string>& half_spaces) {
-    const double beta = c.materials().dundurs_beta();
     if (half_spaces.empty()) return {};
     const bool several = half_spaces.size() > 1;
-    if (std::abs(beta) <= negligible_beta)
+    const std::string beta = significant(c.materials().dundurs_beta(), 2);
+    if (!half_spaces_couple(c))
         return fmt::format(
-            "{} {} no such coupling: on a half-space these materials have next to "
-            "none (Dundurs' β = {}).",
-            display_names(half_spaces), several ? "have" : "has", significant(beta, 2));
+            "{} {} no coupling: on a half-space these materials have next to none "
+            "(Dundurs' β = {}).",
+            display_names(half_spaces), several ? "have" : "has", beta);
     return fmt::format(
         "{} {} out the coupling that these materials have on a half-space: Dundurs' "
-        "β = {} is not small.",
-        display_names(half_spaces), several ? "leave" : "leaves", significant(beta, 2));
+        "|β| exceeds {} (β = {}).",
+        display_names(half_spaces), several ? "leave" : "leaves", negligible_beta, beta);
 }
 
 std::string kinematics_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
@@ -112,13 +111,14 @@ std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& 
 
 std::vector<std::string> treatment_sentences(const Case& c, const std::vector<std::string>& models,
                                              const std::vector<LoadingVariant>& variants) {
+    // Without coupling the models that could couple are named as such.
+    Case could = c;
+    could.contact.coupling = true;
     std::vector<std::string> half_spaces, coupled;
-    const bool beta_counts = std::abs(c.materials().dundurs_beta()) > negligible_beta;
     for (const std::string& model : models) {
-        const bool by_beta = model == "bem" && beta_counts && c.contact.coupling;
-        if (is_half_space(model) && !by_beta)
+        if (is_uncoupled_half_space(c, model))
             half_spaces.push_back(model);
-        else if (model != "mdr-layer")
+        else if (couples(could, model))
             coupled.push_back(model);
     }
     std::vector<std::string> result{coupling_sentence(c, coupled, variants),

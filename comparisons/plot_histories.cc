@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/model_assumptions.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
 #include "comparisons/reference.h"
@@ -94,11 +95,13 @@ std::vector<Plot> shift_plots(const contact::Case& c, const Histories& histories
             "'u_{{sd}}, {}', ",
             *theory.shakedown_shift_ratio, theory_colour,
             c.is_line_contact() ? "exact, half-space" : "MDR closed form");
-    curves += fmt::format(
-        "{} with lines dashtype 3 linewidth 1.4 linecolor rgb '{}' title "
-        "'u_{{stat}}, {}'",
-        theory.static_shift_ratio, theory_colour,
-        c.is_line_contact() ? "Cattaneo, half-space" : "Cattaneo–Mindlin");
+    if (theory.static_shift_ratio > 0)
+        curves += fmt::format(
+            "{} with lines dashtype 3 linewidth 1.4 linecolor rgb '{}' title "
+            "'u_{{stat}}, {}{}'",
+            theory.static_shift_ratio, theory_colour, static_theory(c),
+            static_shift_is_relaxed(c) ? "" : ", relaxed");
+    if (curves.ends_with(", ")) curves.resize(curves.size() - 2);
     const std::string script =
         data + plot_style() +
         fmt::format(

@@ -125,10 +125,12 @@ Plot zone_map(const contact::Case& c, const History& history) {
     script += "unset multiplot\n";
     return {"zones_" + history.model,
             "Stick and slip, " + display_name(history.model),
-            "Black: stick; grey: slip; white: open. Outlines: a, or the half axes of an ellipse, "
-            "upright (dotted) and under "
-            "the indenter's present position (red). At the last instant of a shaken-down contact "
-            "nothing slips any more.",
+            std::string("Black: stick; grey: slip; white: open. Outlines: a, or the half axes of "
+                        "an ellipse, upright (dotted) and under the indenter's present position "
+                        "(red).") +
+                (history.state == contact::State::shakedown
+                     ? " At the last instant of a shaken-down contact nothing slips any more."
+                     : ""),
             {width, height, script}};
 }
 

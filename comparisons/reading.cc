@@ -7,6 +7,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/layer.h"
+#include "comparisons/model_assumptions.h"
 #include "comparisons/reference.h"
 #include "contact/pressure_shape.h"
 #include "theory/body_rolling.h"
@@ -20,22 +21,57 @@ using contact::State;
 constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
 constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
 
-std::string limit_sentence(const contact::Case& c, const Reference& r) {
-    if (!r.limit_tangential_ratio) return {};
+using Summaries = std::vector<ModelSummary>;
+
+/// Models for which a closed form of uncoupled, elastic half-spaces decides.
+std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
+    std::vector<std::string> models;
+    for (const ModelSummary& s : summaries)
+        if (is_uncoupled_half_space(c, s.model)) models.push_back(s.model);
+    return models;
+}
+
+/// " of MDR", where not all models are meant.
+std::string of_models(const std::vector<std::string>& models, const Summaries& summaries) {
+    return models.size() == summaries.size() ? "" : " of " + display_names(models);
+}
+
+/// What the limit means for those of the models that it is about.
+std::string expectation(const contact::Case& c, const Summaries& summaries, const Reference& r) {
     const double f = r.tangential_ratio, limit = *r.limit_tangential_ratio;
-    std::string text = fmt::format(
-        "At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = {}{}. ",
-        significant(r.amplitude_ratio, 3), c.layer.thickness ? " on a half-space" : "",
-        contact::is_hertz_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "", significant(limit, 4));
-    if (!(limit > 0))
-        return text + "No point stays in contact throughout: any tangential force ratchets.";
-    text += fmt::format("This case has f_T = {}, {} % {} it: {} is expected{}.", significant(f, 3),
-                        significant(100 * std::abs(f / limit - 1), 3),
-                        f > limit ? "above" : "below", f > limit ? "ratcheting" : "shakedown",
-                        c.relaxation ? " of a drive so slow that the substrate relaxes" : "");
+    const auto models = uncoupled_half_spaces(c, summaries);
+    if (models.empty())
+        return fmt::format("This case has f_T = {}; no model here is an uncoupled half-space.",
+                           significant(f, 3));
+    if (!(limit > 0)) return "No point stays in contact throughout: any tangential force ratchets.";
+    if (f == limit) return "This case is at the limit: the contact converges slowly.";
+    std::string text =
+        fmt::format("This case has f_T = {}, {} % {} it: {} is expected{}{}.", significant(f, 3),
+                    significant(100 * std::abs(f / limit - 1), 3), f > limit ? "above" : "below",
+                    f > limit ? "ratcheting" : "shakedown", of_models(models, summaries),
+                    c.relaxation ? " under a drive so slow that the substrate relaxes" : "");
     if (std::abs(f / limit - 1) < near_limit)
         text += " So close to the limit the contact converges slowly.";
     return text;
+}
+
+std::string limit_sentence(const contact::Case& c, const Summaries& summaries, const Reference& r) {
+    if (!r.limit_tangential_ratio) return {};
+    const bool all = uncoupled_half_spaces(c, summaries).size() == summaries.size();
+    return fmt::format("At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = {}{}. ",
+                       significant(r.amplitude_ratio, 3),
+                       all                 ? ""
+                       : c.layer.thickness ? " on a half-space"
+                                           : " of uncoupled half-spaces",
+                       contact::is_hertz_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "",
+                       significant(*r.limit_tangential_ratio, 4)) +
+           expectation(c, summaries, r);
+}
+
+/// MDR's springs have the exact limit where the pressure falls from the centre on.
+bool has_exact_limit(const contact::Case& c, const ModelSummary& s, const Reference& r) {
+    return r.limit_tangential_ratio && !c.relaxation && is_uncoupled_half_space(c, s.model) &&
+           (s.model != "mdr" || contact::pressure_falls(c));
 }
 
 std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
@@ -44,8 +80,7 @@ std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, co
         "rolling.periods and rerun).",
         display_name(s.model), s.periods, s.periods == 1 ? "period" : "periods",
         significant(s.shift_increment_ratio, 3));
-    // The limit holds for Hertz' pressure and uncoupled, elastic contact.
-    if (r.limit_tangential_ratio && is_half_space(s.model) && !c.relaxation)
+    if (has_exact_limit(c, s, r))
         text += r.tangential_ratio <= *r.limit_tangential_ratio
                     ? " By the exact limit it must shake down in the end."
                     : " By the exact limit it must ratchet.";
@@ -54,6 +89,8 @@ std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, co
 
 std::string verdict_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
     const std::string name = display_name(s.model);
+    if (!s.state && s.tangential_ratio == 0)
+        return fmt::format("{}: pressed without a tangential force.", name);
     if (!s.state)
         return fmt::format("{}: the tangential force shifts the indenter by u = {} ({}).", name,
                            significant(s.static_shift_ratio), quantity(s.static_shift, "m"));
@@ -104,13 +141,12 @@ std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base)
     return text + ".";
 }
 
-std::string static_sentence(const contact::Case& c, const std::vector<ModelSummary>& summaries,
-                            const Reference& r) {
-    if (!(r.static_shift_ratio > 0)) return {};
-    std::string text = fmt::format(
-        "{}u_stat = {} by {}", r.amplitude_ratio > 0 ? "Before rolling: " : "",
-        significant(r.static_shift_ratio),
-        contact::is_hertz_round(c) ? "Cattaneo and Mindlin" : "superposed normal contacts");
+/// Elastic bodies: closed form and models side by side.
+std::string elastic_static_sentence(const contact::Case& c, const Summaries& summaries,
+                                    const Reference& r) {
+    std::string text = fmt::format("{}u_stat = {} by {}{}", c.rolling ? "Before rolling: " : "",
+                                   significant(r.static_shift_ratio), static_theory(c),
+                                   c.layer.thickness ? " on a half-space" : "");
     for (const ModelSummary& s : summaries)
         text +=
             fmt::format("; {} {} ({})", display_name(s.model), significant(s.static_shift_ratio),
@@ -118,69 +154,108 @@ std::string static_sentence(const contact::Case& c, const std::vector<ModelSumma
     return text + ".";
 }
 
-bool has_model(const std::vector<ModelSummary>& summaries, const std::string& name) {
-    return std::any_of(summaries.begin(), summaries.end(),
-                       [&](const ModelSummary& s) { return s.model == name; });
+/// A substrate that still relaxes: its shift is one of a stiffer body, and no closed form's.
+std::string relaxing_static_sentence(const contact::Case& c, const Summaries& summaries,
+                                     const Reference& r) {
+    std::string text;
+    for (const ModelSummary& s : summaries)
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", display_name(s.model),
+                            significant(s.static_shift_ratio));
+    return fmt::format(
+        "{}u_stat, {} after F_T has come, of a substrate that still relaxes: {}. "
+        "Relaxed it would be {} by {}{}.",
+        c.rolling ? "Before rolling: " : "", given_quantity(c.load.hold, "s"), text,
+        significant(r.static_shift_ratio), static_theory(c),
+        c.layer.thickness ? " on a half-space" : "");
 }
 
-void add_half_spaces(const contact::Case& c, const std::vector<ModelSummary>& summaries,
-                     std::vector<std::string>& findings) {
+std::string static_sentence(const contact::Case& c, const Summaries& summaries,
+                            const Reference& r) {
+    if (!(r.static_shift_ratio > 0)) return {};
+    return static_shift_is_relaxed(c) ? elastic_static_sentence(c, summaries, r)
+                                      : relaxing_static_sentence(c, summaries, r);
+}
+
+bool has_model(const Summaries& summaries, const std::string& name) {
+    return std::ranges::find(summaries, name, &ModelSummary::model) != summaries.end();
+}
+
+/// "All models take", "MDR and BEM take", "MDR takes".
+std::string taking(const std::vector<std::string>& models, const Summaries& summaries) {
+    if (models.size() == summaries.size())
+        return models.size() > 1 ? "All models take" : display_names(models) + " takes";
+    return display_names(models) + (models.size() > 1 ? " take" : " takes");
+}
+
+std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> models;
     for (const ModelSummary& s : summaries)
         if (is_half_space(s.model)) models.push_back(s.model);
-    if (models.empty()) return;
-    const std::string who = models.size() == summaries.size()
-                                ? "All models take"
-                                : display_names(models) + (models.size() > 1 ? " take" : " takes");
-    findings.push_back(fmt::format(
-        "{} the bodies as elastic half-spaces: {}. Normal and tangential contact are taken as "
-        "uncoupled{} (Dundurs' β = {}).",
-        who,
-        c.layer.thickness ? "the thickness of the layer is not seen (The layer, below, says what "
-                            "that changes)"
-                          : "a layer of finite thickness, usually stiffer on its rigid base, is "
-                            "not seen",
-        models.size() == summaries.size() ? "" : " there",
-        significant(c.materials().dundurs_beta(), 2)));
+    if (models.empty()) return {};
+    const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
+    return fmt::format("{} the bodies as {}half-spaces: {}.", taking(models, summaries),
+                       c.relaxation ? "" : "elastic ",
+                       c.layer.thickness
+                           ? fmt::format("the thickness of the layer is not seen{}",
+                                         told ? " (The layer, below, says what that changes)" : "")
+                           : "a layer of finite thickness, usually stiffer on its rigid base, is "
+                             "not seen");
 }
 
-/// Where the pressure is not Hertz'.
-std::string pressure_sentence(const contact::Case& c) {
+/// Who couples and who does not, where half-spaces are taken.
+std::string uncoupled_sentence(const contact::Case& c, const Summaries& summaries) {
+    const auto models = uncoupled_half_spaces(c, summaries);
+    if (models.empty()) return {};
+    return fmt::format("{} normal and tangential contact as uncoupled (Dundurs' β = {}).",
+                       taking(models, summaries), significant(c.materials().dundurs_beta(), 2));
+}
+std::string coupled_sentence(const contact::Case& c, const Summaries& summaries) {
+    const bool coupled = std::ranges::any_of(
+        summaries, [&](const ModelSummary& s) { return s.model == "bem" && couples(c, s.model); });
+    if (!coupled) return {};
+    return fmt::format("BEM couples normal and tangential contact (Dundurs' β = {}).",
+                       significant(c.materials().dundurs_beta(), 2));
+}
+
+std::string pressure_sentence(const contact::Case& c, const Summaries& summaries) {
     if (contact::has_conical_tip(c))
         return "Under the tip the pressure is infinite, as a logarithm: a model's peak is that of "
-               "its "
-               "cells there, and grows as they shrink.";
-    if (c.indenter.shape != contact::Case::Shape::profile && theory::has_body_theory(c) &&
-        !contact::pressure_falls(c))
-        return "The pressure is largest in a ring, not at the centre. The shakedown limit of MDR, "
-               "whose "
-               "springs know of line loads only, is then above the exact one.";
-    return {};
+               "its cells there, and grows as they shrink.";
+    if (c.indenter.shape == contact::Case::Shape::profile || !theory::has_body_theory(c) ||
+        contact::pressure_falls(c))
+        return {};
+    std::string text = "The pressure on a half-space is largest in a ring, not at the centre.";
+    if (c.rolling && has_model(summaries, "mdr"))
+        text +=
+            " The shakedown limit of MDR, whose springs know of line loads only, is then above "
+            "the exact one.";
+    return text;
 }
 
 /// What the models leave out, so that nobody reads more into them.
-void add_limitations(const contact::Case& c, const std::vector<ModelSummary>& summaries,
+void add_limitations(const contact::Case& c, const Summaries& summaries,
                      std::vector<std::string>& findings) {
     if (c.rolling && has_model(summaries, "mdr")) {
         findings.push_back(
             "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
             "across it: its result is the same for every angle. Transformed back to three "
-            "dimensions its "
-            "traction may exceed μp: the bound holds spring by spring only.");
+            "dimensions its traction may exceed μp: the bound holds spring by spring only.");
     }
-    add_half_spaces(c, summaries, findings);
-    if (const std::string text = pressure_sentence(c); !text.empty()) findings.push_back(text);
+    for (const std::string& text :
+         {thickness_sentence(c, summaries), uncoupled_sentence(c, summaries),
+          coupled_sentence(c, summaries), pressure_sentence(c, summaries)})
+        if (!text.empty()) findings.push_back(text);
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(
             "The theory column holds for a paraboloid; the exact sphere departs from it with "
             "(a/R)².");
-    if (!constant_loads(c))
+    if (c.rolling && !constant_loads(c))
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
 }
 
-std::string audit_sentence(const std::vector<ModelSummary>& summaries) {
+std::string audit_sentence(const Summaries& summaries) {
     std::size_t checks = 0, failed = 0;
     for (const ModelSummary& s : summaries)
         for (const auto& check : s.audit) {
@@ -196,8 +271,7 @@ std::string audit_sentence(const std::vector<ModelSummary>& summaries) {
 
 }  // namespace
 
-std::vector<std::string> reading(const contact::Case& c,
-                                 const std::vector<ModelSummary>& summaries) {
+std::vector<std::string> reading(const contact::Case& c, const Summaries& summaries) {
     const Reference r = reference(c);
     std::vector<std::string> findings;
     const auto add = [&](const std::string& text) {
@@ -209,7 +283,7 @@ std::vector<std::string> reading(const contact::Case& c,
     for (const ModelSummary& s : summaries) add(verdict_sentence(c, s, r));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
-    add(limit_sentence(c, r));
+    add(limit_sentence(c, summaries, r));
     add(static_sentence(c, summaries, r));
     add_limitations(c, summaries, findings);
     if (!failed) add(audit);

@@ -5,6 +5,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/layer.h"
+#include "comparisons/model_assumptions.h"
 #include "comparisons/reference.h"
 #include "comparisons/report_tables.h"
 #include "theory/oscillating_rolling.h"
@@ -97,10 +98,10 @@ Table::Row body_row(const RowMaker& make) {
 
 Table::Group pressed_group(const contact::Case& c, const RowMaker& make, const Reference& r) {
     // Scales of a nominally flat contact are no solution; a rough body has no static shift in
-    // theory.
+    // theory, nor has a substrate that still relaxes.
     const auto exact = [&](double value) { return r.is_nominal ? Value() : Value(value); };
     const auto shift = [&](double value) {
-        return r.static_shift_ratio > 0 ? Value(value) : Value();
+        return r.static_shift_ratio > 0 && static_shift_is_relaxed(c) ? Value(value) : Value();
     };
     return {"Pressed and loaded",
             {make.quantity_row(

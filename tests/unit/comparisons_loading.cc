@@ -75,7 +75,7 @@ TEST(TreatmentSentences, CarryTheNumbersOfTheStudy) {
         {"BEM layer and FEM couple normal and tangential contact (contact.coupling = true)",
          "With contact.coupling = false the static shift of BEM layer would be 148.5 µm instead of "
          "150.0 µm (−1.0 %), and the shift after rolling 190.0 µm instead of 200.0 µm (−5.0 %).",
-         "MDR has no such coupling", "MDR layer has no such coupling",
+         "MDR has no coupling", "MDR layer leaves out the coupling",
          "undisplaced surface point (contact.kinematics = linear)",
          "With contact.kinematics = deformed the static shift of BEM layer would be 153.0 µm "
          "instead of 150.0 µm (+2.0 %).",
@@ -100,7 +100,7 @@ TEST(TreatmentSentences, CouplingThatIsLeftOutIsSaid) {
     expect_parts(joined(treatment_sentences(c, {"mdr", "fem"}, {})),
                  {"left out of FEM (contact.coupling = false)",
                   "MDR leaves out the coupling that these materials have on a half-space: Dundurs' "
-                  "β = 0.29 is not small"});
+                  "|β| exceeds 0.001 (β = 0.29)"});
     expect_parts(joined(treatment_sentences(c, {"mdr", "bem"}, {})), {"MDR and BEM leave out"});
     c.contact.coupling = true;
     expect_parts(joined(treatment_sentences(c, {"bem"}, {})), {"BEM couples normal"});

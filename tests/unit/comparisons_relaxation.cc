@@ -258,7 +258,7 @@ TEST(RelaxationReport, ElasticLimitDecidesNothing) {
     undecided.state = State::undecided;
     const std::string text = joined(reading(c, {undecided}));
     EXPECT_EQ(text.find("By the exact limit it must"), std::string::npos) << text;
-    EXPECT_NE(text.find("expected of a drive so slow"), std::string::npos) << text;
+    EXPECT_NE(text.find("expected under a drive so slow"), std::string::npos) << text;
 }
 
 TEST(RelaxationReport, TableHasAColumnPerModelAndABranchPerRow) {

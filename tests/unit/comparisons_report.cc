@@ -234,6 +234,7 @@ TEST_F(Reading, RatchetingSpeeds) {
 }
 
 TEST_F(Reading, UndecidedSaysWhatToDo) {
+    c_.contact.coupling = false;
     bem_.state = contact::State::undecided;
     const std::string text = reading_text(c_, {bem_});
     EXPECT_TRUE(contains(text, "BEM is undecided after 12 periods")) << text;
