@@ -49,6 +49,7 @@ LimitStudy start_of(const LimitOptions& options, const Case& c) {
     study.given = options.variable == LimitVariable::load ? r.amplitude_ratio : r.tangential_ratio;
     study.angle = c.rolling->angle;
     study.round = contact::is_hertz_round(c);
+    study.relaxing = c.relaxation.has_value();
     study.thesis = comparisons::thesis_limit(c, options.variable);
     return study;
 }

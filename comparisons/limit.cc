@@ -79,7 +79,7 @@ std::optional<double> exact_limit(const Case& c, LimitVariable variable, const s
 }
 
 std::optional<double> thesis_limit(const Case& c, LimitVariable variable) {
-    if (!contact::is_hertz_round(c)) return {};
+    if (!contact::is_hertz_round(c) || !constant_loads(c) || c.relaxation) return {};
     constexpr double aligned = 1e-9;  // [rad]
     const double angle = c.rolling->angle;
     const bool along = std::abs(angle) < aligned;

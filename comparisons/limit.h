@@ -59,6 +59,7 @@ struct LimitStudy {
     double given = 0;   ///< of w and f_T the one that is not varied; w over the Hertz radius
     double angle = 0;   ///< of rolling to the load [rad]
     bool round = true;  ///< paraboloid or sphere, of which MDR has a closed form
+    bool relaxing = false;
     std::vector<ModelLimit> models;
     /// The thesis' limit: 1 - w or its inverse along the load (kappa = 1), with kappa = 1.1 across.
     std::optional<double> thesis;
@@ -68,6 +69,8 @@ struct LimitStudy {
 /// Ratios are meant as the case's own (rolling.amplitude_reference).
 std::optional<double> exact_limit(const contact::Case& c, LimitVariable variable,
                                   const std::string& model);
+/// Empty where its formulas do not hold: other bodies and directions, loads that oscillate,
+/// substrates that relax.
 std::optional<double> thesis_limit(const contact::Case& c, LimitVariable variable);
 
 /// limit.json, limit.csv (a row per model), what the terminal shows, and the report's content.

@@ -27,12 +27,6 @@ Symbols symbols_of(const LimitStudy& study) {
                                                  : Symbols{"w", "f_T", "rolling amplitude w"};
 }
 
-/// As many decimals as the error deserves.
-std::string with_error(double value, double error) {
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 2, 9);
-    return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, error, decimals);
-}
-
 double half_width(const ModelLimit& m) {
     return m.bracket.half_width();
 }
@@ -41,23 +35,36 @@ double error_of(const ModelLimit& m) {
     return half_width(m) + m.resolution_error();
 }
 
+/// "2.31 % above"
+std::string apart(double value, double reference) {
+    return fmt::format("{} % {}", significant(100 * std::abs(value / reference - 1), 3),
+                       value > reference ? "above" : "below");
+}
+
+/// Where the limit is a fold, beside which shifts go as a square root: round elastic bodies,
+/// uncoupled.
+bool is_fold(const LimitStudy& study) {
+    return study.round && !study.relaxing &&
+           std::ranges::none_of(study.models, [](const ModelLimit& m) { return m.coupled; });
+}
+
 Verdict model_verdict(const ModelLimit& m, const char* symbol) {
     std::string text = fmt::format("{}: the limit by bisection is {} = {}", display_name(m.model),
                                    symbol, with_error(m.limit().value, half_width(m)));
     if (!m.exact) return {Standing::finding, text + "."};
     const double off = m.limit().value - *m.exact;
+    const std::string exact = fmt::format("{:.7g}", *m.exact);
+    const bool within = std::abs(off) <= error_of(m);
     if (m.coupled) {
-        const bool beyond = std::abs(off) > error_of(m);
+        const std::string where =
+            within ? "within the errors of" : apart(m.limit().value, *m.exact);
         return {Standing::finding,
-                text + fmt::format("; the coupled contact has its limit {} the uncoupled {:.5f}.",
-                                   beyond ? fmt::format("{:+.2f} % off", 100 * off / *m.exact)
-                                          : "within the errors of",
-                                   *m.exact)};
+                text + fmt::format("; the coupled contact has its limit {} the uncoupled {}.",
+                                   where, exact)};
     }
-    const bool holds = std::abs(off) <= error_of(m);
-    return {holds ? Standing::holds : Standing::fails,
-            text + fmt::format("; the exact limit of uncoupled contact is {:.7g}{}.", *m.exact,
-                               holds ? ", within bisection and resolution" : "")};
+    return {within ? Standing::holds : Standing::fails,
+            text + fmt::format("; the exact limit of uncoupled contact is {}{}.", exact,
+                               within ? ", within bisection and resolution" : "")};
 }
 
 /// What is only said where the intervals exclude each other.
@@ -69,9 +76,8 @@ void add_differences(const LimitStudy& study, std::vector<Verdict>& verdicts) {
             if (std::abs(a - b) <= error_of(models[i]) + error_of(models[k])) continue;
             verdicts.push_back(
                 {Standing::finding,
-                 fmt::format("{} finds a limit {:.2f} % {} than {}.", display_name(models[k].model),
-                             100 * std::abs(b / a - 1), b > a ? "higher" : "lower",
-                             display_name(models[i].model))});
+                 fmt::format("{} finds a limit {} that of {}.", display_name(models[k].model),
+                             apart(b, a), display_name(models[i].model))});
         }
 }
 
@@ -85,11 +91,11 @@ void add_thesis(const LimitStudy& study, const char* symbol, std::vector<Verdict
     std::string off;
     for (const ModelLimit& m : models)
         if (!agrees(m))
-            off += fmt::format("{}{:+.1f} % beside {}", off.empty() ? "" : ", ",
-                               100 * (*study.thesis / m.limit().value - 1), display_name(m.model));
+            off += fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
+                               apart(*study.thesis, m.limit().value), display_name(m.model));
     verdicts.push_back({any ? Standing::holds : Standing::fails,
                         fmt::format("The thesis' limit {} = {:.4g}{}{}.", symbol, *study.thesis,
-                                    off.empty() ? " agrees" : ": ", off)});
+                                    off.empty() ? " agrees" : " lies ", off)});
 }
 
 DocumentTable limit_table(const LimitStudy& study, const Symbols& symbols) {
@@ -154,11 +160,11 @@ Figure shift_figure(const LimitStudy& study, const Symbols& symbols) {
     figure.x.label = symbols.axis;
     figure.y.label = "final shift u = U/U_max";
     figure.caption = fmt::format(
-        "Shift after the last period of the runs that shake down, at {} = {:.4g}. It approaches "
-        "the "
-        "limit as a square root: just below it, a little more load lets the contact go much "
-        "farther.",
-        symbols.given, study.given);
+        "Shift after the last period of the runs that shake down, at {} = {:.4g}.{}", symbols.given,
+        study.given,
+        is_fold(study) ? " It approaches the limit as a square root: just below it, a little more "
+                         "of it lets the contact go much farther."
+                       : "");
     for (std::size_t i = 0; i < study.models.size(); ++i) {
         Curve curve{.name = display_name(study.models[i].model),
                     .x = {},
@@ -182,10 +188,12 @@ Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
     figure.title = "How many periods the verdict takes";
     figure.x = {fmt::format("distance of {} from the limit", symbols.varied), true};
     figure.y = {"periods until the verdict", true};
-    figure.caption =
-        "Runs on both sides of the limit. The nearer, the longer: as the distance to the power "
-        "-1/2, for the contact creeps past the place where it nearly comes to rest. A test of n "
-        "periods knows the limit to the order of 1/n² only.";
+    figure.caption = "Runs on both sides of the limit.";
+    if (is_fold(study))
+        figure.caption +=
+            " The nearer, the longer: as the distance to the power -1/2, for the contact creeps "
+            "past the place where it nearly comes to rest. A test of n periods knows the limit to "
+            "the order of 1/n² only.";
     for (std::size_t i = 0; i < study.models.size(); ++i)
         for (const State state : {State::shakedown, State::ratcheting}) {
             const ModelLimit& m = study.models[i];

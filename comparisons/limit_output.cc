@@ -79,10 +79,10 @@ std::string limit_text(const LimitStudy& study) {
                     load ? "f_T" : "w", load ? "w" : "f_T", study.given, "", "shakes down",
                     "ratchets", "pressures", "exact");
     for (const ModelLimit& m : study.models)
-        text += fmt::format("{:<10} {:>11.7f} {:>11.7f} {:>11.7f} {:>11}\n", m.model,
+        text += fmt::format("{:<10} {:>11.7g} {:>11.7g} {:>11.7g} {:>11}\n", m.model,
                             m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
-                            m.exact ? fmt::format("{:.7f}", *m.exact) : "-");
-    if (study.thesis) text += fmt::format("{:<10} {:>23.7f}\n", "thesis", *study.thesis);
+                            m.exact ? fmt::format("{:.7g}", *m.exact) : "-");
+    if (study.thesis) text += fmt::format("{:<10} {:>23.7g}\n", "thesis", *study.thesis);
     return text;
 }
 

@@ -149,7 +149,7 @@ class Search {
         const LimitRun run = roll(c, model, value);
         found_.coupled = model.is_coupled();
         found_.runs.push_back(run);
-        say_(fmt::format("{}: {:.7f}: {} after {} periods", found_.model, value,
+        say_(fmt::format("{}: {:.7g}: {} after {} periods", found_.model, value,
                          contact::name_of(run.state), run.periods));
         return run.state;
     }
