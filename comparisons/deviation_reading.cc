@@ -68,7 +68,7 @@ Verdict modulus_verdict(const HalfSpaceDeviation& deviation) {
     return {Standing::finding, text + "."};
 }
 
-Verdict needed_verdict(const HalfSpaceDeviation& deviation) {
+std::optional<Verdict> needed_verdict(const HalfSpaceDeviation& deviation) {
     std::vector<std::string> parts;
     for (const DeviationRow& row : rows_here(deviation)) {
         if (row.computed || !row.needed) continue;
@@ -76,9 +76,10 @@ Verdict needed_verdict(const HalfSpaceDeviation& deviation) {
                                     needed_text(row.needed->front(), thinnest_of(deviation, row)),
                                     row.quantity->symbol));
     }
-    return {Standing::finding,
-            fmt::format("For 1 % the layer has to be so many contact widths thick: {}.",
-                        fmt::join(parts, ", "))};
+    if (parts.empty()) return {};
+    return Verdict{Standing::finding,
+                   fmt::format("For 1 % the layer has to be so many contact widths thick: {}.",
+                               fmt::join(parts, ", "))};
 }
 
 /// "U_stat 12.1 ± 0.2 % below, ...": what is more than its error.
@@ -102,7 +103,7 @@ std::optional<Verdict> rolled_verdict(const HalfSpaceDeviation& deviation) {
     text += differs.empty() ? "nothing differs by more than its numerical error"
                             : fmt::format("{}", fmt::join(differs, ", "));
     if (!same.empty()) text += fmt::format("; no difference in {}", fmt::join(same, ", "));
-    if (point->state == "ratcheting")
+    if (point->state == "ratcheting" && point->half_space_state == "shakedown")
         text += "; at w = " + significant(deviation.amplitudes.settling, 3) +
                 " it ratchets, the half-space shakes down";
     return Verdict{Standing::finding, text + "."};
@@ -111,9 +112,9 @@ std::optional<Verdict> rolled_verdict(const HalfSpaceDeviation& deviation) {
 }  // namespace
 
 std::vector<Verdict> deviation_verdicts(const HalfSpaceDeviation& deviation) {
-    std::vector<Verdict> verdicts{layer_verdict(deviation), modulus_verdict(deviation),
-                                  needed_verdict(deviation)};
-    if (const auto rolled = rolled_verdict(deviation)) verdicts.push_back(*rolled);
+    std::vector<Verdict> verdicts{layer_verdict(deviation), modulus_verdict(deviation)};
+    for (const auto& verdict : {needed_verdict(deviation), rolled_verdict(deviation)})
+        if (verdict) verdicts.push_back(*verdict);
     if (deviation.n_failed_runs > 0)
         verdicts.push_back(
             {Standing::cannot_tell,

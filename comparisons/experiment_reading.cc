@@ -127,8 +127,8 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
     const double ratio_limit = first.amplitude_low / w.value;
     return {Standing::finding,
             fmt::format("W_lim = {} mm ({} of {}, {}): between the last amplitude that shakes down "
-                        "and the first that ratchets. The thesis takes the last that shakes down, "
-                        "{} mm: {} of the middle, half a step too low. U_lim = {} where the "
+                        "and the first that ratchets. Read as the last that shakes down it would "
+                        "be {} mm, half a step lower: {} from the middle. U_lim = {} where the "
                         "straight lines through both intervals meet (5.1.9, 5.1.10).",
                         with_error(1e3 * w.value, 1e3 * (w.high - w.low) / 2, 4),
                         e.limit_amplitude->runs, runs(static_cast<int>(e.runs.size())),
@@ -201,14 +201,22 @@ std::string slope(const Estimate& e) {
     return with_error(mm * e.value, mm * (e.high - e.low) / 2, 3) + " µm/mm";
 }
 
+/// What a height of the pivot over the contact is, as far as it is more than its error.
+std::string pivot_text(const theory::Uncertain& height) {
+    const std::string size =
+        with_error(1e6 * std::abs(height.value), 1e6 * height.standard_error, 3) + " µm";
+    if (std::abs(height.value) <= height.standard_error)
+        return "no more than a pivot level with the contact to " + size;
+    return fmt::format("a pivot {} too {}", size, height.value > 0 ? "high" : "low");
+}
+
 Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
     const theory::Uncertain height = pivot_height(e, p.wobble);
     return {Standing::finding,
             fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest is "
-                        "a pivot {} µm too high (5.1.11, one standard error).",
+                        "{} (5.1.11, one standard error).",
                         slope(e.wobble->at_confidence), display_name(p.model),
-                        significant(mm * p.wobble, 3),
-                        with_error(1e6 * height.value, 1e6 * height.standard_error, 3))};
+                        significant(mm * p.wobble, 3), pivot_text(height))};
 }
 
 }  // namespace

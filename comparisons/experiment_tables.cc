@@ -192,8 +192,9 @@ DocumentTable wobble_table(const ExperimentEvaluation& e) {
                         .note =
                             "dU/dW of whole periods. On a layer that couples normal and "
                             "tangential contact free rolling creeps, so that a model has a "
-                            "wobble of its own; what the measured one has beside it is a pivot "
-                            "Dh = R dU/dW too high (5.1.11), one standard error behind ±.",
+                            "wobble of its own; by what the measured one has beside it the "
+                            "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
+                            "standard error behind ±.",
                         .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}},
                         .rows = {}};
     const auto add = [&](const std::string& name, double own) {

@@ -97,7 +97,7 @@ void add_root(std::vector<Verdict>& verdicts, const RatchetingGroup& group) {
                      percent_of(*most))});
 }
 
-/// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3: above that of every model.
+/// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3.
 void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const RatchetingGroup& group) {
     if (!is_parallel(group.angle) && !is_perpendicular(group.angle)) return;
     const double kappa = is_parallel(group.angle) ? theory::thesis_mapping_parallel
@@ -107,14 +107,15 @@ void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const Ratche
         return theory::shakedown_limit(p.amplitude_ratio, kappa) / p.limit.value - 1;
     };
     for (const RollingPoint* p : points_of(fit.points, group))
-        if (!worst || excess(*p) > excess(*worst)) worst = p;
+        if (!worst || std::abs(excess(*p)) > std::abs(excess(*worst))) worst = p;
     if (!worst || worst->amplitude_ratio == 0) return;
     verdicts.push_back(
         {std::abs(excess(*worst)) < 0.01 ? Standing::holds : Standing::fails,
-         fmt::format("{}: the thesis' limit f_T,lim = {} lies {} above the model's at w = {} ({} "
-                     "against {})",
+         fmt::format("{}: the thesis' limit f_T,lim = {} lies {} {} the model's at w = {} "
+                     "({} against {})",
                      name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
-                     percent_of(excess(*worst)), as_given(worst->amplitude_ratio),
+                     percent_of(std::abs(excess(*worst))), excess(*worst) < 0 ? "below" : "above",
+                     as_given(worst->amplitude_ratio),
                      significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
                      significant(worst->limit.value, 3))});
 }

@@ -178,6 +178,13 @@ std::optional<Figure> profile_figure(const IdentificationStudy& study, Property 
     return figure;
 }
 
+/// What a correlation of E and mu means, where there is one to two digits.
+std::string correlation_text(std::optional<double> correlation) {
+    if (!correlation || !(std::abs(*correlation) >= 0.005)) return "";
+    return fmt::format("Correlation {}: more friction is answered by a {} modulus. ",
+                       significant(*correlation, 2), *correlation < 0 ? "smaller" : "larger");
+}
+
 Figure map_figure(const IdentifiedModel& model) {
     const Scaled scale(model.map->young, "Pa");
     const Identification& found = model.found;
@@ -187,12 +194,7 @@ Figure map_figure(const IdentifiedModel& model) {
         .caption = fmt::format("Sum of squares, 0 at the best values (point), 1 at the edge of the "
                                "region that holds both with a confidence of {:g} %. {}White: the "
                                "largest force would slide.",
-                               100 * found.confidence,
-                               found.correlation
-                                   ? fmt::format("Correlation {:.2f}: more friction is answered by "
-                                                 "a smaller modulus. ",
-                                                 *found.correlation)
-                                   : ""),
+                               100 * found.confidence, correlation_text(found.correlation)),
         .x = {scale.label("modulus E")},
         .y = {"friction coefficient mu"}};
     figure.map =
@@ -311,8 +313,11 @@ Document identification_document(const IdentificationStudy& study) {
     document.title = study.title;
     document.lead =
         "Which Young's modulus, and which friction, do the measured values have? Every model is "
-        "fitted by least squares on its own; the differences between their answers are what the "
-        "simpler one leaves out.";
+        "fitted by least squares on its own.";
+    if (study.models.size() > 1)
+        document.lead +=
+            " The differences between their answers are what the simpler one leaves "
+            "out.";
     document.verdicts = identification_verdicts(study);
     document.settings = study.settings;
     document.command = study.command;

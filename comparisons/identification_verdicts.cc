@@ -50,7 +50,8 @@ bool overlap(const Interval& a, const Interval& b) {
 }
 
 std::string off(double ratio) {
-    return fmt::format("{:.0f} % too {}", 100 * std::abs(ratio - 1), ratio > 1 ? "high" : "low");
+    return fmt::format("{} % too {}", significant(100 * std::abs(ratio - 1), 2),
+                       ratio > 1 ? "high" : "low");
 }
 
 /// What the model that knows less makes of E.
@@ -74,7 +75,7 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
                            "they are apart."};
     sentence += off(ratio);
     if (study.thickness_ratio)
-        sentence += fmt::format(", because the layer is only {} contact widths thick",
+        sentence += fmt::format("; the layer is {} contact widths thick",
                                 significant(*study.thickness_ratio, 2));
     const auto& friction = half_space->found.friction;
     if (friction && !overlap(friction->likelihood, reference.found.friction->likelihood))

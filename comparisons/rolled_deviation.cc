@@ -157,8 +157,9 @@ std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& 
         const auto half_space = std::find_if(
             bodies.begin(), bodies.end(), [&](const BodyValues& b) { return b.body == reference; });
         RolledDeviation& deviation =
-            deviations.emplace_back(layer.body, RolledRatios{}, layer.state);
+            deviations.emplace_back(layer.body, RolledRatios{}, layer.state, std::string());
         if (half_space == bodies.end()) continue;
+        deviation.half_space_state = half_space->state;
         for (const RolledQuantity q : rolled_quantities())
             deviation.ratios.at(index(q)) = ratio_of(index(q), layer, *half_space);
     }

@@ -88,6 +88,7 @@ struct RolledDeviation {
     /// In words, of the settling run on the finest level: "shakedown", "ratcheting", "undecided";
     /// empty without rolling.
     std::string state;
+    std::string half_space_state = {};  ///< the same of the half-space
 };
 
 /// The bodies' ratios, in the order of their runs; half-spaces are what they are compared with.

@@ -63,10 +63,14 @@ DocumentTable ratio_table(const RollingReport& report) {
     DocumentTable table{
         .id = "creep_ratio",
         .title = "MDR's creepage over that of three dimensions",
-        .note = fmt::format(
-            "ξ of MDR at the same force over ξ of the other model, between the points of the creep "
-            "curves. The thesis has 4(2 - nu)/(4 - 3 nu) = {} for all forces (2.2.31).",
-            significant(thesis_creep_ratio(report.c), 4)),
+        .note =
+            "ξ of MDR at the same force over ξ of the other model, between the points of the "
+            "creep curves." +
+            (has_thesis_creep_ratio(report.c)
+                 ? fmt::format(" The closed forms on the half-space have 4(2 - nu)/(4 - 3 nu) = "
+                               "{} for all forces (2.2.31).",
+                               significant(thesis_creep_ratio(report.c), 4))
+                 : ""),
         .columns = {{"F_x/(μ F_N)", 2}},
         .rows = {}};
     const RollingRun* mdr = run_of(report, "mdr");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "comparisons/model_assumptions.h"
 #include "comparisons/tractive/free_rolling.h"
+#include "comparisons/tractive/readings.h"
 #include "theory/carter.h"
 #include "theory/creep_law.h"
 #include "theory/kalker.h"
@@ -69,6 +71,10 @@ std::vector<CreepTheory> creep_theories(const Case& c) {
     theories.push_back(linear("Kalker, linear", "kalker_linear", kalker));
     theories.push_back(cubic("cubic law with Kalker's C_11", "cubic_kalker", kalker));
     return theories;
+}
+
+bool has_thesis_creep_ratio(const Case& c) {
+    return contact::is_hertz_round(c) && straight(c) && !c.relaxation && !couples(c, "bem");
 }
 
 double thesis_creep_ratio(const Case& c) {

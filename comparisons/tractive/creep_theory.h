@@ -30,5 +30,8 @@ std::vector<CreepTheory> creep_theories(const contact::Case& c);
 
 /// MDR's creepage over that of three dimensions by the thesis, 4 (2 - nu)/(4 - 3 nu) (2.2.31).
 double thesis_creep_ratio(const contact::Case& c);
+/// Whether that ratio is about the case: a round body on uncoupled, elastic half-spaces, driven
+/// along the rolling without spin.
+bool has_thesis_creep_ratio(const contact::Case& c);
 
 }  // namespace tricontact::comparisons::tractive

@@ -1,15 +1,11 @@
 #include "comparisons/tractive/free_rolling.h"
 
-#include <cmath>
-
+#include "comparisons/model_assumptions.h"
 #include "theory/free_rolling.h"
 
 namespace tricontact::comparisons::tractive {
 
 namespace {
-
-/// Below this |Dundurs' beta| coupling is negligible, as where cases are checked for it.
-constexpr double least_beta = 1e-3;
 
 bool rolls_freely(const contact::Case& c) {
     return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
@@ -20,9 +16,7 @@ bool rolls_freely(const contact::Case& c) {
 
 std::vector<FreeCreepage> free_creepages(const contact::Case& c) {
     const double beta = c.materials().dundurs_beta();
-    if (!c.is_line_contact() || !rolls_freely(c) || !c.contact.coupling || c.relaxation ||
-        std::abs(beta) < least_beta)
-        return {};
+    if (!c.is_line_contact() || !rolls_freely(c) || !couples(c, "bem") || c.relaxation) return {};
     const double slope = contact::half_space_scales(c).contact_radius / c.indenter.radius;
     return {{"Bentall and Johnson, all sticks", "bentall_johnson_rough",
              slope * theory::rough_free_creepage(beta)},

@@ -189,6 +189,12 @@ Verdict flutter_verdict(const WalkGrid& grid) {
         n_agreeing += stable == steady;
         n_steady_above += !stable && steady;
     }
+    if (is_nowhere(flutter) && n_agreeing == n)
+        return {
+            Verdict::Standing::finding,
+            fmt::format("Steady sliding flutters nowhere below μ_c, and all {} machines that do "
+                        "not tilt slide steadily.",
+                        n)};
     if (is_nowhere(flutter))
         return {Verdict::Standing::finding,
                 fmt::format("Steady sliding flutters nowhere below μ_c, and yet {} of {} machines "

@@ -46,6 +46,11 @@ SlidingStability sliding_stability(const dynamics::Machine& machine) {
     return stability;
 }
 
+bool is_neutral(const SlidingStability& stability) {
+    return !stability.eigenvalues.empty() &&
+           std::abs(stability.eigenvalues.front().real()) <= neutral;
+}
+
 Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability) {
     constexpr auto finding = Verdict::Standing::finding;
     if (!stability.exists)

@@ -16,6 +16,8 @@ struct SlidingStability {
 };
 
 SlidingStability sliding_stability(const dynamics::Machine& machine);
+/// Small disturbances neither grow nor decay.
+bool is_neutral(const SlidingStability& stability);
 
 Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability);
 

@@ -8,6 +8,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/walking/spot_statistics.h"
+#include "comparisons/walking/stability_section.h"
 #include "dynamics/drift.h"
 
 namespace tricontact::comparisons::walking {
@@ -171,9 +172,10 @@ Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
         text += fmt::format(", {} Hz", with_error(frequency * second, error * second));
     }
     text += fmt::format("; in free flight it would be {}.", significant(vibration.free_flight, 3));
-    if (report.walk.result.regime == Regime::steady)
+    const bool steady = report.walk.result.regime == Regime::steady;
+    if (steady && is_neutral(sliding_stability(report.walk_case.machine)))
         text += " Sliding is linearly neutral: nothing damps this vibration, nor feeds it.";
-    else if (std::isfinite(vibration.instability))
+    if (!steady && std::isfinite(vibration.instability))
         text += fmt::format(
             " Unstable, variance above {}: {} % of the recorded end.",
             as_given(instability_threshold),

@@ -37,8 +37,8 @@ TEST(IdentificationVerdicts, SayHowFarTheHalfSpaceIsOff) {
               "of 95 %, from the likelihood. This is the model that leaves out least.");
     EXPECT_EQ(verdicts[1].standing, Verdict::Standing::fails);
     EXPECT_EQ(verdicts[1].sentence,
-              "The half-space finds E = 5.70 MPa, layer 4.20 MPa: 36 % too high, because the layer "
-              "is only 0.83 contact widths thick; its mu is 5 % too low.");
+              "The half-space finds E = 5.70 MPa, layer 4.20 MPa: 36 % too high; the layer is 0.83 "
+              "contact widths thick; its mu is 5.3 % too low.");
 }
 
 TEST(IdentificationVerdicts, SayNothingThatTheMeasurementDoesNot) {
