@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "contact/number_text.h"
+#include "contact/error.h"
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
 #include "rig/thesis_rigs.h"
@@ -130,6 +130,15 @@ TEST(RigSentences, BetaDecidesWhetherHalfSpacesCouple) {
                                }).consequence;
     EXPECT_TRUE(says(rubber, "would not couple")) << rubber;
     EXPECT_TRUE(says(rubber, "by 0.28 % only")) << rubber;
+    // What rounding leaves is no effect, what does not converge is not known.
+    const std::string none = rig::uncoupled(rig, [](const auto&, bool on) {
+                                 return on ? 1e-4 : (1 + 1e-9) * 1e-4;
+                             }).consequence;
+    EXPECT_TRUE(says(none, "by less than 0.001 %.")) << none;
+    const rig::Assumption open = rig::uncoupled(
+        rig, [](const auto&, bool) -> double { throw contact::NotConverged("no end"); });
+    EXPECT_FALSE(says(open.consequence, "static shift")) << open.consequence;
+    EXPECT_FALSE(open.missing.empty());
     // Nobody computed it: nothing is said of it.
     EXPECT_FALSE(says(rig::uncoupled(rig, {}).consequence, "static shift"));
 }
