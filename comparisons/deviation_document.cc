@@ -112,7 +112,9 @@ DocumentSection rolled_section(const HalfSpaceDeviation& deviation) {
             deviation.base == LayerBase::frictionless
                 ? "On a frictionless base nothing holds the layer against a tangential force: "
                   "shifts are not defined, and only the limits are compared."
-                : "Nothing was computed: the case has no tangential load, or runs were left out.");
+            : deviation.contact.tangential_ratio == 0
+                ? "Nothing was computed: the case has no tangential load."
+                : "Nothing was computed: the runs were left out.");
         return section;
     }
     section.paragraphs.push_back(

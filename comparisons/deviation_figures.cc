@@ -84,9 +84,13 @@ std::vector<Figure> thickness_figures(const HalfSpaceDeviation& deviation) {
         {"layer over half-space [-]", true});
     Figure percents = over_thickness(
         "deviations", "Deviation from the half-space",
-        "The same as |ratio - 1|, with what boundary elements computed (points, numerical error "
-        "as bars; left out where the error is larger). Thick layers fall by the powers of theory: "
-        "d, U_max and the stiffnesses as D_c/b, a and p0 as its third, the limits as its fifth.",
+        std::string("The same as |ratio - 1|") +
+            (deviation.rolled.empty()
+                 ? ""
+                 : ", with what boundary elements computed (points, numerical error as bars; left "
+                   "out where the error is larger)") +
+            ". Thick layers fall by the powers of theory: d, U_max and the stiffnesses as D_c/b, a "
+            "and p0 as its third, the limits as its fifth.",
         {"deviation [%]", true});
     for (const ExactQuantity q : exact_quantities()) {
         if (!curve.ratios.front().at(static_cast<std::size_t>(q))) continue;

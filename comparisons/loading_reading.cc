@@ -96,13 +96,22 @@ std::string kinematics_sentence(const Case& c, const std::vector<LoadingVariant>
            change_text(variants, "contact.kinematics");
 }
 
+/// Uncoupled contact on an undisplaced surface has nothing to remember.
+bool remembers_pressing(const Case& c, const std::vector<std::string>& coupled,
+                        const std::vector<LoadingVariant>& variants) {
+    return (!coupled.empty() && c.contact.coupling) ||
+           c.contact.kinematics == Case::Kinematics::deformed ||
+           std::ranges::any_of(
+               variants, [](const LoadingVariant& v) { return v.key.starts_with("load.press"); });
+}
+
 std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
     const std::string how = c.load.press == Case::Press::friction
                                 ? fmt::format("in {} equal steps with friction", c.load.press_steps)
                                 : std::string("in one step without friction");
     return fmt::format(
-               "Where the two are coupled the way of pressing is remembered: here the "
-               "normal load comes {}, then the tangential one.",
+               "Coupled contact remembers the way of pressing: here the normal load comes {}, then "
+               "the tangential one.",
                how) +
            change_text(variants, "load.press") + change_text(variants, "load.press_steps");
 }
@@ -127,7 +136,8 @@ std::vector<std::string> treatment_sentences(const Case& c, const std::vector<st
     if (!variants.empty() || (!coupled.empty() && c.contact.coupling) ||
         c.contact.kinematics == Case::Kinematics::deformed) {
         result.push_back(kinematics_sentence(c, variants));
-        result.push_back(pressing_sentence(c, variants));
+        if (remembers_pressing(c, coupled, variants))
+            result.push_back(pressing_sentence(c, variants));
     }
     std::erase(result, std::string());
     return result;

@@ -43,6 +43,7 @@ std::optional<double> steady_after(const RollingReport& report, const RollingRun
         return by_creepage(report.c) ? s.force[0] : s.creepage.longitudinal;
     };
     const double end = value(run.history.steady);
+    if (end == 0) return std::nullopt;  // percents of nothing
     const auto& states = run.history.transient;
     const auto far = [&](const RollingState& s) {
         return std::abs(value(s) - end) > near * std::abs(end);

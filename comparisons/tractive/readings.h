@@ -20,7 +20,8 @@ std::optional<double> energy_error(const rolling::RollingState& steady,
 std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient, double ratio);
 
 /// Ways over the half length until the transient has come to within 1 % of the steady state, in
-/// what is not prescribed along x: creepage under a force, else force; empty if it has not.
+/// what is not prescribed along x: creepage under a force, else force; empty if it has not, or
+/// where that is 0.
 std::optional<double> steady_after(const RollingReport& report, const RollingRun& run);
 
 /// The creepage along x is prescribed, the force follows.

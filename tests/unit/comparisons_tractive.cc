@@ -120,6 +120,9 @@ TEST(TractiveReport, ReadsTheTransient) {
     const RollingReport report = report_of(.5);
     // 1 + exp(-3 way) is within 1 % from way 2 on.
     EXPECT_NEAR(steady_after(report, report.runs[0]).value(), 2, 1e-12);
+    RollingReport free = report;
+    free.runs[0].history.steady.creepage = {};
+    EXPECT_FALSE(steady_after(free, free.runs[0]));
     EXPECT_NEAR(energy_error(report.runs[0].history.steady, .57).value(), 0, 1e-15);
     RollingState still = report.runs[0].history.steady;
     still.creepage = {};
