@@ -213,7 +213,8 @@ std::string pivot_text(const theory::Uncertain& height) {
 Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
     const theory::Uncertain height = pivot_height(e, p.wobble);
     return {Standing::finding,
-            fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest is "
+            fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest "
+                        "corresponds to "
                         "{} (5.1.11, one standard error).",
                         slope(e.wobble->at_confidence), display_name(p.model),
                         significant(mm * p.wobble, 3), pivot_text(height))};

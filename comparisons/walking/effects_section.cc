@@ -144,11 +144,11 @@ DocumentTable rule_table(const std::vector<WalkGroup>& groups, const WalkFactori
 
 std::string share_sentence(const Response& response, const VarianceAnalysis& analysis) {
     return fmt::format(
-        "{}: factors alone account for {:.0f} % of the variance, pairs for {:.0f} % more; {:.0f} % "
-        "belong to three and more factors together, and to chaos.",
-        response.title, 100 * analysis.explained_by_factors,
-        100 * (analysis.explained_by_pairs - analysis.explained_by_factors),
-        100 * (1 - analysis.explained_by_pairs));
+        "{}: factors alone account for {} % of the variance, pairs for {} % more; {} % are left to "
+        "three and more factors together and to the scatter of single runs.",
+        response.title, significant(100 * analysis.explained_by_factors, 2),
+        significant(100 * (analysis.explained_by_pairs - analysis.explained_by_factors), 2),
+        significant(100 * (1 - analysis.explained_by_pairs), 2));
 }
 
 constexpr std::size_t n_drawn_pairs = 3;

@@ -129,21 +129,23 @@ std::optional<Verdict> walking(const WalkReport& report) {
     const std::vector<SpotStatistics> spots = spot_statistics(report);
     if (spots.empty() || spots.size() > most_spots) return std::nullopt;
     std::string correlations;
-    double greatest = -1;
     for (const SpotStatistics& spot : spots) {
         const auto& [r, error] = spot.correlation;
         correlations += fmt::format("{}r_{} = {}", correlations.empty() ? "" : ", ", spot.number,
                                     std::isnan(error) ? significant(r, 3) : with_error(r, error));
-        greatest = std::fmax(greatest, r);
     }
-    constexpr double strong = -0.5;
-    return Verdict{
-        Standing::finding,
-        greatest < strong
-            ? "Spots move where they press little, correlations " + correlations +
-                  ": micro-walking."
-            : "How fast spots move depends little on how hard they press, correlations " +
-                  correlations + "."};
+    constexpr double strong = 0.5;
+    // NaN, of a spot that never touches, is neither.
+    const auto of_all = [&](auto holds) {
+        return std::ranges::all_of(
+            spots, [&](const SpotStatistics& spot) { return holds(spot.correlation.value); });
+    };
+    std::string text = "Correlations of velocity and normal deflection of the spots: ";
+    if (of_all([](double r) { return r < -strong; }))
+        text = "Spots move where they press little, micro-walking; correlations ";
+    else if (of_all([](double r) { return std::abs(r) <= strong; }))
+        text = "How fast spots move depends little on how hard they press, correlations ";
+    return Verdict{Standing::finding, text + correlations + "."};
 }
 
 /// Chaos is what two nearby motions lose each other in.

@@ -1,6 +1,8 @@
 // Sentences of a walking machine's report, and machines of which they must not be said.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "comparisons/walking/vibration_section.h"
 #include "comparisons/walking/walk_verdicts.h"
 #include "dynamics_sets.h"
@@ -76,6 +78,28 @@ TEST(WalkSentences, SlidingThatFluttersIsNotNeutral) {
     };
     EXPECT_TRUE(says(text({.kappas = dynamics::set_b()}), neutral));
     EXPECT_FALSE(says(text(set_5()), neutral));
+}
+
+TEST(WalkSentences, MicroWalkingIsThatOfAllSpots) {
+    const auto text = [](std::vector<double> correlations) {
+        WalkReport report = report_of({.kappas = dynamics::set_b()});
+        report.walk.result.regime = dynamics::Regime::limit_cycle;
+        report.walk.result.period = 10;
+        for (const double r : correlations)
+            report.walk.result.spots.push_back({.stick_time = 0.4, .correlation = r});
+        std::string all;
+        for (const Verdict& verdict : walk_verdicts(report, {})) all += verdict.sentence + '\n';
+        return all;
+    };
+    const std::string walking = "micro-walking", little = "depends little";
+    EXPECT_TRUE(says(text({-0.8, -0.6}), walking));
+    EXPECT_TRUE(says(text({-0.4, 0.2}), little));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const auto& mixed : {std::vector<double>{-0.9, -0.4}, {0.9, 0.8}, {nan, nan}, {nan, 0}}) {
+        EXPECT_FALSE(says(text(mixed), walking));
+        EXPECT_FALSE(says(text(mixed), little));
+        EXPECT_TRUE(says(text(mixed), "Correlations of velocity"));
+    }
 }
 
 }  // namespace
