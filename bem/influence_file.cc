@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <string_view>
 
 #include "contact/error.h"
+#include "files/line_reader.h"
 
 namespace tricontact::bem {
 
@@ -34,15 +35,16 @@ Nine nine(const InfluenceCoefficients& k) {
 /// The lines of a file that say something, one after the other.
 class Lines {
   public:
-    explicit Lines(const std::string& path) : path_(path), file_(path) {
-        if (!file_)
-            throw contact::InputError(path +
-                                      ": there is no such file of influence coefficients, or it "
-                                      "cannot be read; write one by tricontact influence");
+    explicit Lines(const std::string& path) try : path_(path), file_(path) {
+    } catch (const files::Unreadable& why) {
+        const bool missing = why.error() == ENOENT;
+        throw contact::InputError(fmt::format(
+            "{}: {}; {}", path,
+            missing ? "there is no such file of influence coefficients" : why.what(), write_one));
     }
 
     std::string_view next() {
-        while (std::getline(file_, line_)) {
+        while (read()) {
             ++number_;
             if (!line_.empty() && line_.back() == '\r') line_.pop_back();
             if (!line_.empty() && line_[0] != '#') return line_;
@@ -56,8 +58,17 @@ class Lines {
     }
 
   private:
+    bool read() {
+        try {
+            return file_.next(line_);
+        } catch (const files::Unreadable& why) {
+            throw contact::InputError(fmt::format("{}: {}; {}", path_, why.what(), write_one));
+        }
+    }
+
+    static constexpr const char* write_one = "write one by tricontact influence";
     std::string path_;
-    std::ifstream file_;
+    files::LineReader file_;
     std::string line_;
     int number_ = 0;
 };

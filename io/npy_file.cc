@@ -1,10 +1,12 @@
 // Height maps as NumPy arrays: numpy.lib.format, versions 1.0 and 2.0.
 
+#include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 #include "io/height_map_file.h"
@@ -51,28 +53,69 @@ std::string_view dictionary(std::string_view bytes, const std::string& name, Hea
     return bytes.substr(first, length);
 }
 
+/// Removes `front` from the text; false if it does not begin so.
+bool take(std::string_view& text, std::string_view front) {
+    if (!text.starts_with(front)) return false;
+    text.remove_prefix(front.size());
+    return true;
+}
+
+/// The text up to `end`, both removed; empty without an end.
+std::optional<std::string_view> take_until(std::string_view& text, char end) {
+    const auto at = text.find(end);
+    if (at == text.npos) return {};
+    const std::string_view front = text.substr(0, at);
+    text.remove_prefix(at + 1);
+    return front;
+}
+
+/// "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }" and blanks, as NumPy writes it.
+struct Dictionary {
+    std::string_view type, order, shape;
+};
+
+std::optional<Dictionary> parse_dictionary(std::string_view text) {
+    if (!take(text, "{'descr': '")) return {};
+    const auto type = take_until(text, '\'');
+    if (!type || !take(text, ", 'fortran_order': ")) return {};
+    const auto order = take_until(text, ',');
+    if (!order || (*order != "True" && *order != "False") || !take(text, " 'shape': (")) return {};
+    const auto shape = take_until(text, ')');
+    if (!shape || !take(text, ", }") || text.find_first_not_of(" \t\n\r\f\v") != text.npos)
+        return {};
+    return Dictionary{*type, *order, *shape};
+}
+
+/// Up to nine digits and nothing else.
+std::optional<std::size_t> parse_side(std::string_view text) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, value);
+    if (text.empty() || text.size() > 9 || error != std::errc() || at != end) return {};
+    return value;
+}
+
 Header read_header(std::string_view bytes, const std::string& name) {
     Header header;
-    const std::string text(dictionary(bytes, name, header));
-    static const std::regex form(
-        R"(\{'descr': '([^']*)', 'fortran_order': (True|False), 'shape': \(([^)]*)\), \}\s*)");
-    std::smatch parts;
-    if (!std::regex_match(text, parts, form))
+    const std::string_view text = dictionary(bytes, name, header);
+    const auto parts = parse_dictionary(text);
+    if (!parts)
         fail(name, toml_string(shortened(text, 80)), "is no header of a plain array", remedy);
-    const std::string type = parts[1], shape = parts[3];
-    if (type != "<f8" && type != "<f4")
-        fail(name, toml_string(shortened(type, 20)),
+    if (parts->type != "<f8" && parts->type != "<f4")
+        fail(name, toml_string(shortened(parts->type, 20)),
              "is not the type of little-endian floating-point numbers, <f8 or <f4",
              "convert it by astype(float)");
-    static const std::regex two(R"((\d{1,9}), (\d{1,9}))");
-    std::smatch sides;
-    if (!std::regex_match(shape, sides, two))
-        fail(name, "shape (" + shortened(shape, 40) + ")", "is not that of rows and columns",
+    const auto comma = std::min(parts->shape.find(", "), parts->shape.size());
+    const auto n_rows = parse_side(parts->shape.substr(0, comma));
+    const auto n_columns =
+        parse_side(parts->shape.substr(std::min(comma + 2, parts->shape.size())));
+    if (!n_rows || !n_columns)
+        fail(name, "shape (" + shortened(parts->shape, 40) + ")", "is not that of rows and columns",
              "save an array of two dimensions");
-    header.item = type == "<f8" ? 8 : 4;
-    header.columns_first = parts[2] == "True";
-    header.n_rows = std::stoul(sides[1]);
-    header.n_columns = std::stoul(sides[2]);
+    header.item = parts->type == "<f8" ? 8 : 4;
+    header.columns_first = parts->order == "True";
+    header.n_rows = *n_rows;
+    header.n_columns = *n_columns;
     return header;
 }
 

@@ -9,6 +9,7 @@
 #include "io/case_keys.h"
 #include "io/disguise.h"
 #include "io/messages.h"
+#include "io/nesting.h"
 
 namespace tricontact::io {
 
@@ -134,6 +135,15 @@ bool escapes_disguise(std::string_view text) {
            text.find("\\U000f") != std::string_view::npos;
 }
 
+// Tables within tables are built, and taken down, by functions that call themselves.
+void check_nesting(std::string_view text, const std::string& name) {
+    const std::size_t at = first_too_deep(text);
+    if (at != std::string_view::npos)
+        fail(name + ':' + line_and_column(text, at), "",
+             "tables or lists are nested deeper than in any file of ours",
+             "write keys as section.key");
+}
+
 constexpr const char* examples =
     "begin with an example: cases/, studies/, rigs/, measurements/ and experiments/ hold some";
 
@@ -154,6 +164,7 @@ void check_text(std::string_view text, const std::string& name) {
 toml::table parse_toml(std::string_view text, const std::string& name, Disguise& disguise) {
     check_text(text, name);
     try {
+        check_nesting(text, name);
         return toml::parse(disguise.put_on(text));
     } catch (const toml::parse_error& error) {
         const std::string what = disguise.take_off(error.description());
@@ -250,7 +261,9 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
 
 Value parse_value(const std::string& text) {
     // A line break could smuggle in a second key.
-    if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text)) return text;
+    if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text) ||
+        first_too_deep(text) != std::string_view::npos)
+        return text;
     try {
         Disguise disguise;
         const toml::table table = toml::parse(disguise.put_on("v = " + text));

@@ -1,14 +1,9 @@
 #include "meshes/mesh_format.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
 #include <string_view>
-#include <system_error>
 
 #include "meshes/mesh_numbers.h"
 #include "meshes/messages.h"
@@ -17,28 +12,7 @@ namespace tricontact::meshes {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const std::string& path, int error) {
-    fail(path, "the mesh file cannot be read (" + std::generic_category().message(error) + ")",
-         error == ENOENT   ? "check the path"
-         : error == EACCES ? "give yourself the permission to read it"
-                           : "name a readable gmsh mesh file");
-}
-
-void check_kind(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (error) refuse(path, error.value());
-    if (fs::is_directory(status)) fail(path, "is a directory", "name a mesh file inside it");
-    if (!fs::is_regular_file(status)) fail(path, "is not a regular file", "name a mesh file");
-    if (::access(path.c_str(), R_OK) != 0) refuse(path, errno);
-}
-
-std::string bytes_of(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+constexpr std::uint64_t most_bytes = 4'000'000'000;  // some 10^7 hexahedra
 
 bool has_all_sections(std::string_view bytes) {
     std::size_t at = 0;
@@ -69,12 +43,32 @@ void check_bytes(const std::string& path, std::string_view bytes) {
 }  // namespace
 
 bool is_complete_mesh(const std::string& path) {
-    return has_all_sections(bytes_of(path));
+    try {
+        return has_all_sections(files::RegularFile(path).content(most_bytes));
+    } catch (const files::Unreadable&) {
+        return false;
+    }
 }
 
-void check_mesh_file(const std::string& path) {
-    check_kind(path);
-    check_bytes(path, bytes_of(path));
+void refuse_mesh_file(const std::string& path, const files::Unreadable& why) {
+    const std::string_view what = why.what();
+    if (why.error() == 0)
+        fail(path, what,
+             what == "is a directory" ? "name a mesh file inside it" : "name a mesh file");
+    fail(path, std::string("the mesh file ") + why.what(),
+         why.error() == ENOENT   ? "check the path"
+         : why.error() == EACCES ? "give yourself the permission to read it"
+                                 : "name a readable gmsh mesh file");
+}
+
+void check_mesh_file(files::RegularFile& file, const std::string& path) {
+    std::string bytes;
+    try {
+        bytes = file.content(most_bytes);
+    } catch (const files::Unreadable& why) {
+        refuse_mesh_file(path, why);
+    }
+    check_bytes(path, bytes);
 }
 
 }  // namespace tricontact::meshes

@@ -2,13 +2,18 @@
 
 #include <string>
 
+#include "files/regular_file.h"
+
 namespace tricontact::meshes {
 
 /// gmsh takes any text for a script and runs it, overlooks a missing end of a mesh, and crashes on
 /// numbers that it does not expect. So before it sees the file: throws contact::InputError unless
-/// the path is a readable regular file that begins as a mesh of version 2.2 or 4.1, has all
-/// of its nodes and elements, and sound numbers in them.
-void check_mesh_file(const std::string& path);
+/// what can be read of it from here on begins as a mesh of version 2.2 or 4.1, has all of its nodes
+/// and elements, and sound numbers in them. `path` is for messages.
+void check_mesh_file(files::RegularFile& file, const std::string& path);
+
+/// Throws contact::InputError that says why the mesh file cannot be read.
+[[noreturn]] void refuse_mesh_file(const std::string& path, const files::Unreadable& why);
 
 /// Whether the sections of nodes and elements are there to their ends; false for no such file.
 bool is_complete_mesh(const std::string& path);

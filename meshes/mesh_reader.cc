@@ -1,11 +1,7 @@
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gmsh.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
-#include <system_error>
 
 #include "contact/error.h"
 #include "meshes/gmsh_model.h"
@@ -18,37 +14,32 @@ namespace tricontact::meshes {
 
 namespace {
 
-// The file under a name without a past. By its own name gmsh would take a .geo for a script, and
-// run a script `path`.opt beside it.
-class Nameless {
-  public:
-    explicit Nameless(const std::string& path) : fd_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-        if (fd_ < 0)
-            fail(path,
-                 "the mesh file cannot be opened (" + std::generic_category().message(errno) + ")",
-                 "check that it is still there");
+files::RegularFile open_mesh(const std::string& path) {
+    try {
+        return files::RegularFile(path);
+    } catch (const files::Unreadable& why) {
+        refuse_mesh_file(path, why);
     }
-    ~Nameless() { ::close(fd_); }
-    Nameless(const Nameless&) = delete;
-    Nameless& operator=(const Nameless&) = delete;
-    std::string path() const { return "/dev/fd/" + std::to_string(fd_); }
+}
 
-  private:
-    int fd_;
-};
+// The file under a name without a past. By its own name gmsh would take a .geo for a script, and
+// run a script `path`.opt beside it; and it might be another file by now.
+std::string nameless(const files::RegularFile& file) {
+    return "/dev/fd/" + std::to_string(file.descriptor());
+}
 
 }  // namespace
 
 HexMesh read_mesh(const std::string& path, double unit) {
     if (!(unit > 0) || !std::isfinite(unit))
         fail(path, fmt::format("the unit of length is {:g} m", unit), "make it a positive length");
-    check_mesh_file(path);
+    files::RegularFile file = open_mesh(path);
+    check_mesh_file(file, path);
     HexMesh mesh;
     try {
         const GmshSession session;
-        const Nameless file(path);
         GmshSession::call([&] {
-            gmsh::merge(file.path());
+            gmsh::merge(nameless(file));
             mesh = collect_model(unit, path);
         });
     } catch (const contact::InputError&) {

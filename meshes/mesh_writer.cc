@@ -1,11 +1,10 @@
 #include <gmsh.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
 #include <numeric>
-#include <system_error>
 
+#include "files/partial_file.h"
 #include "meshes/gmsh_model.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/mesh_file.h"
@@ -70,32 +69,14 @@ void build_model(const HexMesh& mesh) {
                                              group.nodes);
 }
 
-// Removed again unless moved to its final name.
-class Partial {
-  public:
-    // gmsh knows the format by the ending.
-    explicit Partial(const std::string& target)
-        : path_(target + ".partial-" + std::to_string(::getpid()) + ".msh") {}
-    ~Partial() {
-        std::error_code ignored;
-        fs::remove(path_, ignored);
-    }
-    Partial(const Partial&) = delete;
-    Partial& operator=(const Partial&) = delete;
-    const std::string& path() const { return path_; }
-
-  private:
-    std::string path_;
-};
-
 }  // namespace
 
 void write_mesh(const HexMesh& mesh, const std::string& path) {
     if (fs::path(path).extension() != ".msh")
         fail(path, "the name of a mesh file must end in .msh", "add the ending");
     if (mesh.hexes.empty()) fail(path, "there are no hexahedra to write", "make a mesh first");
-    const Partial partial(path);
     try {
+        files::PartialFile partial(path, ".msh");  // gmsh knows the format by the ending
         const GmshSession session;
         GmshSession::call([&] {
             gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
@@ -104,7 +85,7 @@ void write_mesh(const HexMesh& mesh, const std::string& path) {
         });
         // gmsh overlooks a full disk.
         if (is_complete_mesh(partial.path())) {
-            fs::rename(partial.path(), path);
+            partial.move_to_target();
             return;
         }
     } catch (const std::exception& error) {

@@ -113,6 +113,25 @@ TEST(NpyFile, RefusesWhatIsNoPlainArray) {
     EXPECT_EQ(
         said_of("{'descr': '<f8', 'fortran_order': False, 'shape': (6,), }"),
         "a.npy: shape (6,): is not that of rows and columns; save an array of two dimensions");
+    // Headers that no NumPy writes, and one as long as they get.
+    for (const char* text :
+         {"{'descr': '<f8', 'fortran_order': Maybe, 'shape': (2, 3), }",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)}",
+          "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }x",
+          "{'descr': '<f8, 'fortran_order': False, 'shape': (2, 3), }", "{'descr': '<f8", "", "{"})
+        EXPECT_NE(said_of(text).find("is no header of a plain array"), std::string::npos) << text;
+    for (const char* shape : {"2,3", "2, 3, 4", "2, ", ", 3", "-2, 3", "2, 3 ", "1234567890, 2"})
+        EXPECT_NE(said_of("{'descr': '<f8', 'fortran_order': False, 'shape': (" +
+                          std::string(shape) + "), }")
+                      .find("is not that of rows and columns"),
+                  std::string::npos)
+            << shape;
+    EXPECT_NE(said_of("{'descr': '" + std::string(60000, 'x')).find("is no header"),
+              std::string::npos);
+    EXPECT_NE(said_of("{'descr': '" + std::string(60000, 'x') +
+                      "', 'fortran_order': False, 'shape': (2, 3), }")
+                  .find("is not the type of little-endian"),
+              std::string::npos);
     EXPECT_EQ(said_of("{'descr': '<f8', 'fortran_order': False, 'shape': (1, 6), }"),
               "a.npy: shape 1 x 6: must be from 2 x 2 to 4096 x 4096 heights; save another part of "
               "it");

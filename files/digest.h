@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace tricontact::files {
+
+/// 128 bits of all bytes that were added (XXH3): against accidents, not against forgers.
+class Digest {
+  public:
+    Digest();
+    ~Digest();
+    Digest(const Digest&) = delete;
+    Digest& operator=(const Digest&) = delete;
+
+    Digest& add(const void* bytes, std::size_t n);
+    /// A text with its length before it: two of them one after the other are not the same as one.
+    Digest& operator<<(std::string_view text);
+    /// As 32 hexadecimal digits.
+    std::string text() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Of these bytes and nothing else.
+std::string digest_of(std::string_view bytes);
+
+}  // namespace tricontact::files

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tricontact::files {
+
+/// A file on its way: under a name of its own beside `target`, locked while it is written, moved
+/// onto the target when it is whole, removed when it does not get there. What a killed process
+/// leaves has no lock any more: the next one that writes the same target removes it, and so does
+/// `remove_left_partial_files`. All members but the destructor throw std::system_error.
+class PartialFile {
+  public:
+    /// `ending` of the temporary name, for programs that go by it: ".msh".
+    explicit PartialFile(std::string target, const std::string& ending = {});
+    ~PartialFile();
+    PartialFile(const PartialFile&) = delete;
+    PartialFile& operator=(const PartialFile&) = delete;
+
+    int descriptor() const { return descriptor_; }
+    const std::string& path() const { return path_; }  ///< until it is moved
+    void write(std::string_view bytes);
+    /// Synced to the disk first.
+    void move_to_target();
+
+  private:
+    std::string target_, path_;
+    int descriptor_ = -1;
+};
+
+/// Removes from a folder what killed processes left of partial files, and nothing that is being
+/// written. Where the file system has no locks, what is older than a day. A folder that does not
+/// exist has none; what cannot be removed stays.
+void remove_left_partial_files(const std::string& folder) noexcept;
+
+}  // namespace tricontact::files
