@@ -51,7 +51,7 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     if (runs.empty()) return;
     std::vector<SweepPoint> points;
     for (const RolledRun& run : runs) points.push_back(point_of(deviation, run, options.case_file));
-    io::ResultStore store(options.output + '/' + io::result_store_name);
+    io::ResultStore store = open_results(options.output);
     compute_missing(points, store,
                     {.name = "deviation", .jobs = options.jobs, .quiet = options.quiet});
     std::vector<RolledResult> results;

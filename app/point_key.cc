@@ -1,35 +1,46 @@
 #include "app/point_key.h"
 
-#include <fmt/format.h>
-#include <xxhash.h>
-
+#include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
+#include <string_view>
+
+#include "app/numerics.h"
+#include "contact/error.h"
+#include "files/digest.h"
+#include "files/regular_file.h"
 
 namespace tricontact::app {
 
 namespace {
 
-std::string digest(const std::string& text) {
-    const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+std::string digest_of_file(const std::string& path) {
+    try {
+        files::RegularFile file(path);
+        files::Digest digest;
+        std::array<char, 65536> buffer{};
+        while (const std::size_t n = file.read(buffer.data(), buffer.size()))
+            digest.add(buffer.data(), n);
+        return digest.text();
+    } catch (const files::Unreadable& why) {
+        throw contact::InputError(path + ": " + why.what() + "; name a readable file");
+    }
 }
 
 }  // namespace
 
+std::string program_identity() {
+    return std::string(TRICONTACT_VERSION) + '\n' + std::string(numerics_digest());
+}
+
 std::string point_key(const std::string& resolved) {
-    return digest(std::string(TRICONTACT_VERSION) + '\n' + resolved);
+    return files::digest_of(program_identity() + '\n' + resolved);
 }
 
 std::string file_digests(const contact::Case& c) {
     std::string digests;
-    for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh}) {
-        if (!*name) continue;
-        std::ifstream file(**name, std::ios::binary);
-        digests += digest({std::istreambuf_iterator<char>(file), {}}) + '\n';
-    }
+    for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh})
+        if (*name) digests += digest_of_file(**name) + '\n';
     return digests;
 }
 

@@ -6,12 +6,16 @@
 
 namespace tricontact::app {
 
-/// Digest of the program's version and the resolved text of a case: what results depend on, but for
-/// the files that the text names.
+/// Version and numerics_digest() of the program.
+std::string program_identity();
+
+/// Digest of the program's identity and the resolved text of a case: what results depend on, but
+/// for the files that the text names.
 std::string point_key(const std::string& resolved);
 
 /// Digests of what the files hold that the case names, a line each; empty if it names none. Belongs
-/// beside the resolved text wherever results are found again by it.
+/// beside the resolved text wherever results are found again by it. Throws contact::InputError if
+/// one cannot be read.
 std::string file_digests(const contact::Case& c);
 
 /// Shard i of n, from 1, of a study's points.

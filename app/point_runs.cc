@@ -36,6 +36,15 @@ std::vector<std::size_t> missing(const std::vector<SweepPoint>& points,
 
 }  // namespace
 
+io::ResultStore open_results(const std::string& folder) {
+    const std::string path = folder + '/' + io::result_store_name;
+    io::ResultStore store(path);
+    if (store.n_damaged() > 0)
+        std::cerr << fmt::format("{}: {} damaged rows removed; their points are computed again\n",
+                                 path, store.n_damaged());
+    return store;
+}
+
 void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
                      const PointRuns& runs) {
     // Threads of BLAS beside other points would only be in each other's way.

@@ -20,6 +20,10 @@ struct PointRuns {
     std::function<void()> attend = {};  ///< called while points are computed; may throw
 };
 
+/// The store in the folder of a sweep, for writing; says on standard error if rows of it were
+/// damaged and are computed again. Throws contact::InputError.
+io::ResultStore open_results(const std::string& folder);
+
 /// Computes the points that the store has not yet, or whose files are asked for and not there, in
 /// processes side by side, each stored as it ends; prints how far it is. The BLAS of the processes
 /// has one thread each. Throws contact::InputError if the store cannot

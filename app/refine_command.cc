@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "app/commands.h"
+#include "app/numerics.h"
 #include "app/point_key.h"
 #include "app/refinement_levels.h"
 #include "app/run_model.h"
@@ -14,6 +14,8 @@
 #include "comparisons/refinement_report.h"
 #include "comparisons/report.h"
 #include "contact/pressure_shape.h"
+#include "files/digest.h"
+#include "files/regular_file.h"
 #include "io/atomic_file.h"
 
 namespace tricontact::app {
@@ -31,15 +33,25 @@ struct Finished {
     double cpu_s = 0;
 };
 
+/// Empty if it cannot be read.
 std::string read_text(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    return file ? text.str() : "";
+    constexpr std::uint64_t most_bytes = 100'000'000;
+    try {
+        return files::RegularFile(path).content(most_bytes);
+    } catch (const files::Unreadable&) {
+        return "";
+    }
+}
+
+/// What a level.json holds beside the digest.
+json document_of(const Level& level, const Finished& done) {
+    return {{"version", version},     {"numerics", numerics_digest()},
+            {"case", level.resolved}, {"files", file_digests(level.c)},
+            {"cpu_s", done.cpu_s},    {"values", done.values}};
 }
 
 /// Levels in the folders of a refinement. A level that is finished is not computed again as long as
-/// program and case are the same.
+/// program and case are the same, and its file is as it was written.
 class Levels {
   public:
     explicit Levels(const RefineOptions& options) : options_(options) {}
@@ -59,23 +71,20 @@ class Levels {
     }
     Finished keep(const Level& level, const contact::History& history) const {
         const Finished done{comparisons::level_values(level.c, history), history.cpu_s};
-        const json document{{"version", version},
-                            {"case", level.resolved},
-                            {"files", file_digests(level.c)},
-                            {"cpu_s", done.cpu_s},
-                            {"values", done.values}};
+        json document = document_of(level, done);
+        document["digest"] = files::digest_of(document.dump());
         io::write_file(file(level), document.dump(2) + "\n");
         return done;
     }
     std::optional<Finished> find(const Level& level) const {
         const json found = json::parse(read_text(file(level)), nullptr, false);
-        if (found.is_discarded() || !found.is_object() || found.value("version", "") != version ||
-            found.value("case", "") != level.resolved ||
-            found.value("files", "") != file_digests(level.c))
-            return {};
+        if (found.is_discarded() || !found.is_object()) return {};
         try {
             const Finished done{found.at("values").get<LevelValues>(),
                                 found.at("cpu_s").get<double>()};
+            // Nothing of it is believed that a document of the same numbers would not hold.
+            const json due = document_of(level, done);
+            if (found.at("digest") != files::digest_of(due.dump())) return {};
             say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
             return done;
         } catch (const json::exception&) {  // not of our making

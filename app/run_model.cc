@@ -82,7 +82,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     if (name == "fem") {
         auto journalled = std::make_unique<io::JournalledModel>(
             std::move(made), folder + "/steps.journal",
-            version + '\n' + name + '\n' + resolved + file_digests(c), say);
+            program_identity() + '\n' + name + '\n' + resolved + file_digests(c), say);
         journal = journalled.get();
         made = std::move(journalled);
         if (journal->n_found() > 0)

@@ -69,7 +69,7 @@ void sweep_command(const SweepOptions& options) {
     const std::vector<std::string> keys = run->keys();
 
     io::make_output_folder(folder);
-    io::ResultStore store(folder + '/' + io::result_store_name);
+    io::ResultStore store = open_results(folder);
     const std::string table = folder + '/' + table_name, report = folder + '/' + report_name;
     // Those of an earlier sweep must not seem to be of this one while it is unfinished.
     io::remove_old_results(folder, {table_name, report_name});
@@ -94,7 +94,7 @@ void merge_command(const MergeOptions& options) {
                                       "; name the folder of a sweep");
     io::make_output_folder(options.output);
     const std::string path = options.output + '/' + io::result_store_name;
-    io::ResultStore store(path);
+    io::ResultStore store = open_results(options.output);
     for (const std::string& from : options.inputs) {
         std::error_code ignored;
         if (std::filesystem::equivalent(from, options.output, ignored))
@@ -108,6 +108,10 @@ void merge_command(const MergeOptions& options) {
             std::cout << fmt::format(
                 "{}: {} points have other results than in {}, which keeps its own\n", from,
                 merged.different, path);
+        if (merged.damaged > 0)
+            std::cout << fmt::format(
+                "{}: {} damaged rows left out: their sweep computes them again\n", from,
+                merged.damaged);
     }
 }
 

@@ -1,5 +1,8 @@
 #include "io/result_store.h"
 
+#include <vector>
+
+#include "files/digest.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -8,9 +11,10 @@ namespace {
 
 // "Tric", so that the file says whose it is; and the number of its form.
 constexpr std::int64_t application_id = 0x54726963;
-constexpr std::int64_t form = 1;
+constexpr std::int64_t form = 2;
 
 // One result per point, any number of failures. Times differ from run to run: a table of their own.
+// Each row has a digest of all that the program reads of it.
 constexpr const char* tables = R"(
 CREATE TABLE points (
     id INTEGER PRIMARY KEY,
@@ -20,6 +24,7 @@ CREATE TABLE points (
     resolved_case TEXT NOT NULL,
     results TEXT,
     error TEXT,
+    digest TEXT NOT NULL,
     CHECK ((results IS NULL) <> (error IS NULL))
 );
 CREATE UNIQUE INDEX one_result ON points (key) WHERE results IS NOT NULL;
@@ -28,11 +33,16 @@ CREATE TABLE times (
     point INTEGER PRIMARY KEY REFERENCES points (id),
     cpu_s REAL NOT NULL,
     wall_s REAL NOT NULL,
-    finished TEXT NOT NULL DEFAULT (datetime('now'))
+    finished TEXT NOT NULL DEFAULT (datetime('now')),
+    digest TEXT NOT NULL
 );
 )";
 
-constexpr const char* columns = "key, version, model, resolved_case, results, error, cpu_s, wall_s";
+// A row whose times have gone is there all the same, and damaged.
+constexpr const char* selection =
+    "SELECT key, version, model, resolved_case, results, error, cpu_s, wall_s, points.digest, "
+    "times.digest, id FROM points LEFT JOIN times ON point = id ";
+constexpr int first_digest = 8, id_column = 10;
 
 std::int64_t pragma(const SqliteFile& file, const std::string& name) {
     auto statement = file.prepare("PRAGMA " + name);
@@ -50,20 +60,49 @@ PointOutcome outcome_of(const SqliteFile::Statement& row) {
             .wall_s = row.number(7)};
 }
 
+void add_optional(files::Digest& digest, const std::optional<std::string>& text) {
+    digest << (text ? "there" : "none") << text.value_or("");
+}
+
+std::string content_digest(const PointOutcome& outcome) {
+    files::Digest digest;
+    digest << outcome.key << outcome.version << outcome.model << outcome.resolved;
+    add_optional(digest, outcome.results);
+    add_optional(digest, outcome.error);
+    return digest.text();
+}
+
+std::string times_digest(const PointOutcome& outcome) {
+    files::Digest digest;
+    digest << outcome.key;
+    digest.add(&outcome.cpu_s, sizeof outcome.cpu_s).add(&outcome.wall_s, sizeof outcome.wall_s);
+    return digest.text();
+}
+
+bool is_whole(const SqliteFile::Statement& row) {
+    const PointOutcome outcome = outcome_of(row);
+    return row.text(first_digest) == content_digest(outcome) &&
+           row.text(first_digest + 1) == times_digest(outcome);
+}
+
 void insert(SqliteFile& file, const PointOutcome& outcome) {
     file.prepare(
-            "INSERT INTO points (key, version, model, resolved_case, results, error) "
-            "VALUES (?, ?, ?, ?, ?, ?)")
+            "INSERT INTO points (key, version, model, resolved_case, results, error, digest) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)")
         .bind(0, std::string_view(outcome.key))
         .bind(1, std::string_view(outcome.version))
         .bind(2, std::string_view(outcome.model))
         .bind(3, std::string_view(outcome.resolved))
         .bind(4, outcome.results)
         .bind(5, outcome.error)
+        .bind(6, std::string_view(content_digest(outcome)))
         .step();
-    file.prepare("INSERT INTO times (point, cpu_s, wall_s) VALUES (last_insert_rowid(), ?, ?)")
+    file.prepare(
+            "INSERT INTO times (point, cpu_s, wall_s, digest) "
+            "VALUES (last_insert_rowid(), ?, ?, ?)")
         .bind(0, outcome.cpu_s)
         .bind(1, outcome.wall_s)
+        .bind(2, std::string_view(times_digest(outcome)))
         .step();
 }
 
@@ -105,14 +144,33 @@ ResultStore::ResultStore(const std::string& path, Mode mode)
         if (pragma(file_, "schema_version") == 0) make_tables();
     }
     check_kind();
+    file_.check_integrity();
+    if (mode == Mode::write) remove_damaged();
 }
 
 void ResultStore::check_kind() const {
     if (pragma(file_, "application_id") != application_id)
         fail(file_.path(), "", "is no file of results", "name another, or move it away");
     if (pragma(file_, "user_version") != form)
-        fail(file_.path(), "", "was written by another version of the program",
-             "use that version, or another output folder");
+        fail(file_.path(), "",
+             "was written by another version of the program, whose rows this one does not trust",
+             "move it away, and its points are computed again; or choose another output folder");
+}
+
+// What is removed is computed again.
+void ResultStore::remove_damaged() {
+    std::vector<std::int64_t> damaged;
+    auto rows = file_.prepare(selection);
+    while (rows.step())
+        if (!is_whole(rows)) damaged.push_back(rows.integer(id_column));
+    if (damaged.empty()) return;
+    Transaction transaction(file_);
+    for (const std::int64_t id : damaged) {
+        file_.prepare("DELETE FROM times WHERE point = ?").bind(0, id).step();
+        file_.prepare("DELETE FROM points WHERE id = ?").bind(0, id).step();
+    }
+    transaction.commit();
+    n_damaged_ = damaged.size();
 }
 
 void ResultStore::make_tables() {
@@ -124,12 +182,15 @@ void ResultStore::make_tables() {
 }
 
 std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
-    auto row = file_.prepare(std::string("SELECT ") + columns +
-                             " FROM points JOIN times ON point = id WHERE key = ? "
-                             "ORDER BY results IS NULL, id DESC LIMIT 1");
+    auto row = file_.prepare(std::string(selection) +
+                             "WHERE key = ? ORDER BY results IS NULL, id DESC LIMIT 1");
     row.bind(0, std::string_view(key));
     if (!row.step()) return {};
-    return outcome_of(row);
+    const PointOutcome outcome = outcome_of(row);
+    if (outcome.key != key || !is_whole(row))
+        fail(file_.path(), "point " + key, "its row is damaged",
+             "call `tricontact sweep` again, which removes such rows and computes the points anew");
+    return outcome;
 }
 
 void ResultStore::add(std::span<const PointOutcome> outcomes) {
@@ -144,9 +205,12 @@ void ResultStore::add(std::span<const PointOutcome> outcomes) {
 ResultStore::Merged ResultStore::merge(const ResultStore& other) {
     Merged merged;
     Transaction transaction(file_);
-    auto rows = other.file_.prepare(std::string("SELECT ") + columns +
-                                    " FROM points JOIN times ON point = id ORDER BY id");
+    auto rows = other.file_.prepare(std::string(selection) + "ORDER BY id");
     while (rows.step()) {
+        if (!is_whole(rows)) {
+            ++merged.damaged;
+            continue;
+        }
         const PointOutcome outcome = outcome_of(rows);
         const auto here = find(outcome.key);
         if (here && here->results) {

@@ -2,12 +2,19 @@
 
 #include <sqlite3.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "io/messages.h"
 
 namespace tricontact::io {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* damaged_remedy =
+    "move it away, and what it held is computed again; `sqlite3 FILE .recover` may save it";
 constexpr int patience = 2000;  // ms for another program to let go of the file
 
 struct Refusal {
@@ -29,8 +36,10 @@ Refusal refusal_of(int code) {
         return {"cannot be written", "choose an output folder in which you may write"};
     if (code == SQLITE_CANTOPEN) return {"cannot be opened", "check path and permissions"};
     if (code == SQLITE_NOTADB) return {"is no file of results", "name another, or move it away"};
-    if (code == SQLITE_CORRUPT)
-        return {"is damaged", "move it away, or save what `sqlite3 FILE .recover` finds"};
+    // All statements are ours: what is wrong with one is wrong with the tables.
+    if (code == SQLITE_CORRUPT || code == SQLITE_ERROR || code == SQLITE_CONSTRAINT ||
+        code == SQLITE_MISMATCH || code == SQLITE_SCHEMA || code == SQLITE_FORMAT)
+        return {"is damaged", damaged_remedy};
     return {"failed", "check the disk, and call again"};
 }
 
@@ -45,6 +54,9 @@ void SqliteFile::Statement::Finalize::operator()(sqlite3_stmt* statement) const 
 }
 
 SqliteFile::SqliteFile(const std::string& path, Open how) : path_(path) {
+    std::error_code ignored;
+    if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
+        fail(path, "", "is not a regular file", "name another, or move it away");
     const int create = how == Open::create ? SQLITE_OPEN_CREATE : 0;
     sqlite3* database = nullptr;
     const int code =
@@ -72,6 +84,13 @@ bool SqliteFile::is_read_only() const {
     return sqlite3_db_readonly(database_.get(), "main") == 1;
 }
 
+void SqliteFile::check_integrity() const {
+    auto statement = prepare("PRAGMA integrity_check(1)");
+    const std::string found = statement.step() ? statement.text(0).value_or("") : "";
+    if (found != "ok")
+        fail(path_, "", "is damaged (" + shortened(found, 200) + ')', damaged_remedy);
+}
+
 void SqliteFile::check(int code) const {
     if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
     if (!database_) fail(path_, "", "not enough memory to open it", "");
@@ -83,6 +102,11 @@ void SqliteFile::check(int code) const {
 SqliteFile::Statement& SqliteFile::Statement::bind(int parameter, std::string_view text) {
     file_->check(sqlite3_bind_text(statement_.get(), parameter + 1, text.data(),
                                    static_cast<int>(text.size()), SQLITE_TRANSIENT));
+    return *this;
+}
+
+SqliteFile::Statement& SqliteFile::Statement::bind(int parameter, std::int64_t value) {
+    file_->check(sqlite3_bind_int64(statement_.get(), parameter + 1, value));
     return *this;
 }
 

@@ -21,6 +21,7 @@ class SqliteFile {
       public:
         Statement& bind(int parameter, std::string_view text);
         Statement& bind(int parameter, double value);
+        Statement& bind(int parameter, std::int64_t value);
         Statement& bind(int parameter, const std::optional<std::string>& text);
         /// Goes on to the next row; false after the last one.
         bool step();
@@ -44,6 +45,8 @@ class SqliteFile {
     void execute(const std::string& sql);
     Statement prepare(std::string_view sql) const;
     bool is_read_only() const;
+    /// Throws if the file's pages, tables and indices do not fit together.
+    void check_integrity() const;
     const std::string& path() const { return path_; }
 
   private:

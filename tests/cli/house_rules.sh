@@ -3,6 +3,7 @@
 # links in the documents lead somewhere.
 # usage: house_rules.sh PROGRAM SOURCE_DIR
 set -euo pipefail
+program=$(realpath "$1")
 cd "$2"
 failures=0
 
@@ -57,6 +58,21 @@ while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
 done < <(find app bem benchmarks comparisons contact dynamics fem files io mdr meshes python rig rolling tests theory \
     \( -name '*.cc' -o -name '*.h' -o -name '*.sh' -o -name '*.py' \) -exec wc -l {} \;)
+
+# What the numbers that are kept depend on has to be whole: of a part of comparisons that is in the
+# digest, all that it includes.
+sources=$(dirname "$program")/app_numerics_digest.txt
+if [ -e "$sources" ]; then
+    grep -qx 'contact/run.cc' "$sources" || complain "the digest of the numerics has no contact/run.cc"
+    while read -r file; do
+        while read -r header; do
+            grep -qxF "$header" "$sources" || complain "$file: $header is not in the digest of the numerics"
+            unit=${header%.h}.cc
+            [ ! -e "$unit" ] || grep -qxF "$unit" "$sources" ||
+                complain "$file: $unit is not in the digest of the numerics"
+        done < <(sed -n 's/^#include "\(comparisons\/.*\)"$/\1/p' "$file")
+    done < <(grep '^comparisons/' "$sources")
+fi
 
 # Links [text](path#anchor) relative to their document.
 n=0

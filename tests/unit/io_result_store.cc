@@ -1,6 +1,7 @@
 // What the store keeps, what it leaves out, and what it says of files that are not its own.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -122,6 +123,109 @@ TEST_F(Store, RefusesWhatIsNotItsOwn) {
               }).find("cannot be opened"),
               std::string::npos);
     EXPECT_NE(message_of([&] { ResultStore(path("no/folder")); }).find("cannot be opened"),
+              std::string::npos);
+}
+
+void execute(const std::string& path, const std::string& sql) {
+    SqliteFile(path, SqliteFile::Open::existing).execute(sql);
+}
+
+// Each change meets a row of its own; the first row stays as it is.
+TEST_F(Store, RowsThatWereChangedAreNotTaken) {
+    const std::vector<std::string> changes{"points SET results = '{\"x\":2}' WHERE id",
+                                           "points SET resolved_case = 'a = 2' WHERE id",
+                                           "points SET version = '2' WHERE id",
+                                           "points SET model = 'bem' WHERE id",
+                                           "points SET digest = '' WHERE id",
+                                           "points SET results = NULL, error = 'no' WHERE id",
+                                           "times SET cpu_s = 1 WHERE point",
+                                           "times SET wall_s = 1 WHERE point",
+                                           "times SET digest = '' WHERE point",
+                                           "times SET point = 99 WHERE point"};
+    std::vector<PointOutcome> rows{done("0", "{}")};
+    std::string sql;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+        rows.push_back(done(std::to_string(i + 1), R"({"x":1})"));
+        sql += "UPDATE " + changes[i] + " = " + std::to_string(i + 2) + ';';
+    }
+    ResultStore(path("a")).add(rows);
+    execute(path("a"), sql);
+    const ResultStore reader(path("a"), ResultStore::Mode::read);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        EXPECT_EQ(message_of([&] { reader.find(rows[i].key); }).find("its row is damaged; call") ==
+                      std::string::npos,
+                  i == 0)
+            << i;
+    ResultStore whole(path("b"));
+    const auto merged = whole.merge(reader);
+    EXPECT_EQ(merged.damaged, static_cast<std::int64_t>(changes.size()));
+    EXPECT_EQ(merged.points, 1);
+}
+
+TEST_F(Store, DamagedRowsGiveWay) {
+    ResultStore(path("a")).add(done("k", R"({"x":1})"));
+    execute(path("a"), "UPDATE points SET key = 'l'");
+    ResultStore store(path("a"));
+    EXPECT_EQ(store.n_damaged(), 1u);
+    EXPECT_FALSE(store.find("k"));
+    EXPECT_FALSE(store.find("l"));
+    store.add(done("k", R"({"x":3})"));
+    EXPECT_EQ(store.find("k")->results, R"({"x":3})");
+}
+
+TEST_F(Store, RowsOfAnotherFormAreRefused) {
+    ResultStore(path("a")).add(done("k", "{}"));
+    execute(path("a"), "PRAGMA user_version = 1");
+    EXPECT_NE(message_of([&] { ResultStore(path("a")); })
+                  .find("was written by another version of the program, whose rows this one does "
+                        "not trust; move it away"),
+              std::string::npos);
+}
+
+// One bit in bytes all over a small store: what is found afterwards is what was stored, or it is
+// not found, or the file is refused.
+TEST_F(Store, NoFlippedBitGivesAnotherResult) {
+    const std::vector<std::string> keys{"0123456789abcdef", "first", "second", "third"};
+    {
+        ResultStore store(path("whole"));
+        for (const std::string& key : keys) store.add(done(key, "{\"x\":0.123456789}"));
+    }
+    std::string whole;
+    {
+        std::ifstream in(path("whole"), std::ios::binary);
+        whole.assign(std::istreambuf_iterator<char>(in), {});
+    }
+    constexpr std::size_t n_flips = 60;  // more of them: tests/cli/corruption.sh
+    int n_refused = 0;
+    for (std::size_t i = 0; i < whole.size(); i += 1 + whole.size() / n_flips) {
+        std::string damaged = whole;
+        damaged[i] ^= static_cast<char>(1 << (i * 7 % 8));
+        std::ofstream(path("a"), std::ios::binary | std::ios::trunc) << damaged;
+        try {
+            ResultStore store(path("a"));
+            for (const std::string& key : keys) {
+                const auto found = store.find(key);
+                if (!found) continue;
+                EXPECT_EQ(found->results, "{\"x\":0.123456789}") << i;
+                EXPECT_EQ(found->cpu_s, 0.25) << i;
+            }
+            for (const std::string& key : keys) store.add(done(key, "{\"x\":0.123456789}"));
+        } catch (const contact::InputError& error) {
+            ++n_refused;
+            EXPECT_EQ(std::string(error.what()).find("check the disk"), std::string::npos)
+                << error.what();
+        }
+    }
+    EXPECT_GT(n_refused, 0);
+}
+
+TEST_F(Store, WhatIsNoFileIsRefusedWithoutWaiting) {
+    ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+    EXPECT_NE(message_of([&] { ResultStore(path("pipe")); }).find("is not a regular file"),
+              std::string::npos);
+    EXPECT_NE(message_of([&] {
+                  ResultStore(path("pipe"), ResultStore::Mode::read);
+              }).find("is not a regular file"),
               std::string::npos);
 }
 
