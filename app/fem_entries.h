@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "app/cache_command.h"
 #include "app/commands.h"
 #include "app/models.h"
 #include "contact/case.h"
@@ -18,6 +19,7 @@ struct FemEntries {
     meshes::LayerMeshSpec (*mesh_spec)(const contact::Case& c, const Say& say);
     void (*mesh_command)(const MeshOptions& options);
     void (*condense_command)(const CondenseOptions& options);
+    void (*cache_command)(const CacheOptions& options);
     bool (*another_process_speaks)();
 };
 

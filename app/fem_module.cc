@@ -8,6 +8,7 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
         [](const contact::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
         app::mesh_command,
         app::condense_command,
+        app::cache_command,
         app::another_process_speaks,
     };
     return &entries;

@@ -235,6 +235,12 @@ int run_program(int argc, char** argv) {
     add_case_arguments(*condense, condense_options.case_file, condense_options.overrides);
     condense->add_flag("--distributed", condense_options.distributed,
                        "Use MPI, even if mpirun did not start this process");
+
+    tricontact::app::CacheOptions cache_options;
+    auto* cache = app.add_subcommand("cache", "List the condensed layers that are kept");
+    cache->add_option("--folder", cache_options.folder, "Folder, as fem.cache (that of the user)")
+        ->type_name("DIR");
+    cache->add_flag("--clear", cache_options.clear, "Remove them");
 #endif
 
     tricontact::app::RefineOptions refine_options;
@@ -346,6 +352,7 @@ int run_program(int argc, char** argv) {
 #ifdef TRICONTACT_WITH_FEM
     if (*mesh) tricontact::app::fem_entries().mesh_command(mesh_options);
     if (*condense) tricontact::app::fem_entries().condense_command(condense_options);
+    if (*cache) tricontact::app::fem_entries().cache_command(cache_options);
 #endif
     return 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -9,10 +10,12 @@ namespace tricontact::fem {
 
 /// Condensed layers in a folder, one file each, named by what they were made of. Processes may
 /// share it: files appear complete or not at all. A file that is damaged, truncated or of another
-/// version counts as absent.
+/// version counts as absent. Files take cache_limit() bytes at most, or are one: those that were
+/// not used for longest go.
 class LayerCache {
   public:
     /// Empty folder: $XDG_CACHE_HOME/tricontact or ~/.cache/tricontact; "none": nothing is kept.
+    /// Throws contact::InputError if the limit that the user set is no size.
     explicit LayerCache(const std::string& folder);
 
     /// Digest of mesh, materials, boundary conditions, element and file format.
@@ -31,7 +34,8 @@ class LayerCache {
   private:
     bool keeps_nothing() const { return folder_.empty(); }
 
-    std::string folder_;  // empty: none
+    std::string folder_;   // empty: none
+    std::uint64_t limit_;  // [bytes]
 };
 
 }  // namespace tricontact::fem

@@ -12,8 +12,11 @@
 #include <iterator>
 #include <string>
 
+#include "contact/error.h"
 #include "fem/layer_cache.h"
 #include "fem/layer_file.h"
+#include "fem/layer_folder.h"
+#include "files/partial_file.h"
 #include "tests/unit/fem_box_mesh.h"
 
 namespace tricontact {
@@ -181,7 +184,7 @@ TEST_F(FemLayerCache, WhatCannotBeReadOrWrittenIsTold) {
 
     const LayerCache cache(folder_);
     fs::create_directory(cache.path_of(key_));  // takes the file's place
-    EXPECT_NE(load_error(cache).find("Is a directory"), std::string::npos);
+    EXPECT_NE(load_error(cache).find("is a directory"), std::string::npos);
     EXPECT_FALSE(cache.store(key_, some_layer(), &why));
     EXPECT_NE(why.find("cannot be written"), std::string::npos) << why;
     EXPECT_EQ(n_files(), 2);  // nothing left behind
@@ -245,14 +248,77 @@ TEST_F(FemLayerCache, ProcessesMayShareIt) {
 }
 
 TEST_F(FemLayerCache, LeftoversOfKilledProcessesGo) {
-    const std::string old = folder_ + "/" + key_ + ".layer.partial-1-0",
-                      fresh = folder_ + "/" + key_ + ".layer.partial-2-0";
-    write_bytes(old, "half");
-    write_bytes(fresh, "half");
-    fs::last_write_time(old, fs::file_time_type::clock::now() - std::chrono::hours(25));
-    ASSERT_TRUE(LayerCache(folder_).store(key_, some_layer()));
-    EXPECT_FALSE(fs::exists(old));
-    EXPECT_TRUE(fs::exists(fresh));  // its process may still write
+    const std::string left = folder_ + "/." + key_ + ".layer.partial-0";
+    write_bytes(left, "half");
+    const files::PartialFile written(folder_ + "/other.layer");
+    EXPECT_FALSE(LayerCache(folder_).load(key_).has_value());
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(written.path()));
+}
+
+TEST_F(FemLayerCache, APipeInAFilesPlaceDoesNotHang) {
+    const LayerCache cache(folder_);
+    ASSERT_EQ(::mkfifo(cache.path_of(key_).c_str(), 0600), 0);
+    EXPECT_NE(load_error(cache).find("is not a regular file"), std::string::npos);
+    EXPECT_TRUE(cache.store(key_, some_layer()));
+    EXPECT_TRUE(cache.load(key_).has_value());
+}
+
+// A key that begins with this digit.
+std::string key_of(char digit) {
+    return digit + std::string(31, '0');
+}
+
+TEST_F(FemLayerCache, ThoseNotUsedForLongestGoFirst) {
+    const auto layer = some_layer();
+    ASSERT_TRUE(LayerCache(folder_).store(key_of('a'), layer));
+    const auto size = fs::file_size(LayerCache(folder_).path_of(key_of('a')));
+    EXPECT_EQ(in_child([&] {
+                  ::setenv("TRICONTACT_CACHE_LIMIT", (std::to_string(3 * size) + " B").c_str(), 1);
+                  const LayerCache cache(folder_);
+                  const auto at = [&](int hours, char digit) {
+                      fs::last_write_time(
+                          cache.path_of(key_of(digit)),
+                          fs::file_time_type::clock::now() - std::chrono::hours(hours));
+                  };
+                  const auto there = [&] {
+                      std::string digits;
+                      for (const char digit : std::string("abcde"))
+                          if (fs::exists(cache.path_of(key_of(digit)))) digits += digit;
+                      return digits;
+                  };
+                  for (const char digit : std::string("bc")) cache.store(key_of(digit), layer);
+                  at(3, 'a');
+                  at(2, 'b');
+                  at(1, 'c');
+                  write_bytes(folder_ + "/mine.layer", std::string(10 * size, 'x'));
+                  cache.load(key_of('a'));  // used now
+                  if (there() != "abc" || !cache.store(key_of('d'), layer)) return false;
+                  if (there() != "acd") return false;
+                  // Larger than the limit: what is new stays, alone.
+                  return cache.store(key_of('e'), some_layer(60)) && there() == "e" &&
+                         fs::exists(folder_ + "/mine.layer");
+              }),
+              0);
+}
+
+TEST(FemLayerFolder, ReadsTheLimit) {
+    const auto limit_of = [](const char* text) {
+        ::setenv("TRICONTACT_CACHE_LIMIT", text, 1);
+        const std::uint64_t limit = fem::cache_limit();
+        ::unsetenv("TRICONTACT_CACHE_LIMIT");
+        return limit;
+    };
+    EXPECT_EQ(fem::cache_limit(), 10'000'000'000u);
+    EXPECT_EQ(limit_of(""), 10'000'000'000u);
+    EXPECT_EQ(limit_of("500 MB"), 500'000'000u);
+    EXPECT_EQ(limit_of("2.5GB"), 2'500'000'000u);
+    EXPECT_EQ(limit_of("0 B"), 0u);
+    for (const char* text : {"much", "5", "-1 GB", "1 GiB", "1e300 TB", "nan GB"})
+        EXPECT_THROW(limit_of(text), contact::InputError) << text;
+    ::unsetenv("TRICONTACT_CACHE_LIMIT");
+    EXPECT_EQ(fem::size_text(402'000'000), "402 MB");
+    EXPECT_EQ(fem::size_text(0), "0 B");
 }
 
 TEST_F(FemLayerCache, NoneKeepsNothing) {
