@@ -1,0 +1,120 @@
+#!/usr/bin/env bash
+# Commands that are killed at any time: the next call makes the same files as one that was not, and
+# nothing else is left behind.
+# usage: kills.sh PROGRAM SOURCE_DIR [KILLS [SEED]]
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+kills=${3:-7}
+RANDOM=${4:-20261122}
+child=
+trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
+export OPENBLAS_NUM_THREADS=1
+
+cat >study.toml <<EOF
+case = "$source_dir/cases/rig_sphere_parallel.toml"
+models = ["mdr"]
+[set]
+mdr.springs = 1000
+rolling.periods = 10
+rolling.run_all = true
+output.vtk = "quarters"
+[vary]
+rolling.amplitude_ratio = {from = 0.1, to = 0.5, points = 5}
+load.tangential_ratio = [0.1, 0.2, 0.3]
+EOF
+sed '/^\[rolling\]/,/^$/d; /^\[fem\]/,$d' "$source_dir/cases/rig_layer_parallel.toml" >static.toml
+sphere=$source_dir/cases/rig_sphere_parallel.toml
+layer=$source_dir/cases/rig_layer_parallel.toml
+
+# Each writes into the folder of its name, from the folder above.
+sweep=(sweep study.toml --output sweep --jobs 2 --vtk)
+deviation=(deviation static.toml --set load.press=frictionless --set bem.cells_per_radius=6
+    --output deviation --jobs 2)
+limit=(limit "$sphere" --set rolling.amplitude_ratio=0.51 --set mdr.springs=2000
+    --set "bem.spacing=0.8 mm" --tolerance 0.01 --output limit --threads 1)
+refine=(refine "$sphere" --model bem --output refine --set "bem.spacing=0.8 mm" --set rolling.periods=2
+    --threads 1)
+run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=all --set rolling.periods=2
+    --output run --threads 1)
+commands=(sweep deviation limit refine run)
+if "$program" list | grep -q '^  fem '; then
+    condense=(condense "$layer" --set 'fem.size="1.2 mm"' --set fem.cache=condense)
+    run_fem=(run "$layer" --models fem --no-studies --set 'fem.size="1.2 mm"' --set fem.cache=run_fem/cache
+        --output run_fem)
+    commands+=(condense run_fem)
+fi
+
+milliseconds() { date +%s%3N; }
+# start NAME: in the background, not by way of a shell that would be killed in its place.
+start() {
+    local -n arguments=$1
+    "$program" "${arguments[@]}" >out.txt 2>err.txt &
+    child=$!
+}
+# Its files with what they hold, but for those that differ between two calls that nobody disturbs: in
+# times. Of these only the names.
+contents() {
+    (cd "$1" && find . -type f | LC_ALL=C sort | while read -r file; do
+        if grep -qxF "$file" "../$2" 2>/dev/null; then echo "$file"; else sha256sum "$file"; fi
+    done)
+}
+# Processes, other than this script, that were started in this folder.
+processes() {
+    for process in /proc/[0-9]*; do
+        [ "$(readlink "$process/cwd")" = "$work" ] && [ "$(readlink "$process/exe")" = "$program" ] &&
+            echo "${process#/proc/}"
+    done 2>/dev/null
+}
+
+took=()
+for name in "${commands[@]}"; do
+    start "$name"
+    wait "$child" || complain "$name: $(tail -n 1 err.txt)"
+    mv "$name" "$name.first"
+    began=$(milliseconds)
+    start "$name"
+    wait "$child"
+    took[${#took[@]}]=$(($(milliseconds) - began))
+    comm -3 <(cd "$name" && find . -type f -exec sha256sum {} + | sort) \
+        <(cd "$name.first" && find . -type f -exec sha256sum {} + | sort) |
+        awk '{ print $NF }' | sort -u >"$name.times"
+    contents "$name" "$name.times" >"$name.due"
+    mv "$name" "$name.second"
+done
+
+n_met=0
+for ((k = 0; k < kills; ++k)); do
+    i=$((k % ${#commands[@]}))
+    name=${commands[i]}
+    # Into an empty folder, one of a call that was killed before, or a whole one.
+    case $((RANDOM % 3)) in
+        0) rm -rf "$name" ;;
+        1) [ -e "$name" ] || cp -r "$name.second" "$name" ;;
+        2) ;;
+    esac
+    start "$name"
+    delay=$((RANDOM * took[i] / 10 * 9 / 32768))
+    sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
+    kill -9 "$child" 2>/dev/null && n_met=$((n_met + 1))
+    { wait "$child"; } 2>/dev/null
+    # Every third one is killed once more before it may go on.
+    if [ $((RANDOM % 3)) -eq 0 ]; then
+        start "$name"
+        sleep "0.$((RANDOM % 900 + 100))"
+        kill -9 "$child" 2>/dev/null
+        { wait "$child"; } 2>/dev/null
+    fi
+    for _ in $(seq 1 50); do
+        [ -n "$(processes)" ] || break
+        sleep 0.02
+    done
+    [ -z "$(processes)" ] || complain "$name, killed after $delay ms: processes outlive it"
+    start "$name"
+    wait "$child" || complain "$name, killed after $delay ms: the next call: $(tail -n 1 err.txt)"
+    contents "$name" "$name.times" >"$name.now"
+    diff "$name.due" "$name.now" >difference.txt ||
+        complain "$name, killed after $delay ms: $(head -n 6 difference.txt)"
+done
+printf '%d of %d kills met a command at work\n' "$n_met" "$kills"
+[ "$n_met" -ge $((kills / 4)) ] || complain "only $n_met of $kills kills met a command"
+
+finish
