@@ -40,16 +40,20 @@ double edge_exponent(const contact::Case& c) {
                                           (substrate - roller) / (substrate + roller));
 }
 
+bool has_sharp_ends(const contact::Case& c) {
+    return c.indenter.chamfer == 0;
+}
+
 /// What is known of ends: flush ones, and sharp ones on a substrate that goes on.
 std::string laws(const contact::Case& c) {
     const double nu = c.substrate.poisson, exponent = edge_exponent(c);
     std::string curves =
         fmt::format(", {:.6g} with lines dashtype 3 linecolor rgb '{}' title '1 - ν^2'",
                     1 - nu * nu, theory_colour);
-    if (c.indenter.chamfer == 0)
+    if (has_sharp_ends(c))
         curves += fmt::format(
             ", [0.01:0.5] (x/0.5)**({0:.6g}) with lines dashtype 2 linecolor rgb '{1}' title "
-            "'slope of a sharp edge, {0:.2f}'",
+            "'slope of a sharp edge, {0:.2g}'",
             exponent, theory_colour);
     return curves;
 }
@@ -80,16 +84,19 @@ std::vector<Plot> end_plots(const contact::Case& c, const Histories& histories) 
                              "set key top right\n";
     return {{"ends",
              "Pressure at the ends",
-             "Along the line of first contact, the last upright state. Dotted: plane stress at the "
-             "free face of a substrate that ends with the roller. Dashed, of sharp ends on a "
-             "substrate that goes on: the slope of the edge's singularity, its height is free.",
+             std::string("Along the line of first contact, the last upright state. Dotted: plane "
+                         "stress at the free face of a substrate that ends with the roller.") +
+                 (has_sharp_ends(c) ? " Dashed, where the substrate goes on: the slope of the "
+                                      "sharp edge's singularity, its height is free."
+                                    : ""),
              {640, 420,
               axes + "set ylabel 'p over that in the middle'\nset logscale y\nplot " + pressures +
                   laws(c) + "\n"}},
             {"outline",
              "Half width of the contact at the ends",
-             "The last upright state. A dog-bone is wider at its ends than in the middle; rounded "
-             "ends close the contact.",
+             std::string("The last upright state.") +
+                 (has_sharp_ends(c) ? " A dog-bone is wider at its ends than in the middle."
+                                    : " Rounded ends close the contact."),
              {640, 380,
               axes + "set ylabel 'half width over that in the middle'\nplot " + widths + "\n"}}};
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "comparisons/plots.h"
 #include "comparisons/roller_ends.h"
 
 namespace tricontact::comparisons {
@@ -91,6 +92,25 @@ TEST(RollerEnds, WidestAndReachOfADogBone) {
     const auto grid = roller_ends(roller(), upright(on_grid(.1))).value();
     EXPECT_NEAR(grid.widest_ratio, half_width(length / 2 - .05) / half_width(0), 3e-3);
     EXPECT_NEAR(grid.reach, reach, .3);
+}
+
+TEST(RollerEnds, CaptionsAreThoseOfTheEnds) {
+    contact::Case c = roller();
+    contact::History history = upright(on_grid(.2));
+    history.model = "bem";
+    history.scales.contact_radius = 1;
+    const auto captions = [&] {
+        std::string text;
+        for (const Plot& plot : end_plots(c, {history})) text += plot.caption + '\n';
+        return text;
+    };
+    const std::string sharp = "sharp edge's singularity", round = "Rounded ends close";
+    c.indenter.chamfer = 0;
+    EXPECT_NE(captions().find(sharp), std::string::npos) << captions();
+    EXPECT_EQ(captions().find(round), std::string::npos) << captions();
+    c.indenter.chamfer = .5;
+    EXPECT_EQ(captions().find(sharp), std::string::npos) << captions();
+    EXPECT_NE(captions().find(round), std::string::npos) << captions();
 }
 
 TEST(RollerEnds, BelongToRollersOnly) {

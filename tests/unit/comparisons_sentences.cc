@@ -9,6 +9,7 @@
 #include "comparisons/limit.h"
 #include "comparisons/loading_report.h"
 #include "comparisons/model_assumptions.h"
+#include "comparisons/plots.h"
 #include "comparisons/reading.h"
 #include "comparisons/report_tables.h"
 #include "comparisons/tractive/creep_theory.h"
@@ -127,6 +128,32 @@ TEST(ReadingSentences, WithoutATangentialForceNothingIsShifted) {
         joined(reading(c, {summarise(c, synthetic::loaded_history("bem", still))}));
     EXPECT_TRUE(says(text, "BEM: pressed without a tangential force.")) << text;
     EXPECT_FALSE(says(text, "shifts the indenter")) << text;
+}
+
+TEST(PlotSentences, NothingSlipsAnyMoreAfterShakedownOnly) {
+    const auto caption = [](double f) {
+        const synthetic::Options options{.f = f};
+        return zone_maps(synthetic::unit_case(options), synthetic::two_models(options))
+            .front()
+            .caption;
+    };
+    EXPECT_TRUE(says(caption(0.56), "nothing slips any more"));
+    EXPECT_FALSE(says(caption(0.9), "nothing slips any more"));  // ratchets
+}
+
+TEST(PlotSentences, StaticTheoryIsNamedAsThatOfItsBody) {
+    const auto script = [](const Case& c) {
+        return shift_plots(c, synthetic::two_models()).front().picture.script;
+    };
+    EXPECT_TRUE(says(script(uncoupled()), "'u_{stat}, Cattaneo and Mindlin'"));
+    EXPECT_TRUE(says(script(relaxing(0)), "'u_{stat}, Cattaneo and Mindlin, relaxed'"));
+    Case cone = uncoupled();
+    cone.indenter.shape = Case::Shape::cone;
+    cone.indenter.angle = 0.1;
+    EXPECT_TRUE(says(script(cone), "'u_{stat}, superposed normal contacts'"));
+    Case free = uncoupled();
+    free.load.tangential_ratio = 0;
+    EXPECT_FALSE(says(script(free), "u_{stat}"));
 }
 
 TEST(TreatmentSentences, MdrOnTheLayerLeavesTheCouplingOut) {
