@@ -218,6 +218,29 @@ TEST(HalfSpaceDeviation, SaysWhatTheLayerMeans) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(HalfSpaceDeviation, SaysWhatTheHalfSpaceDoesOnlyWhereItDid) {
+    const auto text = [](const std::string& half_space) {
+        HalfSpaceDeviation d = small_deviation();
+        for (RolledCurve& curve : d.rolled)
+            for (RolledDeviation& point : curve.points) {
+                point.state = "ratcheting";
+                point.half_space_state = half_space;
+            }
+        std::string all;
+        for (const Verdict& verdict : deviation_verdicts(d)) all += verdict.sentence + '\n';
+        return all;
+    };
+    const std::string other = "it ratchets, the half-space shakes down";
+    EXPECT_NE(text("shakedown").find(other), std::string::npos) << text("shakedown");
+    EXPECT_EQ(text("undecided").find(other), std::string::npos);
+    EXPECT_EQ(text("").find(other), std::string::npos);
+    // Nothing needs a thickness: nothing is said of it.
+    HalfSpaceDeviation d = small_deviation();
+    for (ExactCurve& curve : d.curves) curve.needed = {};
+    for (const Verdict& verdict : deviation_verdicts(d))
+        EXPECT_EQ(verdict.sentence.find("so many contact widths thick: ."), std::string::npos);
+}
+
 TEST(HalfSpaceDeviation, SaysHowThickWithItsInterval) {
     EXPECT_EQ(needed_text({.ratio = 37.565}, .1), "37.6");
     EXPECT_EQ(needed_text({.ratio = 12.14, .low = 11.2, .high = 14}, .25), "12.1 (11.2 to 14.0)");

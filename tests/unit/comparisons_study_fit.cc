@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "comparisons/fit_document.h"
 #include "comparisons/study_fit.h"
 #include "comparisons_rolling_study.h"
 #include "theory/cattaneo_mindlin.h"
@@ -204,6 +205,22 @@ TEST(StudyFit, TableOfPointsHasEachResultWithItsError) {
               "shift_increment_ratio,shift_increment_ratio_error,limit_tangential_ratio,"
               "limit_tangential_ratio_error,stick_ratio,stick_ratio_error\n"
               "bem,\"parallel, at 8 mm\",0.25,0.5,settled,0.375,0.125,0.5,,,,0.75,0.0625,,\n");
+}
+
+// The thesis' 1 - w is above every model's limit; made up ones may be higher.
+TEST(FitSentences, TheThesisLimitLiesWhereItLies) {
+    const auto words = [](double factor) {
+        StudyFit fit;
+        fit.points = settled_points(1.5);
+        for (RollingPoint& p : fit.points) p.limit.value = factor * (1 - p.amplitude_ratio);
+        evaluate(fit);
+        std::string text;
+        for (const Verdict& verdict : fit_verdicts(fit)) text += verdict.sentence + '\n';
+        return text;
+    };
+    EXPECT_NE(words(0.8).find("lies 25 % above the model's"), std::string::npos) << words(0.8);
+    EXPECT_NE(words(1.25).find("lies 20 % below the model's"), std::string::npos) << words(1.25);
+    EXPECT_EQ(words(1.25).find("above the model's"), std::string::npos) << words(1.25);
 }
 
 }  // namespace
