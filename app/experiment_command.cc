@@ -21,6 +21,11 @@ using contact::Experiment;
 
 constexpr int enough_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
 
+/// What ratios of a case stand for: its own F_N [N] and W [m].
+struct Loads {
+    double normal_force = 0, amplitude = 0;
+};
+
 // The number of the case that a key stands for; null where the case states another one instead.
 double* number_of(const io::CaseKey& key, Case& c) {
     const io::Field field = key.field(c);
@@ -30,16 +35,39 @@ double* number_of(const io::CaseKey& key, Case& c) {
     return nullptr;
 }
 
-std::vector<CaseQuantity> quantities_of(const io::ExperimentInput& input, Case& c) {
+// Of an error of f_T or w the force or the length that the rig sets, see as_the_rig_sets.
+std::optional<CaseQuantity> set_quantity(const io::ExperimentInput::CaseError& error, Case c,
+                                         const Loads& loads) {
+    const double* stated = number_of(*error.key, c);
+    const std::string name(error.key->path);
+    if (stated && name == "load.tangential_ratio")
+        return CaseQuantity{name,
+                            error.standard_error * c.friction_coefficient * loads.normal_force,
+                            [](Case& set) -> double& { return *set.load.tangential_force; }};
+    if (stated && name == "rolling.amplitude_ratio")
+        return CaseQuantity{name, error.standard_error * loads.amplitude / *stated,
+                            [](Case& set) -> double& { return *set.rolling->amplitude; }};
+    return {};
+}
+
+// `c` as it was read, its loads as they were.
+std::vector<CaseQuantity> quantities_of(const io::ExperimentInput& input, const Case& c,
+                                        const Loads& loads) {
+    Case set = comparisons::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
     std::vector<CaseQuantity> quantities;
     for (const auto& error : input.errors) {
         const io::CaseKey& key = *error.key;
-        if (!number_of(key, c))
+        if (auto quantity = set_quantity(error, c, loads)) {
+            quantities.push_back(std::move(*quantity));
+            continue;
+        }
+        if (!number_of(key, set))
             throw contact::InputError(fmt::format(
                 "{}: errors.{}: the case does not state this number; name the key that it has",
                 error.place, key.path));
         quantities.push_back({std::string(key.path), error.standard_error,
-                              [&key](Case& any) -> double& { return *number_of(key, any); }});
+                              [&key](Case& any) -> double& { return *number_of(key, any); },
+                              key.range.high});
     }
     return quantities;
 }
@@ -52,26 +80,53 @@ class Predictions {
         : input_(input), options_(options), evaluation_(evaluation) {}
 
     void add() {
-        Case c = case_with(evaluation_.amplitude, evaluation_.periods, true);
+        rest_as_recorded();
+        const auto& stage = evaluation_.runs.front().stages.front();
+        const Case c = case_with(evaluation_.amplitude, stage.period, evaluation_.periods, true);
         if (!contact::is_hertz_round(c))
             throw contact::InputError(*input_.case_file +
                                       ": indenter.shape: records are compared with the formulas of "
                                       "a sphere; give that, or a paraboloid");
-        const auto quantities = quantities_of(input_, c);
-        comparisons::normalise(evaluation_, c, quantities);
+        const auto hertz = contact::half_space_scales(c);
+        const double amplitude =
+            c.rolling ? contact::rolling_amplitude(*c.rolling, hertz.contact_radius) : 0;
+        for (const auto& error : input_.errors)
+            evaluation_.uncertain_numbers.emplace_back(error.key->path);
+        comparisons::normalise(evaluation_, c,
+                               quantities_of(input_, c, {hertz.normal_force, amplitude}));
         for (const std::string& model : c.models)
             if (evaluation_.kind == Experiment::Kind::limit)
                 add_states(model);
             else
-                add_shift(model, c, quantities);
+                add_shift(model, c);
     }
 
   private:
-    Case case_with(double amplitude, int periods, bool run_all) const {
+    /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
+    void rest_as_recorded() {
+        const Case c = io::read_case(*input_.case_file, {});
+        if (!c.relaxation) return;
+        const comparisons::Rest& rest = evaluation_.rest;
+        comparisons::RolledAs& as = evaluation_.rolled_as;
+        const bool case_knows = c.load.hold > 0 && c.load.hold >= rest.time;
+        as.hold_is_known = rest.is_whole || case_knows;
+        as.hold = !rest.is_whole && case_knows ? c.load.hold : rest.time;
+    }
+
+    Case case_with(double amplitude, double period, int periods, bool run_all) const {
         std::vector<std::string> overrides{fmt::format("rolling.periods={}", periods),
                                            fmt::format("rolling.run_all={}", run_all)};
         if (amplitude > 0) overrides.push_back(fmt::format("rolling.amplitude={} m", amplitude));
-        return io::read_case(*input_.case_file, overrides);
+        const auto& hold = evaluation_.rolled_as.hold;
+        if (hold) overrides.push_back(fmt::format("load.hold={} s", *hold));
+        Case c = io::read_case(*input_.case_file, overrides);
+        if (!hold) return c;
+        if (amplitude == 0)
+            amplitude = contact::rolling_amplitude(*c.rolling,
+                                                   contact::half_space_scales(c).contact_radius);
+        c.rolling->speed = 4 * amplitude / period;
+        evaluation_.rolled_as.speed = c.rolling->speed;
+        return c;
     }
 
     contact::History run(const std::string& name, const Case& c) const {
@@ -86,26 +141,40 @@ class Predictions {
         shift.insert(shift.end(), history.shift_per_period.begin(), history.shift_per_period.end());
         return shift;
     }
-    void add_shift(const std::string& name, const Case& c,
-                   const std::vector<CaseQuantity>& quantities) {
+    void add_shift(const std::string& name, const Case& c) {
         say(fmt::format("{}: {} periods", name, evaluation_.periods));
         const contact::History history = run(name, c);
         comparisons::ModelPrediction prediction{
             name, shift_of(history), history.state, comparisons::model_wobble(c, history), {}};
-        for (const CaseQuantity& quantity : quantities) {
-            say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
-            Case raised = c;
-            quantity.of_case(raised) += quantity.standard_error;
-            prediction.raised.push_back(shift_of(run(name, raised)));
-        }
+        const Loads loads{history.friction_limit / c.friction_coefficient, history.amplitude};
+        const Case set = comparisons::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
+        for (const CaseQuantity& quantity : quantities_of(input_, c, loads))
+            prediction.raised.push_back(raised(name, set, quantity, prediction.shift));
         comparisons::add_prediction(evaluation_, std::move(prediction));
     }
+
+    /// The shift with a number larger by its error; where it cannot be, mirrored from a smaller
+    /// one.
+    std::vector<double> raised(const std::string& name, const Case& set,
+                               const CaseQuantity& quantity,
+                               const std::vector<double>& unchanged) const {
+        say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
+        Case other = set;
+        double& number = quantity.of_case(other);
+        const bool larger = number + quantity.standard_error <= quantity.largest;
+        number += larger ? quantity.standard_error : -quantity.standard_error;
+        std::vector<double> shift = shift_of(run(name, other));
+        for (std::size_t n = 0; n < shift.size() && !larger; ++n)
+            shift[n] = 2 * unchanged[n] - shift[n];
+        return shift;
+    }
+
     void add_states(const std::string& name) {
         comparisons::ModelLimit limit{name, {}};
         for (const auto& stage : evaluation_.runs.front().stages) {
             say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
-            limit.states.push_back(
-                run(name, case_with(stage.amplitude, enough_periods, false)).state);
+            const Case c = case_with(stage.amplitude, stage.period, enough_periods, false);
+            limit.states.push_back(run(name, c).state);
         }
         evaluation_.model_limits.push_back(std::move(limit));
     }

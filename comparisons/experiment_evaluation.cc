@@ -30,11 +30,13 @@ Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
     return interval_of(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
 }
 
-// The drift's error is nearly the same in both values.
+// The zero's error is the same in both values, the drift's differs by that of one period.
 Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence) {
     const StageEvaluation& stage = run.stages.front();
-    return interval_of(stage.shift[n] - stage.shift[n - 1],
-                       std::hypot(stage.shift_error[n], stage.shift_error[n - 1]), confidence,
+    const double drift = run.drift.standard_error * (stage.drift_time[n] - stage.drift_time[n - 1]);
+    const double error =
+        std::hypot(std::hypot(stage.noise_error[n], stage.noise_error[n - 1]), drift);
+    return interval_of(stage.shift[n] - stage.shift[n - 1], error, confidence,
                        run.degrees_of_freedom);
 }
 
@@ -97,6 +99,13 @@ void widen(Repeated& r, double common, double standard_error) {
     }
 }
 
+// Drift that was subtracted in one period, mean of the runs [m].
+double subtracted_per_period(const ExperimentEvaluation& e) {
+    double sum = 0;
+    for (const RunEvaluation& run : e.runs) sum += run.drift.value * run.stages.front().period;
+    return sum / static_cast<double>(e.runs.size());
+}
+
 void read_limits(ExperimentEvaluation& e) {
     std::vector<Estimate> middle, low, shift;
     for (const RunEvaluation& run : e.runs) {
@@ -129,8 +138,13 @@ void read_limits(ExperimentEvaluation& e) {
 
 }  // namespace
 
-bool Deviation::differs() const {
-    return comparisons::differ(measured, predicted);
+std::optional<bool> Deviation::differs() const {
+    if (!has_errors || rest_is_missing) return {};
+    Estimate with_creep = measured;
+    (creep > 0 ? with_creep.high : with_creep.low) += creep;
+    if (comparisons::differ(with_creep, predicted)) return true;
+    if (comparisons::differ(measured, predicted)) return {};
+    return false;
 }
 
 Repeated repeated(const std::vector<Estimate>& of_runs, double confidence) {
@@ -164,6 +178,8 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
     for (const RunEvaluation& run : e.runs) {
         e.periods = std::min(e.periods, run.stages.front().periods());
         e.amplitude += run.stages.front().amplitude / static_cast<double>(e.runs.size());
+        e.rest.time += run.rest / static_cast<double>(e.runs.size());
+        e.rest.is_whole = run.rest_is_whole;
     }
     put_together(e);
     if (e.kind == Experiment::Kind::limit) read_limits(e);
@@ -171,21 +187,28 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
 }
 
 void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
-    const auto add = [&](const char* name, const Repeated& measured, auto&& of) {
+    const double n = e.periods;
+    const auto add = [&](const char* name, const Repeated& measured, double n_drifted, auto&& of) {
         const double value = of(prediction.shift);
         double variance = 0;
         for (const auto& raised : prediction.raised) {
             const double change = of(raised) - value;
             variance += change * change;
         }
-        e.deviations.push_back({prediction.model, name, measured.at_confidence,
-                                interval_of(value, std::sqrt(variance), e.confidence, many)});
+        Deviation d{prediction.model, name, measured.at_confidence,
+                    interval_of(value, std::sqrt(variance), e.confidence, many)};
+        d.has_errors = !prediction.raised.empty();
+        if (e.rolled_as.hold) {
+            d.rest_is_missing = !e.rolled_as.hold_is_known;
+            d.creep = n_drifted * subtracted_per_period(e);
+        }
+        e.deviations.push_back(std::move(d));
     };
-    add("u_stat", e.static_shift, [](const std::vector<double>& u) { return u.front(); });
+    add("u_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
     if (e.kind == Experiment::Kind::shakedown)
-        add("u_sd", e.final_shift, [](const std::vector<double>& u) { return u.back(); });
+        add("u_sd", e.final_shift, n, [](const std::vector<double>& u) { return u.back(); });
     else
-        add("Du", e.increment,
+        add("Du", e.increment, 1,
             [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
     e.predictions.push_back(std::move(prediction));
 }

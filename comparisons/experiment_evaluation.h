@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ struct Repeated {
 struct CaseQuantity {
     std::string name;                                ///< "friction.coefficient"
     double standard_error = 0;                       ///< SI unit
-    std::function<double&(contact::Case&)> of_case;  ///< the number
+    std::function<double&(contact::Case&)> of_case;  ///< the number, see as_the_rig_sets
+    /// Largest value that it can have: nu = 1/2. Errors of a number at its end go downwards.
+    double largest = std::numeric_limits<double>::infinity();
 };
 
 /// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
@@ -45,7 +48,8 @@ struct ModelPrediction {
     std::vector<double> shift;  ///< u_0 ... u_N [m]
     contact::State state{};
     double wobble = 0;  ///< dU/dW of the last period [-]
-    /// `shift` when a quantity of the case grows by its standard error, one each.
+    /// `shift` when a quantity of the case grows by its standard error, one each, what else a rig
+    /// sets (see as_the_rig_sets) being the same. None: no errors are stated.
     std::vector<std::vector<double>> raised;
 };
 
@@ -53,9 +57,29 @@ struct ModelPrediction {
 struct Deviation {
     std::string model, quantity;
     Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
+    bool has_errors = false;       ///< errors of the case's numbers are stated
+    bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
+    /// Drift subtracted from the measured value that on a relaxing substrate may be creep, which
+    /// the model's has [m].
+    double creep = 0;
 
     double ratio() const { return measured.value / predicted.value; }
-    bool differs() const;  ///< the intervals exclude each other
+    /// The intervals exclude each other, also with the creep back in the measured value. Empty
+    /// where that cannot be told.
+    std::optional<bool> differs() const;
+};
+
+/// What the record says of the rest under F_T before rolling.
+struct Rest {
+    double time = 0;        ///< mean of the runs, as far as recorded [s]
+    bool is_whole = false;  ///< record.loading says when F_T was applied
+};
+
+/// What the models take from the record besides amplitude and periods.
+struct RolledAs {
+    std::optional<double> hold;  ///< under F_T before rolling [s]; empty: an elastic substrate
+    bool hold_is_known = false;
+    std::optional<double> speed;  ///< of the drive [m/s]; empty: an elastic substrate
 };
 
 /// Verdicts of a model over the amplitudes of a limit run.
@@ -69,15 +93,18 @@ struct ExperimentEvaluation {
     std::string title;
     double confidence = 0;
     std::vector<RunEvaluation> runs;
-    contact::State state{};       ///< by the walk, of all runs that can tell; undecided if none or
-                                  ///< if they contradict each other
-    int periods = 0;              ///< of the shortest run, of the first stage
-    double amplitude = 0;         ///< mean of the first stages [m]; 0: unknown
-    Repeated static_shift;        ///< u_stat [m]
-    Repeated final_shift;         ///< u_sd: upright after the last common period [m]
-    Repeated settled_shift;       ///< extrapolated [m]
-    Repeated increment;           ///< Du, second half of the periods [m]
-    std::vector<Estimate> shift;  ///< per period, at `confidence` [m]
+    contact::State state{};  ///< by the walk, of all runs that can tell; undecided if none or
+                             ///< if they contradict each other
+    int periods = 0;         ///< of the shortest run, of the first stage
+    double amplitude = 0;    ///< mean of the first stages [m]; 0: unknown
+    Rest rest;
+    RolledAs rolled_as;
+    std::vector<std::string> uncertain_numbers;  ///< of the case: whose standard error is stated
+    Repeated static_shift;                       ///< u_stat [m]
+    Repeated final_shift;                        ///< u_sd: upright after the last common period [m]
+    Repeated settled_shift;                      ///< extrapolated [m]
+    Repeated increment;                          ///< Du, second half of the periods [m]
+    std::vector<Estimate> shift;                 ///< per period, at `confidence` [m]
     /// Of each period, u_n - u_(n-1), at `confidence` [m]; of one run by noise.
     std::vector<Estimate> period_increments;
 
@@ -102,7 +129,15 @@ struct ExperimentEvaluation {
 /// amplitudes of runs differ by more than 2 %.
 ExperimentEvaluation evaluate_experiment(const contact::Experiment& experiment);
 
-/// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4).
+/// The case with F_T [N] and W [m] in place of their ratios, which stand for this F_N [N] and W:
+/// what a rig sets is a force and a length, which an error of mu or F_N does not move.
+contact::Case as_the_rig_sets(contact::Case c, double normal_force, double amplitude);
+/// The same by Hertz' scales.
+contact::Case as_the_rig_sets(const contact::Case& c, const contact::HalfSpaceScales& hertz);
+
+/// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4), F_T and
+/// W as the rig sets them: `of_case` is asked of such a case. Where nothing that a number depends
+/// on has an error, its standard error is 0: not stated.
 void normalise(ExperimentEvaluation& evaluation, const contact::Case& c,
                const std::vector<CaseQuantity>& quantities);
 

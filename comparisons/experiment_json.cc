@@ -22,8 +22,28 @@ json repeated_json(const Repeated& r) {
             {"at_95_percent", estimate(r.at_95)}};
 }
 
+// An error of 0 is one that nobody stated.
 json uncertain(const theory::Uncertain& u) {
-    return {{"value", number(u.value)}, {"standard_error", number(u.standard_error)}};
+    return {{"value", number(u.value)},
+            {"standard_error", u.standard_error > 0 ? number(u.standard_error) : json()}};
+}
+
+json predicted_json(const Deviation& d) {
+    if (d.has_errors) return estimate(d.predicted);
+    return {{"value", number(d.predicted.value)},
+            {"standard_error", nullptr},
+            {"low", nullptr},
+            {"high", nullptr}};
+}
+
+json rolled_json(const ExperimentEvaluation& e) {
+    const RolledAs& as = e.rolled_as;
+    return {{"rest_under_load_s", e.rest.time},
+            {"rest_is_whole", e.rest.is_whole},
+            {"hold_s", as.hold ? json(*as.hold) : json()},
+            {"hold_is_known", as.hold ? json(as.hold_is_known) : json()},
+            {"speed_m_per_s", as.speed ? json(*as.speed) : json()},
+            {"numbers_with_errors", e.uncertain_numbers}};
 }
 
 json drift_json(const Drift& d) {
@@ -105,9 +125,9 @@ json models_json(const ExperimentEvaluation& e) {
             if (d.model == p.model)
                 deviations.push_back({{"quantity", d.quantity},
                                       {"measured_m", estimate(d.measured)},
-                                      {"predicted_m", estimate(d.predicted)},
+                                      {"predicted_m", predicted_json(d)},
                                       {"measured_over_predicted", number(d.ratio())},
-                                      {"differs", d.differs()}});
+                                      {"differs", d.differs() ? json(*d.differs()) : json()}});
         models.push_back(
             {{"model", p.model},
              {"state", contact::name_of(p.state)},
@@ -149,6 +169,7 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
                         {"wobble_ratio", e.wobble ? repeated_json(*e.wobble) : json()},
                         {"limit", limits_json(e)},
                         {"normalised", normalised_json(e.normalised)},
+                        {"rolled_as", rolled_json(e)},
                         {"models", models_json(e)},
                         {"runs", runs}};
     return document.dump(2) + '\n';

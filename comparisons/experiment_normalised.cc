@@ -12,7 +12,6 @@ using contact::Case;
 using theory::Uncertain;
 
 double tangential_ratio(const Case& c) {
-    if (c.load.tangential_ratio) return *c.load.tangential_ratio;
     return *c.load.tangential_force /
            (c.friction_coefficient * contact::half_space_scales(c).normal_force);
 }
@@ -35,12 +34,18 @@ class Propagation {
     Uncertain operator()(Function f, const Uncertain& measured) const {
         std::vector<Uncertain> inputs = inputs_;
         inputs.push_back(measured);
-        const auto of_numbers = [&](const std::vector<double>& x) {
-            Case changed = case_;
-            for (std::size_t i = 0; i < quantities_.size(); ++i)
-                quantities_[i].of_case(changed) = x[i];
-            return f(changed, x.back());
-        };
+        const std::function<double(std::vector<double>)> of_numbers =
+            [&](const std::vector<double>& x) {
+                Case changed = case_;
+                for (std::size_t i = 0; i < quantities_.size(); ++i) {
+                    const double largest = quantities_[i].largest;
+                    if (x[i] > largest)
+                        return 2 * of_numbers(with(x, i, largest)) -
+                               of_numbers(with(x, i, 2 * largest - x[i]));
+                    quantities_[i].of_case(changed) = x[i];
+                }
+                return f(changed, x.back());
+            };
         return theory::propagate(of_numbers, inputs).result;
     }
     template <class Function>
@@ -49,6 +54,11 @@ class Propagation {
     }
 
   private:
+    static std::vector<double> with(std::vector<double> x, std::size_t i, double value) {
+        x[i] = value;
+        return x;
+    }
+
     const Case& case_;
     const std::vector<CaseQuantity>& quantities_;
     std::vector<Uncertain> inputs_;
@@ -56,8 +66,27 @@ class Propagation {
 
 }  // namespace
 
-void normalise(ExperimentEvaluation& e, const Case& c,
+Case as_the_rig_sets(Case c, double normal_force, double amplitude) {
+    if (c.load.tangential_ratio) {
+        c.load.tangential_force = *c.load.tangential_ratio * c.friction_coefficient * normal_force;
+        c.load.tangential_ratio.reset();
+    }
+    if (c.rolling && c.rolling->amplitude_ratio) {
+        c.rolling->amplitude = amplitude;
+        c.rolling->amplitude_ratio.reset();
+    }
+    return c;
+}
+
+Case as_the_rig_sets(const Case& c, const contact::HalfSpaceScales& hertz) {
+    const double amplitude =
+        c.rolling ? contact::rolling_amplitude(*c.rolling, hertz.contact_radius) : 0;
+    return as_the_rig_sets(c, hertz.normal_force, amplitude);
+}
+
+void normalise(ExperimentEvaluation& e, const Case& given,
                const std::vector<CaseQuantity>& quantities) {
+    const Case c = as_the_rig_sets(given, contact::half_space_scales(given));
     const Propagation propagated(c, quantities);
     const auto over_unit = [](const Case& k, double shift) {
         return shift / contact::half_space_scales(k).unit_shift;

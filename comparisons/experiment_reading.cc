@@ -137,12 +137,47 @@ Verdict limit_verdict(const ExperimentEvaluation& e) {
                         percent(ratio_limit), shift(*e.limit_shift))};
 }
 
+std::string why_not_compared(const Deviation& d) {
+    if (!d.has_errors)
+        return "the case's numbers have no stated errors ([errors]): whether they differ cannot be "
+               "told";
+    if (d.rest_is_missing)
+        return "how long F_T acted before the rolling is not known: whether they differ cannot be "
+               "told";
+    return fmt::format(
+        "the intervals exclude each other, but not if the drift that was subtracted, {} µm, is "
+        "creep of the substrate",
+        significant(1e6 * d.creep, 2));
+}
+
 Verdict deviation_verdict(const Deviation& d) {
-    return {d.differs() ? Standing::fails : Standing::holds,
-            fmt::format("{}: {} = {}, measured {} ({}); {}.", display_name(d.model), d.quantity,
-                        shift(d.predicted), shift(d.measured), percent(d.ratio()),
-                        d.differs() ? "the intervals exclude each other: they differ"
-                                    : "the intervals overlap")};
+    const auto differs = d.differs();
+    const Standing standing = !differs   ? Standing::cannot_tell
+                              : *differs ? Standing::fails
+                                         : Standing::holds;
+    const std::string computed =
+        d.has_errors ? shift(d.predicted) : significant(1e6 * d.predicted.value) + " µm";
+    return {standing, fmt::format("{}: {} = {}, measured {} ({}); {}.", display_name(d.model),
+                                  d.quantity, computed, shift(d.measured), percent(d.ratio()),
+                                  !differs   ? why_not_compared(d)
+                                  : *differs ? "the intervals exclude each other: they differ"
+                                             : "the intervals overlap")};
+}
+
+// Of a relaxing substrate.
+Verdict rest_verdict(const ExperimentEvaluation& e) {
+    const std::string rest = given_quantity(*e.rolled_as.hold, "s");
+    if (!e.rolled_as.hold_is_known)
+        return {Standing::cannot_tell,
+                fmt::format("The substrate relaxes, and the record does not say when F_T was "
+                            "applied: the models rest under it for the {} that are recorded, the "
+                            "rig rested longer. Give record.loading, or load.hold in the case.",
+                            rest)};
+    return {Standing::finding,
+            fmt::format("The substrate relaxes: the models rest under F_T for {} before they roll, "
+                        "at {}, as {}.",
+                        rest, quantity(*e.rolled_as.speed, "m/s", 3),
+                        e.rest.is_whole ? "the record says" : "record and load.hold say")};
 }
 
 // By the thesis' criterion, in the first run.
@@ -228,9 +263,11 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
         verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
         for (const ModelLimit& limit : e.model_limits)
             verdicts.push_back(model_limit_verdict(e, limit));
+        if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
         for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)
                 verdicts.push_back(wobble_verdict(e, p));

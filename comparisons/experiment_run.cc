@@ -87,6 +87,8 @@ class Corrections {
         const double first = record.time.front();
         loading_ = experiment.loading.value_or(first);
         reference_ = timeline.start();
+        run.rest = timeline.start() - loading_;
+        run.rest_is_whole = experiment.loading.has_value();
         // A load that was applied in the record has the first half of the rest to settle.
         const double from = experiment.loading ? (loading_ + timeline.start()) / 2 : first;
         rest_ = rest(from, timeline.start());
@@ -143,9 +145,11 @@ class Corrections {
              const std::vector<double>& weights) const {
         stage.time.push_back(at);
         stage.shift.push_back(weighted(weights, part.shift));
-        const double drifted = weighted(weights, part.time) - reference_;
-        stage.shift_error.push_back(std::hypot(run_.noise.standard_error(weights),
-                                               run_.drift.standard_error * drifted, zero_error_));
+        stage.noise_error.push_back(run_.noise.standard_error(weights));
+        stage.drift_time.push_back(weighted(weights, part.time) - reference_);
+        stage.shift_error.push_back(std::hypot(stage.noise_error.back(),
+                                               run_.drift.standard_error * stage.drift_time.back(),
+                                               zero_error_));
     }
 
     const Record& record_;

@@ -26,7 +26,9 @@ struct StageEvaluation {
     /// With the roller upright: before the first period and after each.
     std::vector<double> time;                  ///< [s]
     std::vector<double> shift;                 ///< [m]
-    std::vector<double> shift_error;           ///< standard error by noise and drift [m]
+    std::vector<double> shift_error;           ///< standard error by noise, drift and zero [m]
+    std::vector<double> noise_error;           ///< of these by noise alone [m]
+    std::vector<double> drift_time;            ///< times the drift's error is its part of them [s]
     SettlingFit settling;                      ///< at verdict_confidence; drift's error included
     Estimate curvature;                        ///< of period values, at verdict_confidence [-]
     double sampled_curvature = 0;              ///< of all samples, as the thesis takes it [-]
@@ -46,6 +48,8 @@ struct RunEvaluation {
     std::string name;
     std::vector<StageEvaluation> stages;
     RecordNoise noise;                ///< of the rest before rolling
+    double rest = 0;                  ///< under F_T before rolling, as far as recorded [s]
+    bool rest_is_whole = false;       ///< the record says when F_T was applied
     Drift before;                     ///< of the rest before rolling
     std::optional<Drift> after;       ///< of the rest after it
     Drift drift;                      ///< what was subtracted: mean of both

@@ -25,6 +25,18 @@ std::string word(contact::State state) {
     return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
 }
 
+// An error of 0 is one that nobody stated.
+Cell with_stated_error(const theory::Uncertain& u, double factor) {
+    if (u.standard_error == 0) return factor * u.value;
+    return WithError{factor * u.value, factor * u.standard_error};
+}
+
+std::string numbers_with_errors(const ExperimentEvaluation& e) {
+    std::string names;
+    for (const std::string& name : e.uncertain_numbers) names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? "none is stated ([errors])" : names;
+}
+
 std::string percents(double level) {
     return fmt::format("{:.4g} %", 100 * level);
 }
@@ -60,11 +72,13 @@ DocumentTable normalised_table(const ExperimentEvaluation& e) {
                         .title = "Over Hertz' scales of the case",
                         .note =
                             "One standard error behind ±: of the measured value and of the "
-                            "case's numbers, first order, independent.",
+                            "case's numbers, first order, independent; F_T and W are what the "
+                            "rig sets. Errors of the case: " +
+                            numbers_with_errors(e) + ".",
                         .columns = {{"quantity"}, {"value"}},
                         .rows = {}};
     const auto add = [&](const char* name, const theory::Uncertain& u, double factor = 1) {
-        table.rows.push_back({name, WithError{factor * u.value, factor * u.standard_error}});
+        table.rows.push_back({name, with_stated_error(u, factor)});
     };
     add("f_T = F_T/(μ F_N)", n.tangential_ratio);
     if (limit) {
@@ -85,8 +99,9 @@ DocumentTable deviations_table(const ExperimentEvaluation& e) {
     DocumentTable table{.id = "deviations",
                         .title = "Measured and computed",
                         .note = percents(e.confidence) +
-                                " intervals; of a model by the errors of the case's numbers. They "
-                                "differ if the intervals exclude each other.",
+                                " intervals; of a model by the errors of the case's numbers: " +
+                                numbers_with_errors(e) +
+                                ". They differ if the intervals exclude each other.",
                         .columns = {{"model"},
                                     {"quantity"},
                                     {"measured [µm]"},
@@ -95,9 +110,13 @@ DocumentTable deviations_table(const ExperimentEvaluation& e) {
                                     {"differs"}},
                         .rows = {}};
     for (const Deviation& d : e.deviations)
-        table.rows.push_back({display_name(d.model), d.quantity, with_half_width(d.measured, um),
-                              with_half_width(d.predicted, um), percent(d.ratio()),
-                              d.differs() ? "yes" : "no"});
+        table.rows.push_back(
+            {display_name(d.model), d.quantity, with_half_width(d.measured, um),
+             d.has_errors ? Cell(with_half_width(d.predicted, um)) : Cell(um * d.predicted.value),
+             percent(d.ratio()),
+             !d.differs()   ? "cannot tell"
+             : *d.differs() ? "yes"
+                            : "no"});
     return table;
 }
 

@@ -136,4 +136,62 @@ says '"last_shakedown_m": 0.00109' limit/experiment.json
 write 'kind = "shakedown"' 'runs = ["run.csv"]'
 refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 
+# 7. What the rig sets is a force: f_T has the errors of mu and F_N whether the case states F_T or
+#    its ratio, and no number is ± 0. Without [errors] nobody tells whether models differ.
+json() { python3 -c "import json; print(json.load(open('$1'))$2)"; }
+run=experiments/synthetic/run_1.csv
+cp "$source_dir/$run" run.csv
+ratio=$(awk 'BEGIN { printf "%.17g", 6.735 / (0.57 * 21.1) }')
+sed "s/^tangential_force.*/tangential_ratio = $ratio/" experiments/synthetic_case.toml >ratio.toml
+cp experiments/synthetic_case.toml force.toml
+for case in force ratio; do
+    write 'kind = "shakedown"' 'runs = ["run.csv"]' "case = \"$case.toml\"" '[errors]' \
+        'friction.coefficient = 0.02'
+    expect 0 data.toml --output "$case" --quiet
+done
+for number in "['normalised']['tangential_ratio']['standard_error']" \
+    "['models'][0]['deviations'][0]['predicted_m']['high']"; do
+    a=$(json force/experiment.json "$number") b=$(json ratio/experiment.json "$number")
+    awk "BEGIN { exit !($a > 0 && ($a / $b - 1)^2 < 1e-12) }" || complain "$number: $a, $b"
+done
+write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "ratio.toml"' '[errors]' \
+    'load.tangential_ratio = 0.01'
+expect 0 data.toml --output set --quiet
+got=$(json set/experiment.json "['normalised']['tangential_ratio']['standard_error']")
+awk "BEGIN { exit !(($got / 0.01 - 1)^2 < 1e-12) }" || complain "error of the ratio: $got"
+write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "ratio.toml"'
+expect 0 data.toml --output plain --quiet
+says "no stated errors" out
+grep -q "they differ$" out && complain "models differ without errors"
+grep -q "± 0 " out && complain "± 0: $(cat out)"
+[ "$(json plain/experiment.json "['models'][0]['deviations'][0]['differs']")" = None ] ||
+    complain "differs without errors"
+
+# 8. A relaxing substrate rests under F_T as long as the record says, and rolls as fast: the model's
+#    static shift is that of a run with this hold.
+{
+    sed "s/^vtk.*/&/; /^\[bem\]/,\$d" ratio.toml
+    printf '[substrate.relaxation]\nG2 = "1.73 MPa"\neta = "17.3 MPa s"\n[output]\nvtk = "none"\n'
+} | sed 's/^periods.*/&\nspeed = "9 m\/s"/' >relaxing.toml
+awk -F, 'NR > 3 && $1 < 4 { $2 = 0.0 } { print $1 "," $2 (NR > 2 ? "," $3 : "") }' run.csv >loaded.csv
+write 'kind = "shakedown"' 'runs = ["loaded.csv"]' 'case = "relaxing.toml"' '[record]' 'loading = "4 s"' \
+    '[errors]' 'friction.coefficient = 0.02'
+expect 0 data.toml --output relaxing --quiet
+says "The substrate relaxes: the models rest under F_T for" out
+hold=$(json relaxing/experiment.json "['rolled_as']['hold_s']")
+speed=$(json relaxing/experiment.json "['rolled_as']['speed_m_per_s']")
+awk "BEGIN { exit !($hold > 25 && $hold < 27 && $speed > .9e-3 && $speed < 1.1e-3) }" ||
+    complain "hold $hold, speed $speed"
+"$program" run relaxing.toml --set load.hold="$hold s" --set rolling.speed="$speed m/s" \
+    --output run >/dev/null 2>&1 || complain "run"
+a=$(json relaxing/experiment.json "['models'][0]['shift_m'][0]")
+b=$(json run/summary.json "['models']['mdr']['static_shift_m']" 2>/dev/null ||
+    json run/summary.json "['models'][0]['static_shift_m']")
+awk "BEGIN { exit !(($a / $b - 1)^2 < 1e-12) }" || complain "static shift $a, after a hold $b"
+write 'kind = "shakedown"' 'runs = ["run.csv"]' 'case = "relaxing.toml"' '[errors]' \
+    'friction.coefficient = 0.02'
+expect 0 data.toml --output missing --quiet
+says "the record does not say when F_T was applied" out
+says "how long F_T acted before the rolling is not known" out
+
 finish

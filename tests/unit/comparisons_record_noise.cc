@@ -35,6 +35,14 @@ TEST(RecordNoise, ErrorOfAMeanCountsCorrelatedSamples) {
     }
 }
 
+// A straight line through n values leaves n - 2 degrees of freedom, exactly: 1, -2, 1 are what it
+// leaves of 1, -1, 3 at three places. Their variance is 6/1.
+TEST(RecordNoise, DeviationIsThatOfResidualsOfALine) {
+    EXPECT_DOUBLE_EQ(RecordNoise({1, -2, 1}, 0).standard_deviation(), std::sqrt(6));
+    EXPECT_DOUBLE_EQ(RecordNoise({1, -1, -1, 1}, 0).standard_deviation(), std::sqrt(2));
+    EXPECT_THROW(RecordNoise({1, -1}, 0), std::invalid_argument);
+}
+
 TEST(RecordNoise, RoundingWithoutNoiseDoesNotAverageOut) {
     const RecordNoise quiet(std::vector<double>(100, 0.), 80e-9);
     EXPECT_DOUBLE_EQ(quiet.standard_error(std::vector<double>(50, 0.02)), 80e-9 / std::sqrt(12));
