@@ -170,6 +170,9 @@ void fit_command(const FitOptions& options) {
     fit.confidence = options.confidence;
     fit.settings = settings_of(study, points.size(), options);
     fit.points = comparisons::rolling_points(stored_runs(study, points, folder, options));
+    const bool relaxes = std::ranges::any_of(
+        points, [](const SweepPoint& point) { return point.c.relaxation.has_value(); });
+    if (relaxes) fit.caveat = comparisons::relaxing_caveat();
     const auto line_factor = line_shift_factor(study, points);
     if (!line_factor) comparisons::evaluate(fit);
 
@@ -180,6 +183,7 @@ void fit_command(const FitOptions& options) {
         folder + "/fit.html",
         comparisons::document_html(line_factor ? comparisons::line_fit_document(fit, *line_factor)
                                                : comparisons::fit_document(fit)));
+    if (relaxes && !options.quiet) std::cerr << fit.caveat << '\n';
     if (!options.quiet)
         std::cerr << fmt::format("{} points of {} runs: open {}/fit.html\n", fit.points.size(),
                                  points.size(), folder);

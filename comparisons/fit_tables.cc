@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/fit_document.h"
 #include "comparisons/fit_rows.h"
@@ -14,10 +15,11 @@ DocumentTable form_table(const std::string& id, const std::string& title,
         .id = id,
         .title = title,
         .note =
-            "SSE (explained), SSR (residual) and R² = SSE/(SSE + SSR) are of the form's left "
-            "side, by equations A.1.8 to A.1.10 of the thesis; the numbers of its table A.1.1 "
-            "under SSE are residual sums. Residuals of a model are no noise: the interval says "
-            "how well the form describes the model.",
+            "Of the form's left side: SSE, the sum of squared errors (observed minus fitted), as "
+            "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
+            "minus mean); R² = SSR/(SSR + SSE). The equations A.1.8 to A.1.10 of the thesis "
+            "exchange the two names. Residuals of a model are no noise: the interval says how well "
+            "the form describes the model.",
         .columns = {{"model"},
                     {"group"},
                     {"form"},
@@ -37,7 +39,7 @@ DocumentTable form_table(const std::string& id, const std::string& title,
             const Goodness& g = row.form->of_left_side;
             table.rows.push_back({display_name(row.model), row.group, row.form->form,
                                   row.form->parameters[k], e.value, e.standard_error, e.low, e.high,
-                                  g.explained, g.residual, g.r_squared,
+                                  g.residual, g.explained, g.r_squared,
                                   static_cast<double>(row.form->fit.fitted.size())});
         }
     return table;
@@ -76,11 +78,12 @@ DocumentTable mapping_use_table(const StudyFit& fit) {
     for (const MappingGroup& group : fit.mapping) {
         if (group.points.empty()) continue;
         for (const MappingUse& use : group.uses)
-            table.rows.push_back({display_name(group.model), group.group, use.name, use.kappa,
-                                  100 * use.median, 100 * use.worst, use.worst_amplitude_ratio,
-                                  use.worst_tangential_ratio, static_cast<double>(use.n),
-                                  static_cast<double>(use.n_beyond_bars),
-                                  static_cast<double>(use.n_ratcheting)});
+            table.rows.push_back(
+                {display_name(group.model), group.group, use.name, use.kappa, 100 * use.median,
+                 100 * use.worst, use.worst_amplitude_ratio, use.worst_tangential_ratio,
+                 static_cast<double>(use.n),
+                 use.n_with_bars > 0 ? static_cast<double>(use.n_beyond_bars) : std::nan(""),
+                 static_cast<double>(use.n_ratcheting)});
     }
     return table;
 }

@@ -5,6 +5,7 @@
 
 #include "comparisons/fit_document.h"
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/grouping.h"
 #include "theory/oscillating_rolling.h"
 
@@ -13,10 +14,6 @@ namespace tricontact::comparisons {
 namespace {
 
 using Standing = Verdict::Standing;
-
-std::string percent_of(double part) {
-    return significant(100 * part, 2) + " %";
-}
 
 template <class Group>
 std::string name_of(const Group& group) {
@@ -33,9 +30,41 @@ const MappingUse* use_named(const MappingGroup& group, const std::string& name) 
     return found == group.uses.end() ? nullptr : &*found;
 }
 
-/// One kappa holds where no shift by it misses the model's by more than this, or by more than the
-/// numerical error.
-constexpr double negligible_miss = 1e-3;
+Standing standing_of(OneMapping::Finding finding) {
+    switch (finding) {
+        case OneMapping::Finding::holds:
+            return Standing::holds;
+        case OneMapping::Finding::fails:
+            return Standing::fails;
+        default:
+            return Standing::cannot_tell;
+    }
+}
+
+/// "one κ for all amplitudes and loads holds: ..."
+std::string finding_of(const MappingGroup& group) {
+    const OneMapping& one = group.one;
+    const std::string claim = "one κ for all amplitudes and loads ";
+    const std::string points =
+        fmt::format("that of single points lies between {} and {}",
+                    significant(group.smallest(), 3), significant(group.largest(), 3));
+    if (one.is_negligible) return claim + "holds to 0.1 % of u_sd; " + points;
+    if (one.finding == OneMapping::Finding::fails)
+        return claim + "does not hold: " + points + ", further apart than their numerical errors";
+    const std::string known =
+        fmt::format("{} of {} points know it to 10 %", one.n_telling, group.points.size());
+    if (one.finding == OneMapping::Finding::holds)
+        return fmt::format(
+            "{}holds within the numerical errors: {} to {} serves every point, {}; {}", claim,
+            significant(one.low, 3), significant(one.high, 3), known, points);
+    const bool without = one.n_with_bars < static_cast<int>(group.points.size());
+    return fmt::format("whether {}holds cannot be told: {}; {}", claim,
+                       without ? fmt::format("{} of {} points have numerical errors (levels of the "
+                                             "study)",
+                                             one.n_with_bars, group.points.size())
+                               : "the numerical errors are too large, " + known,
+                       points);
+}
 
 Verdict constant_verdict(const MappingGroup& group) {
     if (!group.constant)
@@ -46,28 +75,35 @@ Verdict constant_verdict(const MappingGroup& group) {
     if (!use)
         return {Standing::fails, fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)",
                                              name_of(group), value)};
-    const bool holds = std::abs(use->worst) < negligible_miss || use->n_beyond_bars == 0;
-    return {holds ? Standing::holds : Standing::fails,
-            fmt::format("{}: one {} for all amplitudes and loads {}; that of single points lies "
-                        "between {} and {}, u_sd is missed by {} in the median, {} at worst",
-                        name_of(group), value, holds ? "holds" : "does not hold",
-                        significant(group.smallest(), 3), significant(group.largest(), 3),
-                        percent_of(use->median), percent(1 + use->worst))};
+    return {
+        standing_of(group.one.finding),
+        fmt::format("{}: {}; by least squares κ = {}, which misses u_sd by {} in the median, {} "
+                    "at worst",
+                    name_of(group), finding_of(group),
+                    significant(group.constant->fit.parameters.front().value, 4),
+                    share(use->median), percent(1 + use->worst))};
 }
 
 void add_thesis_mapping(std::vector<Verdict>& verdicts, const MappingGroup& group) {
     const MappingUse* use = use_named(group, "thesis");
     if (!use || group.points.empty()) return;
-    const bool holds = use->n_beyond_bars == 0 && use->n_ratcheting == 0;
+    const bool contradicted = use->n_beyond_bars > 0 || use->n_ratcheting > 0;
+    const bool compared = group.one.is_known;
     verdicts.push_back(
-        {holds ? Standing::holds : Standing::fails,
+        {contradicted ? Standing::fails
+         : compared   ? Standing::holds
+                      : Standing::cannot_tell,
          fmt::format("{}: the thesis' κ = {} misses u_sd by {} in the median, {} at worst (w = {}, "
                      "f_T = {})",
-                     name_of(group), use->kappa, percent_of(use->median), percent(1 + use->worst),
-                     as_given(use->worst_amplitude_ratio), as_given(use->worst_tangential_ratio))});
+                     name_of(group), use->kappa, share(use->median), percent(1 + use->worst),
+                     as_given(use->worst_amplitude_ratio), as_given(use->worst_tangential_ratio)) +
+             (contradicted || compared
+                  ? ""
+                  : "; without smaller numerical errors (levels of the study) nobody "
+                    "tells whether that is the κ")});
 }
 
-void add_root(std::vector<Verdict>& verdicts, const RatchetingGroup& group) {
+void add_root(std::vector<Verdict>& verdicts, const RatchetingGroup& group, bool elastic) {
     if (!group.root) {
         if (group.n_turning_points_only == 0 && group.points.empty()) return;
         const std::string why =
@@ -88,13 +124,12 @@ void add_root(std::vector<Verdict>& verdicts, const RatchetingGroup& group) {
                      significant(group.root->of_left_side.r_squared, 3))});
     std::vector<double> ratios = group.thesis_ratio;
     std::erase_if(ratios, [](double value) { return std::isnan(value); });
-    if (ratios.empty() || group.model == "mdr") return;
+    if (ratios.empty() || group.model == "mdr" || !elastic) return;
     const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
     verdicts.push_back(
         {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
          fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
-                     name_of(group), percent_of(median(ratios)), percent_of(*least),
-                     percent_of(*most))});
+                     name_of(group), share(median(ratios)), share(*least), share(*most))});
 }
 
 /// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3.
@@ -114,7 +149,7 @@ void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const Ratche
          fmt::format("{}: the thesis' limit f_T,lim = {} lies {} {} the model's at w = {} "
                      "({} against {})",
                      name_of(group), is_parallel(group.angle) ? "1 − w" : "1 − 1.1 w + 0.1 w³",
-                     percent_of(std::abs(excess(*worst))), excess(*worst) < 0 ? "below" : "above",
+                     share(std::abs(excess(*worst))), excess(*worst) < 0 ? "below" : "above",
                      as_given(worst->amplitude_ratio),
                      significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
                      significant(worst->limit.value, 3))});
@@ -124,13 +159,16 @@ void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const Ratche
 
 std::vector<Verdict> fit_verdicts(const StudyFit& fit) {
     std::vector<Verdict> verdicts;
+    // What the thesis' formulas are about is elastic.
+    const bool elastic = fit.caveat.empty();
+    if (!elastic) verdicts.push_back({Standing::cannot_tell, fit.caveat});
     for (const MappingGroup& group : fit.mapping) {
         verdicts.push_back(constant_verdict(group));
-        add_thesis_mapping(verdicts, group);
+        if (elastic) add_thesis_mapping(verdicts, group);
     }
     for (const RatchetingGroup& group : fit.ratcheting) {
-        add_limit(verdicts, fit, group);
-        add_root(verdicts, group);
+        if (elastic) add_limit(verdicts, fit, group);
+        add_root(verdicts, group, elastic);
     }
     for (const ModelDifference& d : fit.differences)
         if (d.quantity == "u_sd" || d.quantity == "Du")

@@ -8,13 +8,12 @@
 
 namespace tricontact::comparisons {
 
-/// Goodness of a fit as in the thesis' appendix A.1.3, of the quantity on the left of the form.
-/// What its equations call SSE is the explained sum; the numbers of its table A.1.1 under "SSE"
-/// (3e-7 beside R^2 = 1) can only be residual sums.
+/// Goodness of a fit, of the quantity on the left of the form. Names as in the field and in table
+/// A.1.1 of the thesis (under SSE it has 3e-7 beside R^2 = 1); its equations exchange the two.
 struct Goodness {
-    double explained = 0;  ///< SSE, sum of (fitted - mean observed)^2 (A.1.8)
-    double residual = 0;   ///< SSR, sum of (observed - fitted)^2 (A.1.9)
-    double r_squared = 0;  ///< SSE/(SSE + SSR) (A.1.10); NaN if both vanish
+    double explained = 0;  ///< SSR, of the regression: sum of (fitted - mean observed)^2 (A.1.8)
+    double residual = 0;   ///< SSE, of the errors: sum of (observed - fitted)^2 (A.1.9)
+    double r_squared = 0;  ///< SSR/(SSR + SSE) (A.1.10); NaN if both vanish
 };
 Goodness goodness(const std::vector<double>& observed, const std::vector<double>& fitted);
 

@@ -263,10 +263,13 @@ Document line_fit_document(const StudyFit& fit, double shift_factor) {
                           "the exact solution on the half-space and the fits of the thesis. w, "
                           "f_T and u are ratios to each model's own half width, friction limit "
                           "and U_max.",
+                      .verdicts = {},
                       .settings = fit.settings,
                       .files = {{"all numbers (JSON)", "fit.json"}},
                       .command = fit.command,
                       .version = fit.version};
+    if (!fit.caveat.empty())
+        document.verdicts.push_back({Verdict::Standing::cannot_tell, fit.caveat});
     DocumentSection section{.id = "thesis",
                             .heading = "Figures of the thesis",
                             .paragraphs = {"Closed forms are dashed. Bars are numerical errors."},

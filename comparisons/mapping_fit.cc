@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparisons/grouping.h"
 #include "comparisons/reference.h"
@@ -14,6 +15,10 @@ namespace {
 
 constexpr std::size_t least_points_of_constant = 3;
 constexpr std::size_t least_points_of_plane = 6;
+/// A shift missed by less is one that nobody measures.
+constexpr double negligible_miss = 1e-3;
+/// A point knows its kappa if its bar leaves this part of it open.
+constexpr double telling = 0.1;
 /// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
 constexpr double rounding_of_kappa = 1e-6;
 
@@ -25,6 +30,23 @@ Computed mapping_of(double w, double f, const Computed& u) {
     const double kappa = theory::mapping_parameter(w, f, u.value);
     const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
     return {kappa, std::abs(slope) * u.error};
+}
+
+MappingPoint mapping_point(const RollingPoint& p) {
+    const double w = p.amplitude_ratio, f = p.tangential_ratio;
+    const Computed& u = *p.settled_shift;
+    MappingPoint point{.at = p,
+                       .limit_ratio = f / p.limit.value,
+                       .low = std::nan(""),
+                       .high = std::nan(""),
+                       .kappa = mapping_of(w, f, u)};
+    if (!u.has_bar()) return point;
+    const double below = u.value - u.error, above = std::min(1., u.value + u.error);
+    const double lower = below > 0 ? theory::mapping_parameter(w, f, below)
+                                   : -std::numeric_limits<double>::infinity();
+    point.low = std::min(lower, point.kappa.value);
+    point.high = std::max(theory::mapping_parameter(w, f, above), point.kappa.value);
+    return point;
 }
 
 bool has_mapping(const RollingPoint& p) {
@@ -62,7 +84,8 @@ MappingUse use_of(const MappingGroup& group, const std::string& name, double kap
         }
         const double miss = *predicted / u.value - 1;
         magnitudes.push_back(std::abs(miss));
-        use.n_beyond_bars += std::abs(*predicted - u.value) > u.error;
+        use.n_with_bars += u.has_bar();
+        use.n_beyond_bars += u.has_bar() && std::abs(*predicted - u.value) > u.error;
         if (std::abs(miss) >= std::abs(use.worst)) {
             use.worst = miss;
             use.worst_amplitude_ratio = w;
@@ -87,6 +110,34 @@ void add_uses(MappingGroup& group) {
     group.uses.push_back(use_of(group, "mdr", theory::mdr_mapping));
 }
 
+OneMapping one_of(const MappingGroup& group) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    OneMapping one{.low = -infinity, .high = infinity};
+    for (const MappingPoint& p : group.points) {
+        if (std::isnan(p.low)) continue;
+        ++one.n_with_bars;
+        one.n_telling += (p.high - p.low) / 2 < telling * p.kappa.value;
+        one.low = std::max(one.low, p.low);
+        one.high = std::min(one.high, p.high);
+    }
+    if (one.n_with_bars == 0) one.low = one.high = std::nan("");
+    if (!group.constant) return one;
+    const bool is_fitted = group.uses.front().name == "fitted";
+    const MappingUse& use = group.uses.front();
+    one.is_negligible = is_fitted && use.n_ratcheting == 0 && std::abs(use.worst) < negligible_miss;
+    const auto n = group.points.size(), n_telling = static_cast<std::size_t>(one.n_telling);
+    const bool all_have_bars = static_cast<std::size_t>(one.n_with_bars) == n;
+    one.is_known = all_have_bars && n_telling >= least_points_of_constant && 2 * n_telling >= n;
+    using enum OneMapping::Finding;
+    if (one.is_negligible)
+        one.finding = holds;
+    else if (!is_fitted || one.low > one.high)
+        one.finding = fails;
+    else if (one.is_known)
+        one.finding = holds;
+    return one;
+}
+
 bool less_kappa(const MappingPoint& a, const MappingPoint& b) {
     return a.kappa.value < b.kappa.value;
 }
@@ -106,13 +157,11 @@ std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, 
     for (MappingGroup& group : groups) {
         for (const RollingPoint* p : points_of(points, group)) {
             if (!has_mapping(*p)) continue;
-            group.points.push_back(
-                {.at = *p,
-                 .limit_ratio = p->tangential_ratio / p->limit.value,
-                 .kappa = mapping_of(p->amplitude_ratio, p->tangential_ratio, *p->settled_shift)});
+            group.points.push_back(mapping_point(*p));
         }
         fit(group, confidence);
         add_uses(group);
+        group.one = one_of(group);
     }
     return groups;
 }

@@ -13,7 +13,8 @@ namespace tricontact::comparisons {
 /// (3.2.16).
 struct MappingPoint {
     RollingPoint at;
-    double limit_ratio = 0;  ///< f_T/f_T,lim, the limit being the model's own
+    double limit_ratio = 0;    ///< f_T/f_T,lim, the limit being the model's own
+    double low = 0, high = 0;  ///< all kappas that give u_sd within its bar; NaN without one
     /// Bar: that of u_sd times |dkappa/du| = |3/2 (1 - u)^(1/2) - kappa w|/(w u), which grows
     /// without bound where w u is small. Shifts are what to compare, not kappa.
     Computed kappa;
@@ -27,7 +28,22 @@ struct MappingUse {
     double worst_amplitude_ratio = 0, worst_tangential_ratio = 0;  ///< where
     int n = 0;                                                     ///< points compared
     int n_ratcheting = 0;   ///< further points that with this kappa would not settle
-    int n_beyond_bars = 0;  ///< of n: differ by more than the numerical error
+    int n_with_bars = 0;    ///< of n: the numerical error of u_sd is known
+    int n_beyond_bars = 0;  ///< of these: differ by more
+};
+
+/// Whether one kappa serves all points of a group. Numerical errors are bounds, not noise: what
+/// they allow is found by intersecting intervals, not by a sum of squares.
+struct OneMapping {
+    enum class Finding { holds, fails, cannot_tell };
+    Finding finding = Finding::cannot_tell;
+    int n_with_bars = 0;
+    int n_telling = 0;  ///< of these: half width of the kappas within the bar below 10 % of kappa
+    bool is_known = false;  ///< all points have bars, half of them, three at least, are telling
+    /// The kappas within the bars of all points that have one; high below low: there is none. NaN
+    /// without bars.
+    double low = 0, high = 0;
+    bool is_negligible = false;  ///< no shift by the fitted kappa misses by 0.1 %
 };
 
 /// The settled points of one model and group.
@@ -39,6 +55,7 @@ struct MappingGroup {
     /// kappa = k_0 + k_w w + k_f f_T/f_T,lim; empty below six points, or where these do not vary.
     std::optional<FittedForm> plane;
     std::vector<MappingUse> uses;  ///< fitted, thesis' (where it has one), MDR's
+    OneMapping one;
 
     double smallest() const, largest() const;  ///< kappa of a point; points must not be empty
 };

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/grouping.h"
 
 namespace tricontact::comparisons {
@@ -120,8 +121,7 @@ std::string difference_sentence(const ModelDifference& d) {
         "{} differs by {} at most (w = {}, f_T = {}), {} in the median, beyond the numerical error "
         "at {} of {} points",
         names, percent(1 + worst.relative()), as_given(worst.amplitude_ratio),
-        as_given(worst.tangential_ratio), significant(100 * d.median(), 2) + " %", d.n_different(),
-        d.points.size());
+        as_given(worst.tangential_ratio), share(d.median()), d.n_different(), d.points.size());
 }
 
 }  // namespace tricontact::comparisons

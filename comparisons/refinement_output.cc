@@ -9,6 +9,7 @@
 
 #include "comparisons/csv.h"
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/json_number.h"
 #include "comparisons/refinement.h"
 
@@ -38,7 +39,7 @@ std::string padded(const std::string& text, int width) {
 }
 
 std::string relative(double error, double value) {
-    return value == 0 ? significant({}) : significant(100 * error / std::abs(value), 2) + " %";
+    return value == 0 ? significant({}) : share(error / std::abs(value));
 }
 
 std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {

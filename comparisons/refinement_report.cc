@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 
 namespace tricontact::comparisons {
 
@@ -14,8 +15,8 @@ namespace {
 
 using Value = std::optional<double>;
 
-std::string share(double error, double value) {
-    return value == 0 ? significant({}) : significant(100 * error / std::abs(value), 2) + " %";
+std::string relative(double error, double value) {
+    return value == 0 ? significant({}) : share(error / std::abs(value));
 }
 
 bool has_exact(const Refinement& r) {
@@ -32,7 +33,7 @@ std::string error_sentence(const Refinement& r) {
         if (!worst || share_of(q) > share_of(*worst)) worst = &q;
     if (!worst) return {};
     return fmt::format("The estimated error of the finest level is at most {} (of {}).",
-                       share(worst->limit.error, worst->values.back()), worst->symbol);
+                       relative(worst->limit.error, worst->values.back()), worst->symbol);
 }
 
 std::string doubt_sentence(const Refinement& r) {
@@ -93,7 +94,7 @@ Table::Row table_row(const Refinement& r, const RefinedQuantity& q) {
     row.cells.emplace_back(name_of(q.limit.convergence));
     row.cells.push_back(significant(q.limit.order, 3));
     add(ordered ? Value(q.limit.value) : Value());
-    row.cells.push_back(share(q.limit.error, q.values.back()));
+    row.cells.push_back(relative(q.limit.error, q.values.back()));
     if (has_exact(r)) {
         add(q.exact);
         row.cells.push_back(percent(q.exact ? Value(q.values.back() / *q.exact) : Value()));

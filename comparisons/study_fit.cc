@@ -78,8 +78,20 @@ json uses_json(const std::vector<MappingUse>& uses) {
                        {"worst_tangential_ratio", number(use.worst_tangential_ratio)},
                        {"points", use.n},
                        {"points_said_to_ratchet", use.n_ratcheting},
+                       {"points_with_numerical_error", use.n_with_bars},
                        {"points_beyond_numerical_error", use.n_beyond_bars}});
     return all;
+}
+
+json one_json(const OneMapping& one) {
+    static constexpr const char* names[] = {"holds", "fails", "cannot tell"};
+    const bool some = one.low <= one.high;
+    return {{"finding", names[static_cast<int>(one.finding)]},
+            {"kappa_low", some ? number(one.low) : json()},
+            {"kappa_high", some ? number(one.high) : json()},
+            {"points_with_numerical_error", one.n_with_bars},
+            {"points_that_know_kappa_to_10_percent", one.n_telling},
+            {"misses_less_than_0.1_percent", one.is_negligible}};
 }
 
 json mapping_json(const std::vector<MappingGroup>& groups) {
@@ -94,6 +106,7 @@ json mapping_json(const std::vector<MappingGroup>& groups) {
         all.push_back({{"model", group.model},
                        {"group", group.group},
                        {"points", points},
+                       {"one_kappa", one_json(group.one)},
                        {"constant", form_json(group.constant)},
                        {"plane", form_json(group.plane)},
                        {"settled_shifts_by_one_kappa", uses_json(group.uses)}});
@@ -162,10 +175,19 @@ void evaluate(StudyFit& fit) {
     fit.differences = model_differences(fit.points);
 }
 
+std::string relaxing_caveat() {
+    return "The substrate relaxes, while the formulas of kappa and eta are those of an elastic "
+           "one: "
+           "what is fitted belongs to this drive's speed and rest under load, part of each shift "
+           "is "
+           "creep, and the constants of the thesis are no reference for it";
+}
+
 std::string fit_json(const StudyFit& fit) {
     const json all = {{"tricontact", fit.version},
                       {"title", fit.title},
                       {"confidence", fit.confidence},
+                      {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
                       {"points", points_json(fit.points)},
                       {"kappa", mapping_json(fit.mapping)},
                       {"eta", ratcheting_json(fit.ratcheting)},
@@ -180,6 +202,7 @@ std::string points_csv(const StudyFit& fit) {
          {"static_shift_ratio", "settled_shift_ratio", "shift_increment_ratio",
           "limit_tangential_ratio", "stick_ratio"})
         heading.insert(heading.end(), {result, result + "_error"});
+    heading.emplace_back("caveat");
     std::string text = csv_line(heading);
     for (const RollingPoint& p : fit.points) {
         std::vector<std::string> row{csv_field(p.model), csv_field(p.group),
@@ -190,6 +213,7 @@ std::string points_csv(const StudyFit& fit) {
             row.push_back(c ? csv_field(c->value) : "");
             row.push_back(c ? csv_field(c->error) : "");
         }
+        row.push_back(csv_field(fit.caveat));
         text += csv_line(row);
     }
     return text;
@@ -199,7 +223,7 @@ std::string fits_csv(const StudyFit& fit) {
     std::string text =
         csv_line({"model", "group", "form", "parameter", "value", "standard_error", "low", "high",
                   "explained_sum_of_squares", "residual_sum_of_squares", "r_squared",
-                  "r_squared_about_zero", "observations", "degrees_of_freedom"});
+                  "r_squared_about_zero", "observations", "degrees_of_freedom", "caveat"});
     for (const FitRow& row : fit_rows(fit))
         for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
             const Fit& f = row.form->fit;
@@ -210,7 +234,7 @@ std::string fits_csv(const StudyFit& fit) {
                               csv_field(e.standard_error), csv_field(e.low), csv_field(e.high),
                               csv_field(g.explained), csv_field(g.residual), csv_field(g.r_squared),
                               csv_field(f.r_squared()), std::to_string(f.fitted.size()),
-                              std::to_string(f.degrees_of_freedom)});
+                              std::to_string(f.degrees_of_freedom), csv_field(fit.caveat)});
         }
     return text;
 }

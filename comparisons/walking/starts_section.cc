@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/regression.h"
 #include "comparisons/walking/walk_factorial.h"
 #include "comparisons/walking/walk_sections.h"
@@ -150,8 +151,8 @@ void add_effects(const WalkSweep& sweep, WalkSection& result) {
     }
     result.verdicts.push_back(
         {Verdict::Standing::finding,
-         fmt::format("The start changes the mean kinetic energy by at most {} % (main effects).",
-                     significant(100 * largest, 2))});
+         fmt::format("The start changes the mean kinetic energy by at most {} (main effects).",
+                     share(largest))});
     result.section.figures.push_back(main_effects_figure(
         "effects_on_kinetic_energy", "Kinetic energy at the end", "e_kin", kinetic));
     result.section.figures.push_back(main_effects_figure(

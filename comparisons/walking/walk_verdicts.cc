@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/walking/spot_statistics.h"
 #include "comparisons/walking/stability_section.h"
 #include "dynamics/drift.h"
@@ -20,7 +21,7 @@ using dynamics::WalkResult;
 using Standing = Verdict::Standing;
 
 std::string percents(double share, int digits = 3) {
-    return significant(100 * share, digits) + " %";
+    return comparisons::share(share, digits);
 }
 
 std::string friction(const WalkResult& result) {

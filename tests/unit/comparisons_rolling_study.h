@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "comparisons/rolling_points.h"
+#include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
 
@@ -25,6 +27,23 @@ inline RollingRun rolling_run(const std::string& model, double w, double f,
                    {"state", state},
                    {"limit_tangential_ratio", 1 - 1.5 * w + 0.5 * w * w * w}};
     return run;
+}
+
+inline constexpr double amplitudes[] = {0.1, 0.24, 0.38, 0.51, 0.62, 0.74};
+inline constexpr double loads[] = {0.05, 0.09, 0.24, 0.44, 0.56, 0.7, 0.8, 0.9};
+
+/// Settled points of the closed form with this kappa.
+inline std::vector<RollingPoint> settled_points(double kappa, const char* model = "mdr") {
+    std::vector<RollingRun> runs;
+    for (const double w : amplitudes)
+        for (const double f : loads) {
+            const auto u = theory::settled_shift_ratio(w, f, kappa);
+            // The largest kappa has the lowest limit.
+            if (!u || f > theory::shakedown_limit(w)) continue;
+            runs.push_back(rolling_run(model, w, f, "shakedown"));
+            runs.back().results["final_shift_ratio"] = *u;
+        }
+    return rolling_points(runs);
 }
 
 }  // namespace tricontact::comparisons
