@@ -167,6 +167,7 @@ IdentificationStudy study_of(const io::IdentificationInput& input, const Identif
     study.given_values = input.given;
     study.observed_values = input.observed;
     study.standard_errors = input.standard_errors;
+    study.has_input_errors = !input.rig_errors.empty();
     const double largest = std::ranges::max(input.given);
     study.curve_points = equal_steps(largest / n_curve_points, largest, n_curve_points);
     if (input.friction_is_free) study.least_friction = largest / *input.rig.load.normal_force;
@@ -193,8 +194,8 @@ void print(const IdentificationStudy& study) {
         const auto& found = model.found;
         std::cout << fmt::format(
             "{:<11} {:<32} {:<26} {:>8.5f}  {}\n", model.name,
-            found.young ? comparisons::shown_young(found) : "given",
-            found.friction ? comparisons::shown_friction(found) : "given", found.r_squared,
+            found.young ? comparisons::shown_young(model) : "given",
+            found.friction ? comparisons::shown_friction(model) : "given", found.r_squared,
             found.goodness
                 ? fmt::format("chi^2 = {:.3g}, {} degrees of freedom", found.sum_of_squares,
                               found.degrees_of_freedom)

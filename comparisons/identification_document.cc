@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/identification_report.h"
 #include "comparisons/regression.h"
 
@@ -219,16 +220,20 @@ DocumentTable value_table(const IdentificationStudy& study) {
     DocumentTable table{
         .id = "properties",
         .title = "Properties found",
-        .note = fmt::format("Intervals of {:g} %: low and high from the likelihood, "
-                            "half width of the linearised one. Inputs: what the standard errors "
-                            "of the rig's data change, added in squares; both: with the standard "
-                            "error of the fit, in squares (A.1.4).",
-                            100 * study.models.front().found.confidence),
+        .note = fmt::format(
+            "Intervals of {:g} %: low and high from the likelihood and the errors of the rig's "
+            "data ({}), by the fit alone beside them; half width of the linearised one of the fit. "
+            "Inputs: what the standard errors of the rig's data change, added in squares; both: "
+            "with the standard error of the fit, in squares (A.1.4).",
+            100 * study.models.front().found.confidence,
+            study.has_input_errors ? "[standard_errors]" : "none is stated"),
         .columns = {{"model"},
                     {"property"},
                     {"value"},
                     {"low"},
                     {"high"},
+                    {"low by the fit"},
+                    {"high by the fit"},
                     {"half width, linearised"},
                     {"standard error of the fit"},
                     {"of the inputs"},
@@ -241,12 +246,11 @@ DocumentTable value_table(const IdentificationStudy& study) {
             if (!estimate) continue;
             const double factor = young ? 1e6 : 1;
             const double both = combined_standard_error(model, property);
-            const double inputs =
-                std::isfinite(both)
-                    ? std::sqrt(std::max(0., both * both - std::pow(estimate->standard_error, 2)))
-                    : nan;
+            const double inputs = input_standard_error(model, property);
+            const Interval full = full_interval(model, property);
             table.rows.push_back({model.name, std::string(young ? "E [MPa]" : "mu"),
-                                  estimate->value / factor,
+                                  estimate->value / factor, open_or(full.low, factor),
+                                  open_or(full.high, factor),
                                   open_or(estimate->likelihood.low, factor),
                                   open_or(estimate->likelihood.high, factor),
                                   open_or(estimate->linearised.high - estimate->value, factor),
@@ -261,14 +265,14 @@ DocumentTable goodness_table(const IdentificationStudy& study) {
     DocumentTable table{.id = "goodness",
                         .title = "How well the models fit",
                         .note = known ? "chi^2: residuals over their standard errors, squared; "
-                                        "chance: how often noise alone exceeds it."
+                                        "p: how often noise alone exceeds it."
                                       : "Standard errors of the observed values are not stated: "
                                         "they are estimated from the residuals, and nothing says "
                                         "whether a model fits.",
                         .columns = {{"model"},
                                     {known ? "chi^2" : "sum of squares [SI]"},
                                     {"degrees of freedom"},
-                                    {"chance [%]", 2},
+                                    {"p"},
                                     {"R^2", 6},
                                     {"correlation of E and mu", 3},
                                     {"interpolation error", 2}},
@@ -277,8 +281,8 @@ DocumentTable goodness_table(const IdentificationStudy& study) {
         const Identification& found = model.found;
         table.rows.push_back(
             {model.name, found.sum_of_squares, std::to_string(found.degrees_of_freedom),
-             100 * found.goodness.value_or(nan), found.r_squared, found.correlation.value_or(nan),
-             model.interpolation_error.value_or(nan)});
+             p_number(found.goodness.value_or(nan)), found.r_squared,
+             found.correlation.value_or(nan), model.interpolation_error.value_or(nan)});
     }
     return table;
 }

@@ -23,6 +23,7 @@ json estimate_json(const IdentifiedModel& model, Property property) {
             number(property == Property::young ? input.change.young : input.change.friction);
     return {{"value", number(estimate->value)},
             {"standard_error", number(estimate->standard_error)},
+            {"interval", interval_json(full_interval(model, property))},
             {"linearised_interval", interval_json(estimate->linearised)},
             {"likelihood_interval", interval_json(estimate->likelihood)},
             {"change_by_standard_errors_of_inputs", inputs},

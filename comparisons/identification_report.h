@@ -41,6 +41,13 @@ struct IdentifiedModel {
 /// (Wetter 2016, A.1.4).
 double combined_standard_error(const IdentifiedModel& model, Property property);
 
+/// Standard error of E [Pa] or mu from the inputs alone.
+double input_standard_error(const IdentifiedModel& model, Property property);
+
+/// The interval of a property that was free: that of the likelihood, widened in squares by the
+/// errors of the inputs, which are normal and known. Open ends stay open.
+Interval full_interval(const IdentifiedModel& model, Property property);
+
 /// A measured quantity, its name for axes ("tangential force F_T") and its SI unit.
 struct MeasuredQuantity {
     std::string name, unit;
@@ -54,6 +61,7 @@ struct IdentificationStudy {
     std::vector<double> curve_points;                                    ///< [SI], increasing
     std::vector<IdentifiedModel> models;
     double least_friction = 0;
+    bool has_input_errors = false;  ///< standard errors of the rig's data are stated
     /// Layer's thickness over the width of Hertz' contact for the E of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit
@@ -64,9 +72,9 @@ struct IdentificationStudy {
 /// elements of the layer, the layer's theory, the half-space.
 const IdentifiedModel& reference_model(const IdentificationStudy& study);
 
-/// "4.22 MPa (4.15 to 4.31)", likelihood interval; "above 0.12" where it is open.
-std::string shown_young(const Identification& found);
-std::string shown_friction(const Identification& found);
+/// "4.22 MPa (4.15 to 4.31)", the full interval; "above 0.12" where it is open.
+std::string shown_young(const IdentifiedModel& model);
+std::string shown_friction(const IdentifiedModel& model);
 
 /// The answer in sentences: the properties, the half-space's bias, whether the models explain what
 /// was measured, what cannot be told.

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/format_share.h"
 #include "comparisons/identification_report.h"
+#include "comparisons/regression.h"
 
 namespace tricontact::comparisons {
 
@@ -16,15 +18,26 @@ constexpr double least_goodness = 0.01;
 // A property that moves by less than this is not called different.
 constexpr double least_bias = 0.005;
 
-std::string shown(const PropertyEstimate& estimate, const std::string& unit, double lowest) {
+const std::optional<PropertyEstimate>& estimate_of(const IdentifiedModel& model,
+                                                   Property property) {
+    return property == Property::young ? model.found.young : model.found.friction;
+}
+
+double change_of(const InputContribution& input, Property property) {
+    return property == Property::young ? input.change.young : input.change.friction;
+}
+
+std::string shown(const IdentifiedModel& model, Property property, const std::string& unit) {
+    constexpr double lowest = 0;
     const auto text = [&](double value) {
         return unit.empty() ? significant(value, 3) : quantity(value, unit, 3);
     };
-    const auto [low, high] = estimate.likelihood;
+    const auto [low, high] = full_interval(model, property);
     if (std::isinf(high) && low <= lowest) return "cannot be told";
     if (std::isinf(high)) return "above " + text(low);
     if (low <= lowest && lowest == 0) return "below " + text(high);
-    return fmt::format("{} ({} to {})", text(estimate.value), text(low), text(high));
+    return fmt::format("{} ({} to {})", text(estimate_of(model, property)->value), text(low),
+                       text(high));
 }
 
 /// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
@@ -33,20 +46,49 @@ std::string named(const std::string& name, const std::string& value) {
     return name + (number ? " = " : " ") + value;
 }
 
+/// What the interval holds beside the errors of the observed values.
+std::string what_else(const IdentificationStudy& study, const IdentifiedModel& model) {
+    if (!study.has_input_errors) return ", the rig's data taken as exact";
+    if (model.contributions.empty())
+        return "; the errors of the rig's data are left out, since at the best mu the largest "
+               "force slides";
+    return " and the errors of the rig's data";
+}
+
 Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
     const Identification& found = model.found;
     std::string sentence = model.name + ": ";
-    if (found.young) sentence += named("E", shown_young(found));
+    if (found.young) sentence += named("E", shown_young(model));
     if (found.young && found.friction) sentence += ", ";
-    if (found.friction) sentence += named("mu", shown_friction(found));
-    sentence += fmt::format("; intervals of {:g} %, from the likelihood.", 100 * found.confidence);
+    if (found.friction) sentence += named("mu", shown_friction(model));
+    sentence += fmt::format("; intervals of {:g} %, from the likelihood{}.", 100 * found.confidence,
+                            what_else(study, model));
     if (&model == &reference_model(study) && study.models.size() > 1)
         sentence += " This is the model that leaves out least.";
     return {Verdict::Standing::finding, sentence};
 }
 
-bool overlap(const Interval& a, const Interval& b) {
-    return a.low <= b.high && b.low <= a.high;
+/// What errors of the inputs do to a property of one model over that of the other, the inputs being
+/// the same for both, in standard errors of the ratio.
+double shared_error(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
+    const double of_a = estimate_of(a, property)->value, of_b = estimate_of(b, property)->value;
+    double error = 0;
+    for (const InputContribution& input : a.contributions) {
+        const auto same = std::ranges::find(b.contributions, input.key, &InputContribution::key);
+        const double other = same == b.contributions.end() ? 0 : change_of(*same, property);
+        error = std::hypot(error, change_of(input, property) / of_a - other / of_b);
+    }
+    return error;
+}
+
+/// The intervals of the likelihood overlap, or are no further apart than the inputs' errors move
+/// one model's value against the other's.
+bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
+    const Interval of_a = estimate_of(a, property)->likelihood;
+    const Interval of_b = estimate_of(b, property)->likelihood;
+    const double gap = std::max(of_a.low - of_b.high, of_b.low - of_a.high);
+    const double reach = normal_quantile(a.found.confidence) * shared_error(a, b, property);
+    return gap <= reach * estimate_of(b, property)->value;
 }
 
 std::string off(double ratio) {
@@ -68,7 +110,7 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     std::string sentence = fmt::format(
         "The half-space finds E = {}, {} {}: ", quantity(half_space->found.best.young, "Pa", 3),
         reference.name, quantity(reference.found.best.young, "Pa", 3));
-    if (overlap(half_space->found.young->likelihood, reference.found.young->likelihood))
+    if (overlap(*half_space, reference, Property::young))
         return Verdict{Verdict::Standing::cannot_tell,
                        sentence +
                            "their intervals overlap, the measurement does not tell how far "
@@ -77,8 +119,7 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
                                 significant(*study.thickness_ratio, 2));
-    const auto& friction = half_space->found.friction;
-    if (friction && !overlap(friction->likelihood, reference.found.friction->likelihood))
+    if (half_space->found.friction && !overlap(*half_space, reference, Property::friction))
         sentence +=
             "; its mu is " + off(half_space->found.best.friction / reference.found.best.friction);
     return Verdict{Verdict::Standing::fails, sentence + "."};
@@ -88,11 +129,11 @@ Verdict explains(const IdentifiedModel& model) {
     const Identification& found = model.found;
     const bool good = *found.goodness >= least_goodness;
     return {good ? Verdict::Standing::holds : Verdict::Standing::fails,
-            fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom; chance "
-                        "alone exceeds that in {} % of all measurements.",
+            fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom, {} by "
+                        "chance.",
                         model.name, good ? "explains" : "does not explain",
                         significant(found.sum_of_squares, 3), found.degrees_of_freedom,
-                        significant(100 * *found.goodness, 2))};
+                        p_value(*found.goodness))};
 }
 
 /// A fit that looks good is no proof of the half-space.
@@ -120,21 +161,34 @@ const IdentifiedModel& reference_model(const IdentificationStudy& study) {
     return study.models.front();
 }
 
-std::string shown_young(const Identification& found) {
-    return shown(*found.young, "Pa", 0);
+std::string shown_young(const IdentifiedModel& model) {
+    return shown(model, Property::young, "Pa");
 }
 
-std::string shown_friction(const Identification& found) {
-    return shown(*found.friction, "", 0);
+std::string shown_friction(const IdentifiedModel& model) {
+    return shown(model, Property::friction, "");
+}
+
+double input_standard_error(const IdentifiedModel& model, Property property) {
+    double error = 0;
+    for (const InputContribution& input : model.contributions)
+        error = std::hypot(error, change_of(input, property));
+    return error;
 }
 
 double combined_standard_error(const IdentifiedModel& model, Property property) {
-    const bool young = property == Property::young;
-    const auto& estimate = young ? model.found.young : model.found.friction;
-    double error = estimate ? estimate->standard_error : 0;
-    for (const InputContribution& input : model.contributions)
-        error = std::hypot(error, young ? input.change.young : input.change.friction);
-    return error;
+    const auto& estimate = estimate_of(model, property);
+    return std::hypot(estimate ? estimate->standard_error : 0,
+                      input_standard_error(model, property));
+}
+
+Interval full_interval(const IdentifiedModel& model, Property property) {
+    const PropertyEstimate& estimate = *estimate_of(model, property);
+    const double half =
+        normal_quantile(model.found.confidence) * input_standard_error(model, property);
+    const auto [low, high] = estimate.likelihood;
+    return {std::max(0., estimate.value - std::hypot(estimate.value - low, half)),
+            estimate.value + std::hypot(high - estimate.value, half)};
 }
 
 std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {

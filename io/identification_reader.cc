@@ -127,15 +127,15 @@ double quantity_of(const Document& document, std::string_view path) {
     return value;
 }
 
-/// What the models of the case have to be so that its checks are those of the identification's.
+/// What the models of the case have to be so that its checks are those of the identification's. The
+/// closed forms of the half-space need none.
 std::vector<std::string> case_models(const Input& input) {
     const bool sheared = input.measurement == Measurement::static_shift;
     std::vector<std::string> models;
     for (const std::string& model : input.models)
-        models.push_back(model == "half-space" ? "mdr"
-                         : model != "layer"    ? model
-                         : sheared             ? "mdr-layer"
-                                               : "mdr");
+        if (model != "half-space")
+            models.push_back(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
+    if (models.empty()) models.emplace_back("mdr");
     std::sort(models.begin(), models.end());
     models.erase(std::unique(models.begin(), models.end()), models.end());
     return models;
@@ -207,6 +207,19 @@ void check_round(const Document& document) {
          "take \"paraboloid\" or \"sphere\"");
 }
 
+/// A refusal of the case names its models; the file calls them otherwise.
+std::string in_words_of_the_file(std::string text) {
+    constexpr std::string_view springs = "mdr-layer";
+    for (auto at = text.find(springs); at != std::string::npos; at = text.find(springs))
+        text.replace(at, springs.size(), "layer");
+    return text;
+}
+
+bool is_half_space_alone(const Input& input) {
+    return std::ranges::all_of(input.models,
+                               [](const auto& model) { return model == "half-space"; });
+}
+
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const Document& document) {
     Document rig = document;
@@ -238,6 +251,8 @@ contact::Case rig_of(const Input& input, const Document& document) {
         // Frictionless contact knows no coupling.
         guesses.push_back(generated("contact.coupling", false, place));
     }
+    if (sheared && is_half_space_alone(input))
+        guesses.push_back(generated("contact.coupling", false, place));
     if (input.young_is_free)
         guesses.push_back(generated("substrate.young",
                                     shortest(guessed_young(input, radius, normal_force)) + " Pa",
@@ -247,7 +262,11 @@ contact::Case rig_of(const Input& input, const Document& document) {
         guesses.push_back(
             generated("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1., place));
     }
-    return resolve_case(rig, guesses);
+    try {
+        return resolve_case(rig, guesses);
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(in_words_of_the_file(error.what()));
+    }
 }
 
 std::vector<Input::RigError> read_rig_errors(const Document& document) {

@@ -89,6 +89,31 @@ holds "5.199e6 < $young && $young < 5.201e6" "E by the layer's radius: $young"
 young=$(number "['models']['half-space']['young_Pa']['value']")
 holds "5.711e6 < $young && $young < 5.715e6" "E by Hertz' radius: $young"
 
+# 8. Coupled materials: the half-space's closed forms need no model that couples, a refusal names the
+#    file's models, and no remedy asks for another material.
+sed 's/models = .*/models = ["half-space", "bem-layer"]/; s/^poisson = .*/poisson = 0.48/' \
+    coupled.toml >compressible.toml
+"$program" identify compressible.toml --output out --quiet >text 2>err || complain "coupled: $(cat err)"
+[ "$(number "['reference']")" = bem-layer ] || complain "no bem-layer at nu = 0.48"
+sed 's/models = .*/models = ["half-space"]/' compressible.toml >alone.toml
+"$program" identify alone.toml --output out --quiet >text 2>err || complain "alone: $(cat err)"
+
+# 9. [standard_errors] are in the printed interval, of E by half of those of R: E ~ R^(-1/2).
+sed 's/models = .*/models = ["half-space"]/; /standard_errors/,$d' \
+    "$source_dir/measurements/rig_indentation.toml" >depth.toml
+cp "$source_dir/measurements/rig_indentation.csv" .
+"$program" identify depth.toml --output out --quiet >plain_text || complain "depths"
+grep -q "the rig's data taken as exact" plain_text || complain "exact inputs: $(cat plain_text)"
+printf '[standard_errors]\nindenter.radius = "2 mm"\n' >>depth.toml
+"$program" identify depth.toml --output out --quiet >text || complain "depths with errors"
+found=$(number "['models']['half-space']['young_Pa']['value']")
+low=$(number "['models']['half-space']['young_Pa']['interval'][0]")
+holds "($found - $low) / $found > .045 && ($found - $low) / $found < .055" \
+    "2.5 % of E, 1.96 times: $low below $found"
+grep -q "and the errors of the rig's data" text || complain "uncertain inputs: $(cat text)"
+grep -qE '·10|e-[0-9]' text && complain "a power of ten: $(cat text)"
+grep -q "p < 0.001" text || complain "chance: $(cat text)"
+
 # refused EXPECTED SED [TABLE]: the file of 2 changed, TABLE in place of its table.
 n=0
 refused() {
@@ -140,6 +165,7 @@ refused 'unknown key substrate.poison' 's/^poisson = 0.5/poison = 0.5/'
 refused 'standard_errors.load.normal_force = "0.1 mm"' 's/"0.1 N"/"0.1 mm"/'
 refused 'has an error, but no value' 's/^load.normal_force.*/friction.coefficient = 0.01/'
 refused 'is no number that describes the rig' 's/^load.normal_force.*/substrate.base = "bonded"/'
+refused "leave out layer (bem and bem-layer do)" 's/^poisson = 0.5/poisson = 0.48/'
 refused 'confidence = 1.5: must be' 's/^models/confidence = 1.5\nmodels/'
 refused 'the normal force is in the table' 's/static-shift"/force-indentation"/' \
     'indentation [um], normal_force [N]\n100, 2\n200, 7\n'
