@@ -54,20 +54,20 @@ std::optional<Relaxation> common_relaxation(const std::string& model, const Case
     if (stays == Unrelaxed::below)
         throw InputError(fmt::format(
             "substrate.relaxation: {} has one relaxation function, which elastic layers or "
-            "ground below do not leave; take a rigid base or another model",
+            "ground below do not leave; take another model",
             model));
     if (stays == Unrelaxed::bulk)
         throw InputError(fmt::format(
             "substrate.relaxation: {} has one relaxation function, which an elastic bulk below "
-            "Poisson's ratio 1/2 does not leave; take bulk = \"proportional\", poisson = 0.5 or "
-            "another model",
+            "Poisson's ratio 1/2 does not leave; take another model, or bulk = \"proportional\" if "
+            "the bulk relaxes alike",
             model));
     const double share = indenter_share(c);
     throw InputError(fmt::format(
         "substrate.relaxation: {:.3g} of the compliance is the indenter's, which does not relax, "
-        "but {} lets all of it relax; make the indenter rigid or {:.3g} times stiffer, or take "
-        "another model",
-        share, model, share / largest_elastic_share));
+        "but {} lets all of it relax; take another model, or omit young and poisson of the "
+        "indenter to take it as rigid",
+        share, model));
 }
 
 Case with_relaxing_ratio(const Case& c, double ratio) {

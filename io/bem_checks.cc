@@ -120,7 +120,7 @@ void check_room(const Case& c, const Document& document) {
     refuse(document, "load.indentation",
            "at poisson = 0.5 the mean compliance of a period (k = 0) is zero: at " + rounded(room) +
                " m the layer would fill it, and be infinitely stiff",
-           "reduce it, enlarge bem.period, or take poisson below 0.5");
+           "reduce it, or enlarge bem.period");
 }
 
 void check_inside(const Case& c, const Document& document) {

@@ -53,13 +53,13 @@ void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& docum
         refuse(document, load,
                "the indentation " + rounded(s.indentation) + " m must be less than the radius " +
                    rounded(c.indenter.radius) + " m of the sphere",
-               "reduce the load or enlarge indenter.radius");
+               "check the units of the load and of indenter.radius; no model goes further");
     if (a > largest_sphere_ratio * c.indenter.radius)
         refuse(document, load,
                "the contact radius " + rounded(a) + " m exceeds " + rounded(largest_sphere_ratio) +
                    " of the sphere's radius " + rounded(c.indenter.radius) +
                    " m: small deformations are assumed",
-               "reduce the load or enlarge indenter.radius");
+               "check the units of the load and of indenter.radius; no model goes further");
 }
 
 auto find_mdr(const Case& c) {
@@ -95,11 +95,9 @@ void check_coupling(const Case& c, const Document& document) {
            "Dundurs' beta = " + rounded(beta) + " exceeds " + rounded(largest_beta) +
                " in magnitude: normal and tangential contact are coupled, which " + *mdr +
                " does not model",
-           "take an incompressible substrate (poisson = 0.5) under a stiff indenter, or two bodies "
-           "of the same young and poisson; or leave out " +
-               *mdr +
-               "; or set contact.coupling = false: the coupling is then left out, and the report "
-               "says so");
+           "leave out " + *mdr +
+               " (bem and bem-layer do), or set contact.coupling = false: the "
+               "coupling is then left out, and the report says so");
 }
 
 // Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise

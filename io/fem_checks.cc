@@ -54,7 +54,7 @@ void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
         refuse(document, "substrate.thickness",
                "the layer is thinner than " + rounded(thinnest) +
                    " of the contact radius, at least " + rounded(a.low) + " m: it cannot be meshed",
-               "use a thicker layer or less load");
+               "leave out fem; bem-layer computes thin layers");
     const auto check_side = [&](const char* key, const std::optional<double>& side, double half) {
         if (side && *side <= 2 * half)
             refuse(document, key,

@@ -49,7 +49,7 @@ void check_size(const Case& c, const Document& document) {
         refuse(document, used(document, "load.normal_force", "load.indentation"),
                "the contact's half width of " + rounded(a) + " m exceeds half of the radius " +
                    rounded(c.indenter.radius) + " m: small deformations are assumed",
-               "reduce the load or enlarge indenter.radius");
+               "check the units of the load and of indenter.radius; no model goes further");
 }
 
 void check_path(const Case& c, const Document& document) {

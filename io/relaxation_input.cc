@@ -93,16 +93,16 @@ void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool gro
         case contact::Unrelaxed::bulk:
             refuse(document, section + "bulk",
                    "below poisson = 0.5 shear then relaxes without the bulk" + but,
-                   "use bulk = \"proportional\" or poisson = 0.5, or leave the model out");
+                   "leave the model out, or say bulk = \"proportional\" if the bulk relaxes alike");
         case contact::Unrelaxed::below:
             refuse(document, ground ? "ground.young" : "lower_layer.young",
-                   "what is below the relaxing layer does not relax" + but,
-                   "make it stiffer or leave the model out");
+                   "what is below the relaxing layer does not relax" + but, "leave the model out");
         case contact::Unrelaxed::indenter:
             refuse(
                 document, "indenter.young",
                 "1e-3 of the compliance or more is then the indenter's, which does not relax" + but,
-                "make the indenter rigid or stiffer, or leave the model out");
+                "leave the model out, or omit young and poisson of the indenter to take it as "
+                "rigid");
     }
 }
 

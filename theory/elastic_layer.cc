@@ -39,7 +39,7 @@ void check_radius(const ElasticLayer& layer, double radius) {
     if (!(radius <= largest_radius_over_thickness * layer.thickness))
         throw contact::InputError(fmt::format(
             "layer contact: a contact radius of {:.6g} m exceeds {} thicknesses; use the "
-            "asymptotic theory of thin layers, a thicker layer or a smaller load",
+            "asymptotic theory of thin layers",
             radius, largest_radius_over_thickness));
 }
 

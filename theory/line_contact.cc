@@ -153,10 +153,10 @@ LineContact solve_line_contact(const ElasticLayer& layer, double radius,
     if (!(a <= largest))
         throw contact::InputError(fmt::format(
             "line contact: a half width of {:.6g} m exceeds {} thicknesses; use the asymptotic "
-            "theory of thin layers, a thicker layer or a smaller load",
+            "theory of thin layers",
             a, largest_radius_over_thickness));
     return converged([&](int n) { return solve(layer, radius, a, n); }, points_for(a / b),
-                     key_values, "use a thicker layer");
+                     key_values, "use the asymptotic theory of thin layers");
 }
 
 }  // namespace tricontact::theory

@@ -20,7 +20,7 @@ using contact::NormalControl;
 void check_bodies(const Case& c, bool is_coupled) {
     if (c.relaxation)
         refuse_key("substrate.relaxation", "CONTACT takes relaxing bodies in steady rolling alone",
-                   "omit the relaxation");
+                   "such a case cannot be written for it");
     if (c.bem.period) refuse_key("bem.period", "CONTACT knows no periodic contact", "omit it");
     if (c.contact.kinematics != Case::Kinematics::linear)
         refuse_key("contact.kinematics", "CONTACT's kinematics are linear", "take \"linear\"");
@@ -28,7 +28,8 @@ void check_bodies(const Case& c, bool is_coupled) {
         refuse_key("contact.coupling", "CONTACT always couples such bodies", "omit it");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
     if (out_of_range(c.substrate) || (c.indenter.material && out_of_range(*c.indenter.material)))
-        refuse_key("poisson", "CONTACT takes Poisson's ratios from 0 to 1/2", "take another one");
+        refuse_key("poisson", "CONTACT takes Poisson's ratios from 0 to 1/2",
+                   "such a material cannot be written for it");
 }
 
 /// F_T is over mu F_N there; what F_N will be under a prescribed depth only a run knows.
