@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "comparisons/format.h"
 #include "comparisons/format_share.h"
@@ -68,16 +69,23 @@ Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& mo
     return {Verdict::Standing::finding, sentence};
 }
 
-/// What errors of the inputs do to a property of one model over that of the other, the inputs being
-/// the same for both, in standard errors of the ratio.
+/// What one standard error of an input does to a property, relative.
+double relative_change(const IdentifiedModel& model, const std::string& key, Property property) {
+    const auto input = std::ranges::find(model.contributions, key, &InputContribution::key);
+    if (input == model.contributions.end()) return 0;
+    return change_of(*input, property) / estimate_of(model, property)->value;
+}
+
+/// Standard error of a property of one model over that of the other by the errors of the inputs,
+/// which are the same for both.
 double shared_error(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
-    const double of_a = estimate_of(a, property)->value, of_b = estimate_of(b, property)->value;
+    std::set<std::string> keys;
+    for (const IdentifiedModel* model : {&a, &b})
+        for (const InputContribution& input : model->contributions) keys.insert(input.key);
     double error = 0;
-    for (const InputContribution& input : a.contributions) {
-        const auto same = std::ranges::find(b.contributions, input.key, &InputContribution::key);
-        const double other = same == b.contributions.end() ? 0 : change_of(*same, property);
-        error = std::hypot(error, change_of(input, property) / of_a - other / of_b);
-    }
+    for (const std::string& key : keys)
+        error = std::hypot(error,
+                           relative_change(a, key, property) - relative_change(b, key, property));
     return error;
 }
 

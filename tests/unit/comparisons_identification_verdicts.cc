@@ -83,7 +83,9 @@ TEST(IdentificationIntervals, CoverTheTruthAsOftenAsTheyClaimWithUncertainInputs
         task.model = [&](const Properties& p) { return forces(p.young, assumed); };
         task.start = {young, 1};
         task.friction_is_free = false;
-        IdentifiedModel model{.name = "half-space", .found = identify(task)};
+        IdentifiedModel model;
+        model.name = "half-space";
+        model.found = identify(task);
         const double found = model.found.best.young;
         model.contributions = {
             {"indenter.radius", radius_error, {-found / 2 * radius_error / assumed, 0}}};
@@ -119,6 +121,8 @@ TEST(IdentificationVerdicts, SharedErrorsDoNotHideABias) {
     layer.contributions = {{"indenter.radius", 1e-3, {.42e6, .0}}};
     EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, Verdict::Standing::fails);
     layer.contributions = {{"substrate.thickness", 1e-3, {.8e6, .0}}};
+    EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, Verdict::Standing::cannot_tell);
+    half_space.contributions = {};
     EXPECT_EQ(verdicts_of(half_space, layer)[1].standing, Verdict::Standing::cannot_tell);
 }
 

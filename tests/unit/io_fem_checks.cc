@@ -146,7 +146,7 @@ TEST(FemChecks, CompressibleSubstratesCoupleAndAreAccepted) {
     EXPECT_EQ(message_of({"substrate.poisson=0.3"}), "(accepted)");
     EXPECT_EQ(message_of({"substrate.poisson=0.3", "models=[\"fem\", \"bem\"]"}), "(accepted)");
     EXPECT_NE(message_of({"substrate.poisson=0.3", "models=[\"fem\", \"mdr\"]"})
-                  .find("or leave out mdr; or set contact.coupling = false"),
+                  .find("leave out mdr (bem and bem-layer do), or set contact.coupling = false"),
               std::string::npos);
     EXPECT_EQ(message_of(
                   {"substrate.poisson=0.3", "models=[\"fem\", \"mdr\"]", "contact.coupling=false"}),
