@@ -10,9 +10,12 @@ namespace tricontact::theory {
 
 namespace {
 
+/// Of a rigid body on one with nu = -1; 1/2 bounds beta for nu >= 0 alone.
+constexpr double largest_beta = .75;
+
 void check(double beta) {
-    if (!(std::abs(beta) <= .5))
-        throw std::domain_error("free rolling: Dundurs' beta must lie between -1/2 and 1/2");
+    if (!(std::abs(beta) <= largest_beta))
+        throw std::domain_error("free rolling: Dundurs' beta must lie between -3/4 and 3/4");
 }
 
 }  // namespace

@@ -6,7 +6,8 @@ namespace tricontact::theory {
 // and they creep. Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389. Creepages over a/R, a
 // being Hertz' half width without friction; beta is Dundurs' constant, the substrate's compliance
 // counted positive (contact::MaterialPair). Signs as in carter.h. What friction there is decides
-// between both values. Throw std::domain_error unless |beta| < 1/2 or equal.
+// between both values. |beta| is at most 1/2 for nu >= 0, and below 3/4 for all nu > -1; beyond,
+// they throw std::domain_error.
 
 /// All sticks, mu far above |beta|: 2 e/sqrt(1 + 4 e^2), e = ln((1 + beta)/(1 - beta))/(2 pi).
 /// p + i q is a multiple of (a - x)^(1/2 + i e) (a + x)^(1/2 - i e), the solution of the coupled
