@@ -40,7 +40,8 @@ ExportedSequence export_case(const BoundaryElementCase& read, int threads,
     if (read.is_layer() || c.bem.influence) {
         name = influence_name;
         out.influence = bem::contact_program_influence(bem::case_influence(c, threads, body),
-                                                       io::shear_moduli(c).combined());
+                                                       io::shear_moduli(c).combined(),
+                                                       compliance->is_coupled());
     }
     out.input = io::sequence_text(c, grid, compliance->is_coupled(), name);
     return out;

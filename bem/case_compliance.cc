@@ -149,9 +149,10 @@ std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body bod
                                                 const InfluenceTable* table,
                                                 contact::ContactPoints grid, int n_threads) {
     if (table)
-        return tabulated_compliance(*table, *c.bem.influence,
-                                    body == Body::layer || is_coupled(c.materials()),
-                                    std::move(grid), n_threads);
+        return tabulated_compliance(
+            *table, *c.bem.influence,
+            body == Body::layer || is_coupled(c.materials()) || couples(*table), std::move(grid),
+            n_threads);
     const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
     const auto& indenter = c.indenter.material;
     auto compliance =

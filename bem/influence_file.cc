@@ -170,6 +170,13 @@ void check_symmetry(const Nine& k, int i, int j, double own, const Lines& lines)
 
 }  // namespace
 
+bool couples(const InfluenceTable& table) {
+    constexpr double negligible = 2e-3;  // more than half-spaces have that bem takes as uncoupled
+    return std::ranges::any_of(table.cells, [](const InfluenceCoefficients& k) {
+        return std::hypot(k.xz, k.yz) > negligible * std::max(std::abs(k.zz), std::abs(k.xx));
+    });
+}
+
 std::string influence_text(const InfluenceTable& table) {
     std::string text = fmt::format("{}{}\n", title, version);
     text +=

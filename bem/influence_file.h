@@ -19,6 +19,10 @@ struct InfluenceTable {
     }
 };
 
+/// Pressure displaces the surface aside by so much of what tractions do at the same place that it
+/// matters; that of a half-space does from |Dundurs' beta| of about 0.002 on.
+bool couples(const InfluenceTable& table);
+
 /// As docs/influence-format.md describes it; numbers read back to the same bits.
 std::string influence_text(const InfluenceTable& table);
 

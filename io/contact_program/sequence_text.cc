@@ -121,7 +121,7 @@ class SequenceWriter {
         const int influence = influence_ ? 9 : 2;
         text_ += first ? fmt::format(" 002{}020   V-L-D-C-M-Z-E\n", influence)
                        : fmt::format(" 01000{}0   V-L-D-C-M-Z-E\n", moved ? 2 : 0);
-        text_ += fmt::format(" 0{0:d}{0:d}1211   H-G-I-A-O-W-R\n", !first);
+        text_ += fmt::format(" 0{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first);
     }
 
     void append_solver() {

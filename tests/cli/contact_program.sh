@@ -53,6 +53,23 @@ grep -q '^ 0029020' layer/ball.inp || complain "C = 9 is missing"
 awk 'NR == 4 { mx = $1; my = $2 } NR > 4 && !/%/ { lines++; if (NF != 11) bad = 1; if ($1 == 0 && $3 > top) { top = $3; at = lines } }
     END { exit !(lines == mx * (2 * my - 1) && !bad && at == mx * (my - 1) + 1) }' layer/ball.influence ||
     complain "coefficients of the layer"
+grep -q '^ 999 999 50 50 ' layer/ball.inp ||
+    complain "coupled bodies need outer iterations: $(grep MAXOUT layer/ball.inp)"
+# No matrices in files of their own, one per step.
+[ "$(grep -c '0211   H-G-I-A-O-W-R' layer/ball.inp)" -eq "$(($(grep -c MODULE layer/ball.inp) - 1))" ] ||
+    complain "A is not 0"
+# A file's coefficients of a layer couple under bem too, those of an uncoupled half-space do not.
+for model in bem-layer bem; do
+    "$program" influence ball.toml --model "$model" --output "$model.txt" >/dev/null ||
+        complain "influence of $model"
+    "$program" export ball.toml --set "bem.influence=$model.txt" --output "by_$model" >/dev/null ||
+        complain "export with coefficients of $model"
+done
+grep -q '^ 999 999 50 50 ' by_bem-layer/ball.inp || complain "the layer's coefficients do not couple"
+cmp -s by_bem-layer/ball.influence layer/ball.influence || complain "the layer's coefficients change"
+grep -q '^ 999 999 50 1 ' by_bem/ball.inp || complain "the half-space's coefficients couple"
+awk 'NR > 4 && !/%/ && ($4 != 0 || $5 != 0 || $6 != 0 || $9 != 0) { bad = 1 } END { exit bad }' \
+    by_bem/ball.influence || complain "coefficients of a coupling that there is not"
 refused "C = 9" import "$work/layer/ball.inp" --output case.toml
 
 # 3. Bad input files state their message in the first line.

@@ -4,11 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bem/contact_program_influence.h"
 
@@ -49,7 +53,7 @@ TEST(ContactProgramInfluence, IsKalkers) {
     const double g = 2 / (1 / g1 + 1 / g2), nu = g / 2 * (nu1 / g1 + nu2 / g2),
                  k = g / 4 * ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2);
     const auto r = [](double x, double y) { return std::hypot(x, y); };
-    std::istringstream text(contact_program_influence(half_space_table(), g));
+    std::istringstream text(contact_program_influence(half_space_table(), g, true));
     std::string line;
     for (int header = 0; header < 4; ++header) std::getline(text, line);
     EXPECT_EQ(line, " 4 4 0.2 0.2 % mx, my, dx, dy");
@@ -102,12 +106,52 @@ TEST(ContactProgramInfluence, PressingMovesTheIndenterOutwards) {
     const RectangleInfluence cell({std::nullopt, substrate}, h, h);
     table.cells = {cell.at(0, 0), cell.at(h, 0)};
     EXPECT_LT(table.at(1, 0).xz, 0);
-    const std::string text = contact_program_influence(table, substrate.shear_modulus());
+    const std::string text = contact_program_influence(table, substrate.shear_modulus(), true);
     std::istringstream last(text.substr(text.rfind(" 1 0.2 ")));
     double value = 0, xn = 0;
     for (int k = 0; k < 6; ++k) last >> value;
     xn = value;  // after ix, x, nn, nx, ny
     EXPECT_GT(xn, 0);
+}
+
+// What the model leaves out, CONTACT is not to compute.
+TEST(ContactProgramInfluence, HasNoCouplingWhereTheCaseHasNone) {
+    const InfluenceTable table = half_space_table();
+    EXPECT_TRUE(couples(table));
+    const auto numbers = [&](bool coupled) {
+        std::istringstream text(contact_program_influence(table, 1e6, coupled));
+        std::vector<std::array<double, 11>> rows;
+        for (std::string line; std::getline(text, line);) {
+            std::istringstream row(line);
+            std::array<double, 11> values{};
+            std::size_t k = 0;
+            while (k < values.size() && row >> values[k]) ++k;
+            if (k == values.size()) rows.push_back(values);
+        }
+        return rows;
+    };
+    const auto with = numbers(true), without = numbers(false);
+    ASSERT_EQ(with.size(), static_cast<std::size_t>(n * (2 * n - 1)));
+    ASSERT_EQ(without.size(), with.size());
+    double largest = 0;
+    for (std::size_t k = 0; k < with.size(); ++k)
+        for (std::size_t i = 0; i < 11; ++i) {  // ix x nn nx ny xn xx xy yn yx yy
+            const bool couples = i == 3 || i == 4 || i == 5 || i == 8;
+            EXPECT_EQ(without[k][i], couples ? 0 : with[k][i]);
+            if (couples) largest = std::max(largest, std::abs(with[k][i]));
+        }
+    EXPECT_GT(largest, 0);
+}
+
+TEST(ContactProgramInfluence, TableOfAnIncompressibleHalfSpaceIsUncoupled) {
+    InfluenceTable table{h, n, n, {}};
+    for (const auto& [nu, coupled] : {std::pair(.4996, false), std::pair(.49, true)}) {
+        const RectangleInfluence cell({std::nullopt, {5e6, nu}}, h, h);
+        table.cells.clear();
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) table.cells.push_back(cell.at(i * h, j * h));
+        EXPECT_EQ(couples(table), coupled) << nu;
+    }
 }
 
 }  // namespace
