@@ -31,9 +31,9 @@ contact::LoadStep TransientRolling::step() const {
 RollingState TransientRolling::press() {
     contact::LoadStep press = step();
     press.duration = std::numeric_limits<double>::infinity();
-    RollingState state = record(model_.advance(press));
-    state.creepage = {};
-    return state;
+    const contact::StepRecord pressed = model_.advance(press);
+    shift_ = pressed.shift;  // of the forces at rest: no creepage
+    return record(pressed);
 }
 
 RollingState TransientRolling::roll() {

@@ -22,29 +22,20 @@ constexpr int theory_points = 400;
 
 const std::string way_label = "rolled way over the half length a of the contact [-]";
 
-/// All of them that are defined, at least one.
-bool always_positive(const std::vector<double>& values) {
-    return std::ranges::none_of(values, [](double value) { return value <= 0; }) &&
-           std::ranges::any_of(values, [](double value) { return value > 0; });
-}
-
 /// What follows from what is prescribed along x, over the way.
 Figure way_figure(const RollingReport& report) {
     const bool forces = by_creepage(report.c);
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
-    Figure figure{
-        .id = "way",
-        .title =
-            forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
-        .caption = fmt::format(
-            "From rest{}. Lines: step by step. Points at the end: the steady state, {}. The first "
-            "creepages are those of a contact that gives way once more as it begins to roll.",
-            forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin",
-            report.c.relaxation ? "where rolling on ends" : "solved by itself"),
-        .x = {way_label},
-        .y = {forces ? "F_x/(μ F_N) [-]"
-                     : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
-    figure.y.logarithmic = !forces;
+    Figure figure{.id = "way",
+                  .title = forces ? "Force while the contact rolls on"
+                                  : "Creepage while the contact rolls on",
+                  .caption = fmt::format(
+                      "From rest{}. Lines: step by step. Points at the end: the steady state, {}.",
+                      forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin",
+                      report.c.relaxation ? "where rolling on ends" : "solved by itself"),
+                  .x = {way_label},
+                  .y = {forces ? "F_x/(μ F_N) [-]"
+                               : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
     const auto value = [&](const RollingState& s) {
         return forces ? force_ratio(s, mu) : s.creepage.longitudinal / unit;
     };
@@ -56,8 +47,6 @@ Figure way_figure(const RollingReport& report) {
             // At rest nothing is rolled yet: no creepage.
             curve.y.push_back(s.distance > 0 || forces ? value(s) : undefined);
         }
-        // A contact that begins to roll under its force slides much farther than later.
-        figure.y.logarithmic = figure.y.logarithmic && always_positive(curve.y);
         const double end = curve.x.empty() ? 0 : curve.x.back();
         figure.curves.push_back(std::move(curve));
         figure.curves.push_back({.name = display_name(run.model),
