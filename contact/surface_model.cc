@@ -101,8 +101,11 @@ StepRecord SurfaceModel::take(const LoadStep& step, const Before& before) {
 }
 
 /// Shift of the indenter at a point by its turn [m].
-Vector2 SurfaceModel::rigid_turn(double turn, std::size_t i) const {
-    return {-turn * (points().y[i] - offset_[1]), turn * (points().x[i] - offset_[0])};
+Vector2 SurfaceModel::rigid_turn(const Before& before, std::size_t i) const {
+    if (before.turn == 0) return {};
+    const double ahead = spin_point * points().spacing[0];
+    return {-before.turn * (points().y[i] - offset_[1]),
+            before.turn * (points().x[i] + ahead - offset_[0])};
 }
 
 SurfaceField SurfaceModel::tractions() const {
@@ -233,7 +236,7 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
             relative.x[i] = stiffness * relative.x[i] + substrate_->offset().in_surface.x[i];
             relative.y[i] = stiffness * relative.y[i] + substrate_->offset().in_surface.y[i];
         }
-        const Vector2 turned = rigid_turn(before.turn, i);
+        const Vector2 turned = rigid_turn(before, i);
         relative.x[i] += stiffness * turned[0] - other.x[i];
         relative.y[i] += stiffness * turned[1] - other.y[i];
         if (bound_[i] > 0) contact_area += points().area[i];
@@ -290,7 +293,7 @@ void SurfaceModel::update_slip(const Before& before) {
     const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
-        const Vector2 turned = rigid_turn(before.turn, i);
+        const Vector2 turned = rigid_turn(before, i);
         slip_.x[i] =
             moved[0] + turned[0] - (displacement_.x[i] - before.displacement.in_surface.x[i]);
         slip_.y[i] =

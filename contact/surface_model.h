@@ -75,7 +75,7 @@ class SurfaceModel final : public Model {
     };
 
     StepRecord take(const LoadStep& step, const Before& before);
-    Vector2 rigid_turn(double turn, std::size_t i) const;
+    Vector2 rigid_turn(const Before& before, std::size_t i) const;
     SurfaceField tractions() const;  // of the present solution, in all
     SurfaceField displacements() const { return SurfaceField(displacement_, displacement_z_); }
     const ContactPoints& points() const { return substrate_->compliance().points(); }

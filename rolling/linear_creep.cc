@@ -39,11 +39,12 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
     SteadySystem system(compliance, active, {false, false});
     system.set_zones(std::vector<std::uint8_t>(active.size()), std::vector<Vector2>(active.size()),
                      std::vector<double>(active.size()), 0);
+    const double ahead = contact::spin_point * points.spacing[0];
     LinearCreep creep{};
     for (int c = 0; c < 3; ++c) {
         TangentialField slip(points.size());
         for (const std::size_t i : active) {
-            const Vector2 s = unit_slip(c, points.x[i], points.y[i]);
+            const Vector2 s = unit_slip(c, points.x[i] + ahead, points.y[i]);
             slip.x[i] = s[0];
             slip.y[i] = s[1];
         }
@@ -57,7 +58,8 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
             const double f_x = points.area[i] * result.z.x[i], f_y = points.area[i] * result.z.y[i];
             creep[0][c] += f_x;
             creep[1][c] += f_y;
-            creep[2][c] += points.x[i] * f_y - points.y[i] * f_x;
+            // Rolling backwards is the adjoint: what a turn slides by there is the arm here.
+            creep[2][c] += (points.x[i] - ahead) * f_y - points.y[i] * f_x;
         }
     }
     return creep;

@@ -9,6 +9,7 @@
 #include "contact/error.h"
 #include "contact/friction_disc.h"
 #include "contact/largest.h"
+#include "contact/moving_frame.h"
 #include "rolling/steady_system.h"
 
 namespace tricontact::rolling {
@@ -135,9 +136,10 @@ class Newton {
         }
         solution_.slip = forward_gradient(points_, active_, all);
         const Creepage& w = solution_.creepage;
+        const double ahead = contact::spin_point * points_.spacing[0];
         for (const std::size_t i : active_) {
             solution_.slip.x[i] += w.longitudinal - w.spin * points_.y[i];
-            solution_.slip.y[i] += w.lateral + w.spin * points_.x[i];
+            solution_.slip.y[i] += w.lateral + w.spin * (points_.x[i] + ahead);
         }
     }
 

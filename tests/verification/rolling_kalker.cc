@@ -66,10 +66,14 @@ TEST(RollingKalker, CoefficientsOfTheCircle) {
     }
 }
 
+// Long ellipses have more of an edge that goes in steps, other ones on each grid: two pairs of
+// grids.
 TEST(RollingKalker, CoefficientsOfEllipses) {
     for (const double ratio : {.2, .5, 2., 5.})
         for (const double nu : {0., .5}) {
-            const auto c = extrapolated(ratio, nu, 41, 81);
+            auto c = extrapolated(ratio, nu, 41, 81);
+            const auto other = extrapolated(ratio, nu, 29, 57);
+            for (std::size_t k = 0; k < c.size(); ++k) c[k] = (c[k] + other[k]) / 2;
             const auto table = theory::kalker_coefficients(ratio, nu);
             EXPECT_NEAR(c[0] / table.longitudinal, 1, 1e-2) << ratio << " " << nu;
             EXPECT_NEAR(c[1] / table.lateral, 1, 1e-2) << ratio << " " << nu;
@@ -111,6 +115,16 @@ TEST(RollingKalker, EllipsoidsOfACaseCreepAsTheTableSays) {
         c.indenter.radius_y = radius_y;
         EXPECT_NEAR(2 * stiffness_ratio(c, 24) - stiffness_ratio(c, 12), 1, 2e-2) << radius;
     }
+}
+
+// Wide contacts are strips: without extrapolation C23 is that of the table but for its digits and
+// what the edge's steps leave. It was 2.3 % off at 21 cells with the spin of the cells' centres.
+TEST(RollingKalker, SpinOfWideContactsIsOfTheSecondOrder) {
+    for (const double nu : {0., .5})
+        for (const int n : {15, 21, 41})
+            EXPECT_NEAR(coefficients(.2, nu, n)[2] / theory::kalker_coefficients(.2, nu).spin, 1,
+                        5e-3)
+                << nu << " " << n;
 }
 
 // In print C23 at a/b = 0.8, nu = 1/4 is 1.15, 8 % off.
