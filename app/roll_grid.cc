@@ -41,11 +41,16 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .tolerance = c.bem.tolerance,
         .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
+                  .force_ratio = {},
     problem.drive.force[0] = c.load.tangential_force
                                  ? *c.load.tangential_force
                                  : *c.load.tangential_ratio * c.friction_coefficient *
                                        normal_force(c, substrate, problem);
     return problem;
+    if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {
+        problem.drive.force_ratio = c.load.tangential_ratio;
+        return problem;
+    }
 }
 
 /// Rolls from rest; keeps the lines at line_distances.
@@ -99,7 +104,8 @@ RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& ru
     run.history.surface = std::move(steady.surface);
     if (runs.show) runs.show(std::numeric_limits<double>::infinity(), run.history.surface);
     // Who rolls freely has a curve about the creepage that it has by itself.
-    const bool free = !problem.drive.creepage[0] && problem.drive.force[0] == 0;
+    const bool free =
+        !problem.drive.creepage[0] && !problem.drive.force_ratio && problem.drive.force[0] == 0;
     const double begin = free ? run.history.steady.creepage.longitudinal : 0;
     const std::size_t n_steps = run.history.transient.size() - 1;
     for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {

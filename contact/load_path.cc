@@ -98,6 +98,11 @@ bool turning_points_suffice(const Case& c) {
            c.load.tangential_amplitude_ratio == 0;
 }
 
+bool ratio_of_loaded_step(const Case& c) {
+    return c.load.indentation && c.load.tangential_ratio && !c.relaxation &&
+           c.load.normal_amplitude_ratio == 0;
+}
+
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);

@@ -18,9 +18,11 @@ struct NormalControl {
 
 /// What is prescribed in one tangential direction.
 struct TangentialControl {
-    enum class Kind { force, shift };
+    enum class Kind { force, shift, ratio };
     Kind kind = Kind::force;
-    double value = 0;  ///< force on the substrate [N] or rigid shift of the indenter [m]
+    /// Force on the substrate [N], rigid shift of the indenter [m], or force on the substrate over
+    /// mu F_N of the same step [-], which coupled contact under a prescribed depth has to find.
+    double value = 0;
 
     bool operator==(const TangentialControl&) const = default;
 };
@@ -53,6 +55,11 @@ LoadStep press_step(const Case& c);
 /// own: what ratios over "the model" refer to. Throws InputError when F_T exceeds mu F_N somewhere
 /// on the path (force control).
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
+
+/// F_T/(mu F_N) is prescribed under a depth whose F_N friction changes in coupled contact: what the
+/// ratio refers to is F_N of the step that loads the contact. A relaxing substrate's goes on
+/// changing; there it is F_N of pressing without friction, all relaxed.
+bool ratio_of_loaded_step(const Case& c);
 
 /// Rolling by turning points reaches the settled state of every finer path, exactly in uncoupled
 /// contact: nothing happens between them that the next one would remember.

@@ -76,9 +76,24 @@ class Run {
         } else {
             note(press, pressed, false);
         }
-        for (const LoadStep& step : path_.loading) take(step, true);
+        load();
         history_.tangential_force = history_.steps.back().tangential_force[0];
         history_.static_shift = history_.steps.back().shift[0];
+    }
+
+    void load() {
+        if (!(model_.is_coupled() && ratio_of_loaded_step(case_))) {
+            for (const LoadStep& step : path_.loading) take(step, true);
+            return;
+        }
+        LoadStep first = path_.loading.front();
+        first.tangential[0] = {TangentialControl::Kind::ratio,
+                               first.tangential[0].value / history_.friction_limit};
+        take(first, true);
+        mean_normal_force_ = history_.steps.back().normal_force;
+        history_.friction_limit = case_.friction_coefficient * mean_normal_force_;
+        path_ = make_load_path(case_, mean_normal_force_, history_.scales.contact_radius);
+        for (std::size_t k = 1; k < path_.loading.size(); ++k) take(path_.loading[k], true);
     }
 
     /// How the contact came to be pressed is not forgotten, or, of a nominally flat one, whose area
@@ -92,7 +107,8 @@ class Run {
         const Scales& scales = history_.scales;
         path_ = make_load_path(case_, scales.normal_force, scales.contact_radius);
         history_.amplitude = path_.amplitude;
-        history_.friction_limit = case_.friction_coefficient * scales.normal_force;
+        mean_normal_force_ = scales.normal_force;
+        history_.friction_limit = case_.friction_coefficient * mean_normal_force_;
         const std::size_t pressing = path_matters() ? path_.pressing.size() : 1;
         n_at_most_ = static_cast<int>(pressing + path_.loading.size()) +
                      path_.max_periods * static_cast<int>(path_.period.size());
@@ -101,7 +117,7 @@ class Run {
     void roll() {
         model_.start_limit();
         // An oscillating F_N may differ from its mean, which ratios refer to, when rolling begins.
-        limit_force_ratio_ = history_.steps.back().normal_force / history_.scales.normal_force;
+        limit_force_ratio_ = history_.steps.back().normal_force / mean_normal_force_;
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             double dissipation = 0;
@@ -169,6 +185,7 @@ class Run {
     History history_;
     LoadPath path_;
     SnapshotKeeper snapshots_;
+    double mean_normal_force_ = 0;  // which ratios refer to [N]
     double limit_force_ratio_ = 1;  // of the force that the model's limit refers to, and F_N
     int n_at_most_ = 2;
     double time_ = 0;  // [s]

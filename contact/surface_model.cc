@@ -215,10 +215,21 @@ void SurfaceModel::solve_normal(NormalControl control, const std::vector<double>
     normal_iterations_ += normal_->iterations;
 }
 
+/// What is prescribed of a step, ratios as the forces that they are at the present F_N.
+std::array<TangentialControl, 2> SurfaceModel::forces_and_shifts(const LoadStep& step) const {
+    std::array<TangentialControl, 2> control = step.tangential;
+    for (TangentialControl& one : control)
+        if (one.kind == TangentialControl::Kind::ratio)
+            one = {TangentialControl::Kind::force,
+                   one.value * friction_coefficient_ *
+                       (normal_->force + coupling_.normal_force(tangential_.traction))};
+    return control;
+}
+
 void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) {
     for (std::size_t i = 0; i < bound_.size(); ++i)
         bound_[i] = friction_coefficient_ * normal_->pressure[i];
-    std::array<TangentialControl, 2> control = step.tangential;
+    std::array<TangentialControl, 2> control = forces_and_shifts(step);
     const Vector2 by_pressure = coupling_.tangential_force(normal_->pressure);
     const double stiffness = substrate_->stiffness();
     for (int d = 0; d < 2; ++d)

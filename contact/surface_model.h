@@ -88,6 +88,7 @@ class SurfaceModel final : public Model {
     void solve_normal(NormalControl control, const std::vector<double>& height);
     void reuse_or_solve_normal(const LoadStep& step);
     void solve_tangential(const LoadStep& step, const Before& before);
+    std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
     void slide_freely(const LoadStep& step);
     void update_totals();
     void update_slip(const Before& before);

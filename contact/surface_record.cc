@@ -71,7 +71,7 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
                       substrate_->compliance().allowed_missing_reaction());
 
     if (step.friction) {
-        std::array<TangentialControl, 2> tangential = step.tangential;
+        std::array<TangentialControl, 2> tangential = forces_and_shifts(step);
         const Vector2 by_pressure = coupling_.tangential_force(p);
         for (int d = 0; d < 2; ++d) tangential[d].value -= by_pressure[d];
         if (points.mirrored) tangential[1].kind = TangentialControl::Kind::shift;

@@ -30,7 +30,9 @@ using theory::Creepage;
 struct Drive {
     std::array<std::optional<double>, 2> creepage;  ///< [-]
     contact::Vector2 force{};                       ///< where no creepage is given [N]
-    double spin = 0;                                ///< phi [1/m]
+    /// In place of force[0]: F_x over mu F_N of each state, which a prescribed depth does not tell.
+    std::optional<double> force_ratio{};
+    double spin = 0;  ///< phi [1/m]
 };
 
 /// What rolls over a substrate.

@@ -31,6 +31,7 @@ class Turns {
           points_(compliance.points()),
           problem_(problem),
           coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
+          drive_(problem.drive),
           normal_solver_(compliance, 0.1 * problem.tolerance),
           steady_solver_(compliance, problem.tolerance),
           none_(points_.size()) {
@@ -102,7 +103,7 @@ class Turns {
         for (int d = 0; d < 2; ++d)
             control[d] = {problem_.drive.creepage[d] ? contact::TangentialControl::Kind::shift
                                                      : contact::TangentialControl::Kind::force,
-                          problem_.drive.force[d]};
+                          drive_.force[d]};
         contact::audit_normal(normal_, problem_.normal, points_.area, problem_.tolerance, audit);
         if (!coupling_.absent())
             audit.record("normal_and_tangential_agree", gap_residual_, problem_.tolerance);
@@ -139,7 +140,9 @@ class Turns {
         bound_ = normal_.pressure;
         for (double& bound : bound_) bound *= problem_.friction_coefficient;
         if (!coupling_.absent()) coupling_.update_displacement(normal_.pressure, steady_.traction);
-        steady_solver_.solve({bound_, by_pressure(), problem_.drive}, steady_);
+        if (drive_.force_ratio)
+            drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
+        steady_solver_.solve({bound_, by_pressure(), drive_}, steady_);
         iterations_ += steady_.iterations;
     }
 
@@ -170,6 +173,7 @@ class Turns {
     const contact::ContactPoints& points_;
     const RollingProblem& problem_;
     contact::Coupling coupling_;
+    Drive drive_;  // its forces are those of the present F_N
     contact::NormalSolver normal_solver_;
     SteadySolver steady_solver_;
     const TangentialField none_;

@@ -25,6 +25,8 @@ contact::LoadStep TransientRolling::step() const {
             problem_.drive.creepage[d]
                 ? TangentialControl{TangentialControl::Kind::shift, shift_[d]}
                 : TangentialControl{TangentialControl::Kind::force, problem_.drive.force[d]};
+    if (problem_.drive.force_ratio && !problem_.drive.creepage[0])
+        step.tangential[0] = {TangentialControl::Kind::ratio, *problem_.drive.force_ratio};
     return step;
 }
 

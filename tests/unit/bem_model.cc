@@ -54,6 +54,44 @@ TEST(BemModel, GridSeesWhatARelaxingSurfaceRemembersAheadOfTheContact) {
     EXPECT_LT(reach(), 10);
 }
 
+/// Its bodies couple normal and tangential contact: friction changes F_N under a prescribed depth.
+Case coupled_under_a_depth() {
+    Case c = small_case();
+    c.substrate.poisson = .3;
+    c.load.press_steps = 5;
+    c.load.indentation = contact::half_space_scales(c).indentation;
+    c.load.normal_force.reset();
+    return c;
+}
+
+// As CONTACT takes FX, over F_N of the step; then F_T stays.
+TEST(BemModel, TangentialRatioIsThatOfTheLoadedContactUnderADepth) {
+    const Case c = coupled_under_a_depth();
+    const auto model = bem::make_model(c, 1);
+    const contact::History h = contact::run(c, *model);
+    const contact::StepRecord& loaded = h.steps[c.load.press_steps];
+    EXPECT_EQ(loaded.phase, 0);
+    EXPECT_NEAR(loaded.tangential_force[0] / (c.friction_coefficient * loaded.normal_force), .5,
+                1e-9);
+    EXPECT_GT(loaded.normal_force, 1.005 * h.scales.normal_force);  // of pressing without friction
+    EXPECT_NEAR(h.tangential_force / h.friction_limit, .5, 1e-9);
+    EXPECT_GT(h.steps.size(), 8U);
+    for (std::size_t k = c.load.press_steps; k < h.steps.size(); ++k)
+        EXPECT_NEAR(h.steps[k].tangential_force[0] / loaded.tangential_force[0], 1, 1e-9);
+}
+
+// Under the F_N that a depth comes to, the same ratio shifts as far, but for the way of pressing.
+TEST(BemModel, DepthAndForceShiftAlike) {
+    Case c = coupled_under_a_depth();
+    c.rolling.reset();
+    const auto by_depth = contact::run(c, *bem::make_model(c, 1)).steps.back();
+    c.load.normal_force = by_depth.normal_force;
+    c.load.indentation.reset();
+    const auto by_force = contact::run(c, *bem::make_model(c, 1)).steps.back();
+    EXPECT_NEAR(by_depth.shift[0] / by_force.shift[0], 1, 2e-3);
+    EXPECT_NEAR(by_depth.indentation / by_force.indentation, 1, 1e-3);
+}
+
 TEST(BemModel, GridFitsContactAndPath) {
     for (const double angle : {0., std::numbers::pi / 2, .7}) {
         Case c = small_case();
