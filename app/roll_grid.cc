@@ -1,10 +1,15 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/surface_model.h"
 #include "rolling/roll_until_steady.h"
 #include "rolling/run.h"
 #include "theory/creep_law.h"
@@ -36,21 +41,21 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
         .normal = contact::press_step(c).normal,
         .drive = {.creepage = {given.longitudinal_creepage, given.lateral_creepage},
                   .force = {},
+                  .force_ratio = {},
                   .spin = given.spin},
         .coupling = c.contact.coupling,
         .tolerance = c.bem.tolerance,
         .speed = given.speed};
     if (given.longitudinal_creepage) return problem;
-                  .force_ratio = {},
+    if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {
+        problem.drive.force_ratio = c.load.tangential_ratio;
+        return problem;
+    }
     problem.drive.force[0] = c.load.tangential_force
                                  ? *c.load.tangential_force
                                  : *c.load.tangential_ratio * c.friction_coefficient *
                                        normal_force(c, substrate, problem);
     return problem;
-    if (contact::ratio_of_loaded_step(c) && *c.load.tangential_ratio != 0) {
-        problem.drive.force_ratio = c.load.tangential_ratio;
-        return problem;
-    }
 }
 
 /// Rolls from rest; keeps the lines at line_distances.
@@ -86,11 +91,11 @@ double sliding_creepage(const Case& c) {
                                     theory::vermeulen_johnson_coefficient(material.poisson));
 }
 
-}  // namespace
-
-RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& runs) {
+/// `aside`: see bem::case_compliance.
+RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns& runs,
+                        double aside) {
     const auto substrate = bem::make_substrate(
-        c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer);
+        c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer, aside);
     RollingProblem problem = problem_of(c, *substrate);
     RollingRun run{.model = model, .history = {}, .lines = {}, .creep_curve = {}};
     rolling::TransientRolling rolling(*substrate, problem);
@@ -114,6 +119,25 @@ RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& ru
         runs.tell(n_steps + run.creep_curve.size(), n_steps);
     }
     return run;
+}
+
+}  // namespace
+
+RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& runs) {
+    // Friction moves a coupled contact aside. How far, its solution tells.
+    constexpr double first_aside = .5, last_aside = 16;
+    for (double aside = 0;; aside = std::max(first_aside, 2 * aside)) {
+        try {
+            return roll_on_grid(model, c, runs, aside);
+        } catch (const contact::ContactAtEdge& error) {
+            if (aside >= last_aside)
+                throw contact::NotConverged(
+                    fmt::format("{}, which has room for {:.0f} half lengths of it on either side "
+                                "of the body's lowest point",
+                                error.what(), aside));
+        }
+        if (runs.begin_again) runs.begin_again();
+    }
 }
 
 }  // namespace tricontact::app

@@ -30,6 +30,9 @@ struct RollRuns {
     /// rolled over the half length a, infinite for the steady state.
     std::function<void(double way, const contact::Surface&)> show = {};
     bool show_all = false;
+    /// Called before the contact rolls anew from rest, on a larger grid than has proved too small:
+    /// what was shown before is void.
+    std::function<void()> begin_again = {};
 
     /// Says that `done` of `steps` from rest and the points after them are done.
     void tell(std::size_t done, std::size_t steps) const {
@@ -38,8 +41,8 @@ struct RollRuns {
 };
 
 /// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
-/// or over a relaxing substrate rolled to, creep curve of steady states. Throws
-/// contact::InputError, contact::NotConverged.
+/// or over a relaxing substrate rolled to, creep curve of steady states. A grid whose edge the
+/// contact reaches is enlarged. Throws contact::InputError, contact::NotConverged.
 comparisons::tractive::RollingRun roll_grid(const std::string& model, const contact::Case& c,
                                             const RollRuns& runs);
 

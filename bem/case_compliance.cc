@@ -90,14 +90,15 @@ double relaxing_reach(const contact::Case& c, double radius) {
 
 /// By how much of its radius a coupled contact that rolls on may lie beside the body's lowest
 /// point: enough for Dundurs' beta = 1/2 and mu = 0.6.
-constexpr double rolled_shift = .25;
+constexpr double usual_rolled_aside = .25;
 
 /// Half sides of the region that the contact centre sweeps, or that is to be seen around it [m].
-contact::Vector2 path_extent(const contact::Case& c, double radius) {
+contact::Vector2 path_extent(const contact::Case& c, double radius, double rolled_aside) {
     if (c.tractive_rolling && c.tractive_rolling->speed > 0 && c.relaxation)
-        return {relaxing_reach(c, radius), 0};
+        return {relaxing_reach(c, radius) + rolled_aside * radius, 0};
     const bool coupled = c.contact.coupling && (is_coupled(c.materials()) || c.layer.thickness);
-    if (c.tractive_rolling && coupled) return {rolled_shift * radius, 0};
+    if (c.tractive_rolling)
+        return {std::max(rolled_aside, coupled ? usual_rolled_aside : 0) * radius, 0};
     if (!c.rolling) return {0, 0};
     const double reach = rolling_amplitude(*c.rolling, radius);
     return {std::abs(reach * std::cos(c.rolling->angle)),
@@ -169,7 +170,7 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
-                                        const MakeCompliance& make) {
+                                        const MakeCompliance& make, double rolled_aside) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(hardest_factor(c));
@@ -178,7 +179,8 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
-        const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1));
+        const auto extent =
+            path_extent(c, hertz.contact_radius * (own_radius ? margin : 1), rolled_aside);
         const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
         const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
         auto compliance =
@@ -193,7 +195,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
 std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing,
                                           const MakeCompliance& make) {
     const auto side = c.indenter.height_map->period();
-    const auto extent = path_extent(c, half_space_scales(c).contact_radius);
+    const auto extent = path_extent(c, half_space_scales(c).contact_radius, 0);
     return make(
         make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing, spacing));
 }
@@ -259,16 +261,16 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 }
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
-                                                     Body body) {
+                                                     Body body, double rolled_aside) {
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body);
-    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body));
+    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body), rolled_aside);
     if (body == Body::half_space)
         throw contact::InputError(
             "bem: under a periodic load the half-space gives way without bound, its compliance at "
             "k = 0 is infinite; take bem-layer or omit bem.period");
     const auto whole = period_grid(*c.bem.period, spacing, !c.bem.spacing);
-    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads));
+    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads), rolled_aside);
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
@@ -282,7 +284,7 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     const MakeCompliance cells = single_cells(c, n_threads, body);
     return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells)
-                                          : fitting(c, spacing, cells))
+                                          : fitting(c, spacing, cells, 0))
         ->influence();
 }
 

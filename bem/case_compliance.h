@@ -15,9 +15,10 @@ enum class Body { half_space, layer };
 /// enlarged until it does; of a periodic case with the images of its cells. `n_threads`: for the
 /// transforms; results do not depend on it. Throws contact::InputError if the grid would be too
 /// large, or a file of influence coefficients does not fit, or the contact does not fit into the
-/// period.
+/// period. `rolled_aside`: of a contact that rolls on, how far beside the body's lowest point it is
+/// to find room at least, over its half length [-].
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
-                                                     Body body);
+                                                     Body body, double rolled_aside = 0);
 
 /// That of another material on the same grid. Throws contact::InputError for a case with a file of
 /// influence coefficients.

@@ -5,9 +5,9 @@
 
 namespace tricontact::bem {
 
-std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads,
-                                                   Body body) {
-    auto relaxed = case_compliance(c, n_threads, body);
+std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
+                                                   double rolled_aside) {
+    auto relaxed = case_compliance(c, n_threads, body, rolled_aside);
     const contact::ContactPoints grid = relaxed->points();
     return contact::make_substrate(body == Body::layer ? c : contact::without_layer(c),
                                    std::move(relaxed), [&](const contact::Case& elastic) {

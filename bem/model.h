@@ -9,10 +9,10 @@
 
 namespace tricontact::bem {
 
-/// The substrate of a case, elastic or relaxing, on the grid of its case_compliance. Throws
-/// contact::InputError.
-std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads,
-                                                   Body body);
+/// The substrate of a case, elastic or relaxing, on the grid of its case_compliance, which says
+/// what `rolled_aside` is. Throws contact::InputError.
+std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
+                                                   double rolled_aside = 0);
 
 /// Boundary elements for a case, on the grid of its case_compliance. Throws contact::InputError.
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads,

@@ -118,14 +118,26 @@ double largest_ratio(const Case::Load& load, double mean_ratio) {
     return worst;
 }
 
+/// To and fro x may point along F_T; who rolls on along x is braked by F_T > 0, else driven.
+void check_direction_of_force(const Case& c, const Document& document) {
+    if (c.tractive_rolling) return;
+    if (c.load.tangential_ratio.value_or(0) < 0)
+        refuse(document, "load.tangential_ratio",
+               "must be at least 0 and less than 1 but with [tractive_rolling]",
+               "give its amount, x points along F_T");
+    if (c.load.tangential_force.value_or(0) < 0)
+        refuse(document, "load.tangential_force", "must be at least 0 but with [tractive_rolling]",
+               "give its amount, x points along F_T");
+}
+
 // With a prescribed indentation the models find F_N, and they check.
 void check_friction_limit(const Case& c, const Document& document) {
     const bool has_force = c.load.tangential_ratio || c.load.tangential_force;
     if (!c.load.normal_force || !has_force) return;
     const double mean =
-        c.load.tangential_ratio
-            ? *c.load.tangential_ratio
-            : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force);
+        std::abs(c.load.tangential_ratio
+                     ? *c.load.tangential_ratio
+                     : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force));
     const std::string key = used(document, "load.tangential_ratio", "load.tangential_force");
     if (mean >= 1)
         refuse(document, key,
@@ -253,6 +265,7 @@ void check_case(const Case& c, const Document& document) {
     check_oscillation(c, document);
     check_relaxation(c, document);
     check_ground(c, document);
+    check_direction_of_force(c, document);
     check_friction_limit(c, document);
     const double steps = check_steps(c, scales, document);
     check_bem_options(c, document);

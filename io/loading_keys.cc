@@ -35,18 +35,20 @@ void add_load(std::vector<CaseKey>& keys) {
                     [](Case& c) -> Field { return &c.load.indentation; }});
     keys.push_back({{.path = "load.tangential_ratio",
                      .kind = Kind::number,
-                     .range = {0, 1, true, false},
+                     .range = {-1, 1, false, false},
                      .alternative = tangential_load,
                      .example = "0.56",
-                     .text = "F_T/(mu F_N), tangential force along x"},
+                     .text = "F_T/(mu F_N), tangential force along x; below 0 with "
+                             "[tractive_rolling] alone, where it drives"},
                     [](Case& c) -> Field { return &c.load.tangential_ratio; }});
     keys.push_back({{.path = "load.tangential_force",
                      .kind = Kind::quantity,
                      .dimension = Dimension::force,
-                     .range = from_zero(1e15),
+                     .range = {-1e15, 1e15},
                      .alternative = tangential_load,
                      .example = R"("6.7 N")",
-                     .text = "tangential force F_T along x"},
+                     .text = "tangential force F_T along x; below 0 with [tractive_rolling] alone, "
+                             "where it drives"},
                     [](Case& c) -> Field { return &c.load.tangential_force; }});
 }
 

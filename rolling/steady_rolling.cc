@@ -13,6 +13,7 @@
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
 #include "contact/surface_audit.h"
+#include "contact/surface_model.h"
 #include "rolling/rolling_state.h"
 #include "rolling/steady_solver.h"
 
@@ -30,8 +31,8 @@ class Turns {
         : compliance_(compliance),
           points_(compliance.points()),
           problem_(problem),
-          coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
           drive_(problem.drive),
+          coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
           normal_solver_(compliance, 0.1 * problem.tolerance),
           steady_solver_(compliance, problem.tolerance),
           none_(points_.size()) {
@@ -132,8 +133,8 @@ class Turns {
         normal_ = normal_solver_.solve(height, problem_.normal, normal_.pressure);
         iterations_ += normal_.iterations;
         if (contact::reaches_edge(points_, normal_.pressure))
-            throw contact::InputError(
-                "steady rolling: the contact reaches the edge of the grid; enlarge the grid");
+            throw contact::ContactAtEdge(
+                "steady rolling: the contact reaches the edge of the grid");
     }
 
     void solve_tangential() {
@@ -172,8 +173,8 @@ class Turns {
     const contact::Compliance& compliance_;
     const contact::ContactPoints& points_;
     const RollingProblem& problem_;
-    contact::Coupling coupling_;
     Drive drive_;  // its forces are those of the present F_N
+    contact::Coupling coupling_;
     contact::NormalSolver normal_solver_;
     SteadySolver steady_solver_;
     const TangentialField none_;

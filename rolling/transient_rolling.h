@@ -17,7 +17,7 @@ class TransientRolling {
 
     /// Presses until a relaxing substrate has relaxed; the forces that drive act already, the
     /// creepage does not. Called once, before roll(). Throws contact::InputError when the force
-    /// exceeds what friction carries, contact::NotConverged.
+    /// exceeds what friction carries, contact::ContactAtEdge of the grid, contact::NotConverged.
     RollingState press();
     /// Rolls on by one cell.
     RollingState roll();

@@ -33,6 +33,26 @@ for file in summary.json creep.csv report.html bem/history.csv mdr/history.csv b
     cmp -s "once/$file" "twice/$file" || complain "$file differs"
 done
 
+# Driven instead of braked: the mirror image without coupling.
+"$program" roll "$sphere" "${coarse[@]}" --set load.tangential_ratio=-0.56 --output driven \
+    >driven.txt 2>&1 || complain "driven: $(cat driven.txt)"
+for model in mdr bem; do
+    awk -v model=$model '$1 == model { if (NR == FNR) { xi = $2; f = $3 } else { found = 1
+        if ((xi / $2 + 1) ^ 2 > 1e-10 || (f / $3 + 1) ^ 2 > 1e-10) bad = 1 } } END { exit !found || bad }' \
+        table.txt driven.txt || complain "driven is not braked mirrored: $(cat table.txt driven.txt)"
+done
+
+# Friction that moves a coupled contact beside the grid that was made for it.
+"$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set friction.coefficient=10 \
+    --set bem.cells_per_radius=12 --set tractive_rolling.distance=2 --points 2 --quiet --no-report \
+    --output far >far.txt 2>&1 || complain "mu = 10: $(cat far.txt)"
+
+# Dundurs' beta of a rigid body may exceed 1/2.
+"$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set substrate.poisson=-0.3 \
+    --set indenter.young='"1e15 Pa"' --set friction.coefficient=1 --set bem.cells_per_radius=8 \
+    --set tractive_rolling.distance=1 --points 1 --quiet --output auxetic >auxetic.txt 2>&1 ||
+    complain "nu = -0.3: $(cat auxetic.txt)"
+
 refused "tricontact roll computes such a case" run "$sphere"
 refused "tricontact roll computes such a case" refine "$sphere" --model bem
 refused "there is no [tractive_rolling]" roll "$source_dir/cases/rig_sphere_parallel.toml"
