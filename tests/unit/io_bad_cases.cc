@@ -99,9 +99,10 @@ TEST_P(BadOverrides, AreRefusedWithTheOverrideAsPlace) {
 INSTANTIATE_TEST_SUITE_P(
     Set, BadOverrides,
     testing::Values(
-        BadOverride{{"load.tangential_ratio=2"},
-                    "--set load.tangential_ratio=2: load.tangential_ratio = 2: must be at least 0 "
-                    "and less than 1; write for example tangential_ratio = 0.56"},
+        BadOverride{
+            {"load.tangential_ratio=2"},
+            "--set load.tangential_ratio=2: load.tangential_ratio = 2: must be greater than "
+            "-1 and less than 1; write for example tangential_ratio = 0.56"},
         BadOverride{{"rolling.increment=0.1"},
                     "--set rolling.increment=0.1: rolling.increment = 0.1: must be a length, but "
                     "has no unit; write for example increment = \"0.2 mm\""},
@@ -175,7 +176,8 @@ TEST_F(BadContents, Huge) {
 TEST_F(BadContents, DeeplyNested) {
     const std::string path = write("title = " + std::string(100'000, '['));
     EXPECT_NE(message_of(path).find(":1:"), std::string::npos) << message_of(path);
-    EXPECT_NE(message_of(path).find("nested deeper than in any file"), std::string::npos) << message_of(path);
+    EXPECT_NE(message_of(path).find("nested deeper than in any file"), std::string::npos)
+        << message_of(path);
 }
 
 TEST_F(BadContents, ControlCharactersStayOutOfTheMessage) {
