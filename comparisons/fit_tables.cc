@@ -17,9 +17,8 @@ DocumentTable form_table(const std::string& id, const std::string& title,
         .note =
             "Of the form's left side: SSE, the sum of squared errors (observed minus fitted), as "
             "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
-            "minus mean); R² = SSR/(SSR + SSE). The equations A.1.8 to A.1.10 of the thesis "
-            "exchange the two names. Residuals of a model are no noise: the interval says how well "
-            "the form describes the model.",
+            "minus mean); R² = SSR/(SSR + SSE). Residuals of a model are no noise: the interval "
+            "says how well the form describes the model.",
         .columns = {{"model"},
                     {"group"},
                     {"form"},
