@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/compensated_sum.h"
 #include "contact/moving_frame.h"
 #include "contact/step_integrals.h"
 
@@ -100,32 +101,53 @@ void PartlyRelaxingSubstrate::carry() {
     }
 }
 
-/// X_m t for each mode.
-std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(
-    const SurfaceField& t) const {
+/// X_m t for each mode. They are sums of either sign, whose rounding goes with the magnitudes.
+std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(const SurfaceField& t,
+                                                                       double& magnitude) const {
     std::vector<SurfaceField> modal(modes_.size(), SurfaceField(n_));
     for (std::size_t j = 0; j < parts_.size(); ++j) {
         const SurfaceField part = displaced(*parts_[j], t, step_.is_coupled());
-        for (std::size_t m = 0; m < modes_.size(); ++m)
-            add(modal[m], interpolation_.weight(m, j), part);
+        const double energy = largest_energy(part, t);
+        for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const double weight = interpolation_.weight(m, j);
+            add(modal[m], weight, part);
+            magnitude += std::abs(weight) * modes_[m].creep.relaxed * energy;
+        }
     }
     return modal;
+}
+
+/// What these displacements and the tractions of the step could at most exchange [J].
+double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const SurfaceField& t) const {
+    const auto& area = step_.points().area;
+    double sum = 0;
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < n_; ++i)
+            sum += area[i] *
+                   (std::abs((*components(traction_)[d])[i]) + std::abs((*components(t)[d])[i])) *
+                   std::abs((*components(u)[d])[i]);
+    return sum;
 }
 
 /// Of the energies' sums only what the branches add to those of t and u.
 Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
     const auto& area = step_.points().area;
     Energies energies;
+    CompensatedSum all_stored, all_work;
     // Partial integration of the work: the displacement's mean over the step is known.
     for (int d = 0; d < 3; ++d) {
         const auto &t0 = *components(traction_)[d], &u0 = *components(displacement_)[d];
         const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
         for (std::size_t i = 0; i < n_; ++i) {
-            energies.stored += area[i] / 2 * t1[i] * u1[i];
-            energies.work += area[i] * (t1[i] * u1[i] - t0[i] * u0[i]);
+            all_stored.add(area[i] / 2 * t1[i] * u1[i]);
+            all_work.add(area[i] * (t1[i] * u1[i] - t0[i] * u0[i]));
+            energies.magnitude +=
+                area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(u0[i]) + std::abs(u1[i]));
         }
     }
-    const std::vector<SurfaceField> now = modal_displacements(t);
+    energies.stored = all_stored.value();
+    energies.work = all_work.value();
+    const std::vector<SurfaceField> now = modal_displacements(t, energies.magnitude);
     for (std::size_t m = 0; m < modes_.size(); ++m) advance(modes_[m], now[m], t, energies);
     return energies;
 }
@@ -133,6 +155,7 @@ Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const Su
 void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const SurfaceField& t,
                                       Energies& energies) {
     const auto& area = step_.points().area;
+    CompensatedSum all_stored, all_dissipated, all_work;
     std::vector<StepIntegrals> integrals;
     std::vector<double> decay;
     for (const auto& [compliance, time] : mode.creep.branches) {
@@ -146,7 +169,7 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const
             const double x_t1 = (*components(now)[d])[i];
             const double w = t1 - t0, x_w = x_t1 - x_t;
             double mean_displacement = mode.creep.relaxed * (x_t + x_t1) / 2;
-            double stored = 0, dissipated = 0;
+            double stored = 0, dissipated = 0, way = std::abs(x_t) + std::abs(x_t1);
             for (std::size_t b = 0; b < mode.branches.size(); ++b) {
                 const double compliance = mode.creep.branches[b].compliance;
                 const StepIntegrals& s = integrals[b];
@@ -158,12 +181,17 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const
                 e = decay[b] * e + s.mean * w;
                 x_e = decay[b] * x_e + s.mean * x_w;
                 stored -= compliance * (t1 - e) * x_e;
+                way += compliance * std::abs(x_e);
             }
             x_t = x_t1;
-            energies.stored += area[i] / 2 * stored;
-            energies.dissipated += area[i] * dissipated;
-            energies.work -= area[i] * w * mean_displacement;
+            all_stored.add(area[i] / 2 * stored);
+            all_dissipated.add(area[i] * dissipated);
+            all_work.add(-area[i] * w * mean_displacement);
+            energies.magnitude += area[i] * (std::abs(t0) + std::abs(t1)) * way;
         }
+    energies.stored += all_stored.value();
+    energies.dissipated += all_dissipated.value();
+    energies.work += all_work.value();
 }
 
 void PartlyRelaxingSubstrate::write(StateWriter& out) const {

@@ -50,7 +50,8 @@ class PartlyRelaxingSubstrate final : public Substrate {
         SurfaceField displacement;  // X t of the last step [m]
     };
 
-    std::vector<SurfaceField> modal_displacements(const SurfaceField& t) const;
+    std::vector<SurfaceField> modal_displacements(const SurfaceField& t, double& magnitude) const;
+    double largest_energy(const SurfaceField& u, const SurfaceField& t) const;
     void advance(Mode& mode, const SurfaceField& now, const SurfaceField& t, Energies& energies);
 
     Parts parts_;

@@ -1,5 +1,8 @@
 #include "contact/relaxing_substrate.h"
 
+#include <cmath>
+
+#include "contact/compensated_sum.h"
 #include "contact/moving_frame.h"
 #include "contact/step_integrals.h"
 
@@ -54,6 +57,7 @@ void RelaxingSubstrate::carry() {
 
 Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
     const auto& area = compliance_->points().area;
+    CompensatedSum all_stored, all_dissipated, all_work;
     Energies energies;
     std::vector<StepIntegrals> integrals;
     for (const auto& branch : relaxation_.branches) integrals.emplace_back(duration_ / branch.time);
@@ -61,7 +65,8 @@ Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceF
         for (std::size_t i = 0; i < n_; ++i) {
             auto& relaxed = (*components(relaxed_)[d])[i];
             const double displacement = (*components(u)[d])[i];
-            const double change = displacement - (*components(before_)[d])[i];
+            const double before = (*components(before_)[d])[i];
+            const double change = displacement - before;
             // t = stiffness K u_new + sum (decay_i K h_i - gain_i K u_old)
             double remembered = 0;
             for (std::size_t b = 0; b < branches_.size(); ++b)
@@ -70,6 +75,7 @@ Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceF
             const double next = ((*components(t)[d])[i] - remembered) / stiffness_;
             const double driven = next - relaxed;
             double mean = (relaxed + next) / 2;  // traction in the step
+            double load = std::abs(relaxed) + std::abs(next);
             relaxed = next;
             double stored = next * displacement, dissipated = 0;
             for (std::size_t b = 0; b < branches_.size(); ++b) {
@@ -80,14 +86,20 @@ Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceF
                 dissipated += k_h * h / ratio * s.ee + (k_h * change + driven * h) * s.ew +
                               ratio * driven * change * s.ww;
                 mean += k_h * s.mean + ratio * driven * s.drift;
+                load += std::abs(k_h);
                 h = decay_[b] * h + gain_[b] * change;
                 k_h = decay_[b] * k_h + gain_[b] * driven;
                 stored += k_h * h / ratio;
             }
-            energies.stored += area[i] / 2 * stored;
-            energies.dissipated += area[i] * dissipated;
-            energies.work += area[i] * mean * change;
+            all_stored.add(area[i] / 2 * stored);
+            all_dissipated.add(area[i] * dissipated);
+            all_work.add(area[i] * mean * change);
+            energies.magnitude +=
+                area[i] * (load * (std::abs(displacement) + std::abs(before)) + std::abs(stored));
         }
+    energies.stored = all_stored.value();
+    energies.dissipated = all_dissipated.value();
+    energies.work = all_work.value();
     return energies;
 }
 

@@ -1,5 +1,9 @@
 #include "contact/substrate.h"
 
+#include <cmath>
+
+#include "contact/compensated_sum.h"
+
 namespace tricontact::contact {
 
 void write(const SurfaceField& field, StateWriter& out) {
@@ -28,15 +32,29 @@ bool ElasticSubstrate::begin(double, const SurfaceField& t, const SurfaceField& 
 
 Substrate::Energies ElasticSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
     const auto& area = compliance_->points().area;
-    Energies energies;
+    CompensatedSum all_stored, all_work, all_magnitude;
     for (int d = 0; d < 3; ++d) {
-        const auto &t0 = *components(traction_)[d], &u0 = *components(displacement_)[d];
-        const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
-        for (std::size_t i = 0; i < area.size(); ++i) {
-            energies.stored += area[i] / 2 * t1[i] * u1[i];
-            energies.work += area[i] / 2 * (t0[i] + t1[i]) * (u1[i] - u0[i]);
-        }
+        const double *const t0 = components(traction_)[d]->data(),
+                            *const u0 = components(displacement_)[d]->data(),
+                            *const t1 = components(t)[d]->data(),
+                            *const u1 = components(u)[d]->data();
+        for_each_block(0, static_cast<int>(area.size()), [&](int begin, int end) {
+            double stored = 0, work = 0, magnitude = 0;
+            for (int i = begin; i < end; ++i) {
+                stored += area[i] / 2 * t1[i] * u1[i];
+                work += area[i] / 2 * (t0[i] + t1[i]) * (u1[i] - u0[i]);
+                magnitude += area[i] / 2 * (std::abs(t0[i]) + std::abs(t1[i])) *
+                             (std::abs(u0[i]) + std::abs(u1[i]));
+            }
+            all_stored.add(stored);
+            all_work.add(work);
+            all_magnitude.add(magnitude);
+        });
     }
+    Energies energies;
+    energies.stored = all_stored.value();
+    energies.work = all_work.value();
+    energies.magnitude = all_magnitude.value();
     return energies;
 }
 

@@ -58,6 +58,7 @@ class Substrate {
         double stored = 0;      ///< elastic, at its end
         double dissipated = 0;  ///< by the material, in the step
         double work = 0;        ///< of the tractions on the surface, in the step
+        double magnitude = 0;   ///< sum of the terms' magnitudes, which rounding goes with
     };
     /// Before a step, on a grid: what it remembers moves by one cell, see carry().
     virtual void carry() = 0;

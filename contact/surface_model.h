@@ -66,6 +66,10 @@ class SurfaceModel final : public Model {
   private:
     using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
 
+    /// Of a step [J]: work on the surface less what became of it; the magnitudes of all terms.
+    struct EnergyBalance {
+        double missing, magnitude;
+    };
     /// The state of the surface that a step starts from.
     struct Before {
         SurfaceField traction, displacement;
@@ -94,7 +98,7 @@ class SurfaceModel final : public Model {
     void update_slip(const Before& before);
     StepRecord record(const LoadStep& step) const;
     void audit_step(const LoadStep& step, bool carried);
-    double update_energy();
+    EnergyBalance update_energy();
 
     std::string name_;
     std::unique_ptr<Substrate> substrate_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/compensated_sum.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
 
@@ -55,7 +56,7 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
     const ContactPoints& points = this->points();
     const auto& p = normal_->pressure;
     const auto& t = tangential_.traction;
-    const double unbalanced = update_energy();
+    const EnergyBalance energy = update_energy();
     if (normal_->force == 0) return;  // withdrawn: nothing to compare errors with
     // Parts that inclined tractions carry follow the rest to the tolerance of the turns.
     const double force_allowed = coupling_.deformed() ? 10 * tolerance_ : exact_force;
@@ -81,25 +82,32 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
                           .slip = slip_,
                           .contact_state = contact_state_,
                           .control = tangential,
-                          .length = friction_coefficient_ * normal_->indentation},
+                          .length = friction_coefficient_ * normal_->indentation,
+                          .inclined_force = coupling_.inclined_force(p)},
                          tolerance_, audit_, force_allowed);
     }
     // What relaxes takes energy out of a frame that leaves it behind.
     if (carried && substrate_->relaxes()) return;
-    // The forces' work is that on the surface plus what friction dissipates.
+    // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
+    // Rounding goes with all that is turned over, F d under whatever friction: products of the
+    // compliance and sums are right to sum_rounding of their terms.
+    // A displaced surface meets the indenter to the tolerance of the turns, over d.
+    const double factor = friction_coefficient_ * friction_coefficient_ + coupling_.deformed();
+    const double by_friction = factor * normal_->force * normal_->indentation;
+    const double by_rounding = sum_rounding * energy.magnitude;
     audit_.record("energy_balance",
-                  std::abs(unbalanced) / (friction_coefficient_ * friction_coefficient_ *
-                                          normal_->force * normal_->indentation),
+                  std::abs(energy.missing) / (by_friction + by_rounding / force_allowed),
                   force_allowed);
 }
 
-/// Ends the step of the substrate; returns the work on its surface less what became of it [J].
-double SurfaceModel::update_energy() {
+/// Ends the step of the substrate.
+SurfaceModel::EnergyBalance SurfaceModel::update_energy() {
     const double energy_before = energy_;
     const Substrate::Energies energies = substrate_->end(tractions(), displacements());
     energy_ = energies.stored;
     material_dissipation_ = energies.dissipated;
-    return energies.work - (energy_ - energy_before + material_dissipation_);
+    return {energies.work - (energy_ - energy_before + material_dissipation_),
+            energies.magnitude + std::abs(energy_before)};
 }
 
 }  // namespace tricontact::contact

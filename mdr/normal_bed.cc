@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contact/compensated_sum.h"
 #include "contact/error.h"
 
 namespace tricontact::mdr {
@@ -13,12 +14,15 @@ namespace tricontact::mdr {
 namespace {
 
 double sum_of(std::span<const double> values) {
-    const int n = static_cast<int>(values.size());
     const double* const value = values.data();
-    double sum = 0;
+    contact::CompensatedSum all;
+    contact::for_each_block(0, static_cast<int>(values.size()), [&](int begin, int end) {
+        double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (int i = 0; i < n; ++i) sum += value[i];
-    return sum;
+        for (int i = begin; i < end; ++i) sum += value[i];
+        all.add(sum);
+    });
+    return all.value();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/compensated_sum.h"
 #include "contact/error.h"
 #include "mdr/rolling_line.h"
 #include "mdr/tangential_step.h"
@@ -112,17 +113,22 @@ int RelaxingBed::press_to_sum(double sum) {
     const double* const height = heights_.data();
     double n_before = 0;
     for (int iteration = 1; iteration <= n + 2; ++iteration) {
-        double heights = 0, n_below = 0;
+        contact::CompensatedSum all_heights;
+        double n_below = 0;
         const double depth = depth_;
+        contact::for_each_block(0, n, [&](int begin, int end) {
+            double heights = 0;
 #pragma omp simd reduction(+ : heights, n_below)
-        for (int i = 0; i < n; ++i) {
-            heights += height[i] < depth ? height[i] : 0.;
-            n_below += height[i] < depth ? 1. : 0.;
-        }
+            for (int i = begin; i < end; ++i) {
+                heights += height[i] < depth ? height[i] : 0.;
+                n_below += height[i] < depth ? 1. : 0.;
+            }
+            all_heights.add(heights);
+        });
         if (n_below > 0 && n_below == n_before) return iteration;
         n_before = n_below;
         if (n_below > 0)
-            depth_ = (sum + heights) / n_below;
+            depth_ = (sum + all_heights.value()) / n_below;
         else
             depth_ = 2 * *std::min_element(heights_.begin(), heights_.end()) + sum;
     }
@@ -168,14 +174,17 @@ void RelaxingBed::push(double stiffness) {
     touched_ = hull(touched_, contact_);
     const double* const pressed = pressed_.data();
     double* const force = force_.data();
-    double sum = 0;
+    contact::CompensatedSum all;
+    contact::for_each_block(touched_.first, touched_.last, [&](int begin, int end) {
+        double sum = 0;
 #pragma omp simd reduction(+ : sum)
-    for (int i = touched_.first; i < touched_.last; ++i) {
-        force[i] = stiffness * pressed[i];
-        sum += force[i];
-    }
-    normal_force_ = effective_modulus_ * row_.spacing * sum;
-    largest_force_ = std::max(largest_force_, normal_force_);
+        for (int i = begin; i < end; ++i) {
+            force[i] = stiffness * pressed[i];
+            sum += force[i];
+        }
+        all.add(sum);
+    });
+    normal_force_ = effective_modulus_ * row_.spacing * all.value();
     pressing_ = normal_.end(touched_, force_);
 }
 
@@ -241,8 +250,8 @@ void RelaxingBed::release() {
     for (auto* field : {&pressed_, &bounds_, &sheared_, &offsets_, &shear_before_, &least_load_})
         std::fill(field->begin(), field->end(), 0);
     depth_ = position_ = n_contact_ = 0;
-    normal_force_ = tangential_force_ = largest_force_ = 0;
-    shift_ = shift_increment_ = stored_ = 0;
+    normal_force_ = tangential_force_ = 0;
+    shift_ = shift_increment_ = stored_in_pressing_ = stored_in_shearing_ = 0;
 }
 
 void RelaxingBed::start_limit() {
@@ -261,9 +270,9 @@ void RelaxingBed::update_limit() {
 }
 
 double RelaxingBed::limit_tangential_ratio() const {
-    double sum = 0;
-    for (const double load : least_load_) sum += load;
-    return effective_modulus_ * row_.spacing * sum / limit_normal_force_;
+    contact::CompensatedSum sum;
+    for (const double load : least_load_) sum.add(load);
+    return effective_modulus_ * row_.spacing * sum.value() / limit_normal_force_;
 }
 
 }  // namespace tricontact::mdr

@@ -76,10 +76,10 @@ class RelaxingBed final : public contact::Model {
     std::vector<double> force_;                       // over the relaxed stiffness [m]
     std::vector<double> shear_before_;                // deflections before the step [m]
     SpringMemory::Sums pressing_, shearing_;          // of the last step
-    double stored_ = 0;                               // [J]
-    double normal_force_ = 0, tangential_force_ = 0, largest_force_ = 0;  // [N]
-    double shift_ = 0, shift_increment_ = 0;                              // [m]
-    bool friction_ = true;                                                // in the last step
+    double stored_in_pressing_ = 0, stored_in_shearing_ = 0;  // over the stiffness [m^2]
+    double normal_force_ = 0, tangential_force_ = 0;          // [N]
+    double shift_ = 0, shift_increment_ = 0;                  // [m]
+    bool friction_ = true;                                    // in the last step
 
     std::vector<double> least_load_;  // since start_limit, over E* [m]
     double limit_normal_force_ = 0;

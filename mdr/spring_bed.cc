@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/compensated_sum.h"
 #include "mdr/rolling_line.h"
 #include "mdr/tangential_step.h"
 
@@ -16,7 +17,7 @@ using contact::TangentialControl;
 
 namespace {
 
-// Rounding of sums over up to 1e6 springs.
+// Of forces and energies, whatever the number of springs: some seventy contact::sum_rounding.
 constexpr double rounding = 1e-12;
 
 std::span<double> part(std::vector<double>& values, const Window& window) {
@@ -45,6 +46,7 @@ contact::StepRecord SpringBed::advance(const LoadStep& step) {
     check_on_line(name(), step);
     const double force_before = tangential_force_;
     depth_before_ = normal_.depth();
+    normal_force_before_ = normal_force_;
     contact_before_ = normal_.contact();
     const int normal_iterations =
         press(line_coordinate(name(), step.offset, direction_, normal_.spacing()), step.normal);
@@ -105,20 +107,24 @@ void SpringBed::release() {
 // Slip cap mu q_z/(G* dx) of each spring, and the normal force that it belongs to.
 void SpringBed::update_bounds() {
     const auto heights = normal_.heights();
-    const int n = static_cast<int>(heights.size());
     const double* const height = heights.data();
     double* const bound = part(bounds_, normal_.contact()).data();
     const double depth = normal_.depth(), ratio = bound_ratio_;
-    double penetrations = 0, squares = 0;
+    contact::CompensatedSum all_penetrations, all_squares;
+    contact::for_each_block(0, static_cast<int>(heights.size()), [&](int begin, int end) {
+        double penetrations = 0, squares = 0;
 #pragma omp simd reduction(+ : penetrations, squares)
-    for (int i = 0; i < n; ++i) {
-        const double penetration = depth - height[i];
-        penetrations += penetration;
-        squares += penetration * penetration;
-        bound[i] = ratio * penetration;
-    }
-    normal_force_ = effective_modulus_ * normal_.spacing() * penetrations;
-    normal_energy_ = effective_modulus_ * normal_.spacing() * squares / 2;
+        for (int i = begin; i < end; ++i) {
+            const double penetration = depth - height[i];
+            penetrations += penetration;
+            squares += penetration * penetration;
+            bound[i] = ratio * penetration;
+        }
+        all_penetrations.add(penetrations);
+        all_squares.add(squares);
+    });
+    normal_force_ = effective_modulus_ * normal_.spacing() * all_penetrations.value();
+    normal_energy_ = effective_modulus_ * normal_.spacing() * all_squares.value() / 2;
 }
 
 ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) const {
@@ -149,11 +155,14 @@ SlipSums SpringBed::slide(double increment) {
 
 // Springs that have left the contact lose their load: no work at the end of the step, but energy.
 void SpringBed::unload(int first, int last, double increment, SlipSums& sums) const {
+    contact::CompensatedSum trapezoidal, stored;
     for (int i = first; i < last; ++i) {
         const double before = deflections_before_[i];
-        sums.trapezoidal += before * (increment + before) / 2;
-        sums.stored -= before * before / 2;
+        trapezoidal.add(before * (increment + before) / 2);
+        stored.add(-before * before / 2);
     }
+    sums.trapezoidal += trapezoidal.value();
+    sums.stored += stored.value();
 }
 
 void SpringBed::start_limit() {
@@ -174,9 +183,9 @@ void SpringBed::update_limit() {
 }
 
 double SpringBed::limit_tangential_ratio() const {
-    double sum = 0;
-    for (const double bound : part(least_bounds_, least_contact_)) sum += bound;
-    return effective_shear_modulus_ * normal_.spacing() * sum /
+    contact::CompensatedSum sum;
+    for (const double bound : part(least_bounds_, least_contact_)) sum.add(bound);
+    return effective_shear_modulus_ * normal_.spacing() * sum.value() /
            (friction_coefficient_ * limit_normal_force_);
 }
 
@@ -198,10 +207,16 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
                       std::abs(tangential_force_ - control.value) / friction_limit, rounding);
     // Spring by spring, 1/2 (q + q_before) (increment - slip) = change of q^2/(2 k): summed up, the
     // work of the shift equals stored energy and frictional work, exactly.
+    // Rounding: let L be the larger friction limit of before and after the step, b the largest
+    // bound or the increment. As |u| stays within the bounds, the magnitudes of the terms add up to
+    // no more than 2 L b of work, 4 L b of slip and L b of what is stored.
     const double work = shift_increment_ * (tangential_force_ + force_before) / 2;
     const double used = stiffness * (sums.stored + sums.trapezoidal);
-    audit_.record("energy_balance", std::abs(work - used) / (friction_limit * peak_bound),
-                  rounding);
+    const double largest_limit =
+        friction_coefficient_ * std::max(normal_force_, normal_force_before_);
+    const double farthest = std::max(bound_ratio_ * std::max(normal_.depth(), depth_before_),
+                                     std::abs(shift_increment_));
+    audit_.record("energy_balance", std::abs(work - used) / (largest_limit * farthest), rounding);
 }
 
 contact::StepRecord SpringBed::record(const LoadStep& step, const SlipSums& sums) const {

@@ -70,8 +70,9 @@ class SpringBed final : public contact::Model {
 
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
     Window contact_before_;
-    std::vector<double> bounds_;  // mu (E*/G*) (d - g) [m] of the springs in contact
-    double depth_before_ = 0;     // [m]
+    std::vector<double> bounds_;      // mu (E*/G*) (d - g) [m] of the springs in contact
+    double depth_before_ = 0;         // [m]
+    double normal_force_before_ = 0;  // [N]
     double normal_force_ = 0, tangential_force_ = 0;  // [N]
     double normal_energy_ = 0;                        // [J]
     double shift_ = 0, shift_increment_ = 0;          // [m]

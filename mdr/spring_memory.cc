@@ -3,40 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/compensated_sum.h"
+#include "contact/step_integrals.h"
+
 namespace tricontact::mdr {
-
-namespace {
-
-// (1 - mean)/x with mean = (1 - exp(-x))/x, x >= 0: 1/2 at x = 0. The series leaves less than
-// rounding below 0.05, the direct form loses three digits there and fewer beyond.
-double drift(double x) {
-    constexpr double series_below = 0.05;
-    if (std::isinf(x)) return 0;
-    if (x >= series_below) return (x + std::expm1(-x)) / (x * x);
-    double term = 0.5, sum = 0;
-    for (int n = 3; n <= 11; ++n) {
-        sum += term;
-        term *= -x / n;
-    }
-    return sum;
-}
-
-}  // namespace
 
 // A branch strains by e = h/ratio, de/dt = change/duration - e/time. With x = duration/time, m the
 // mean of exp(-t/time) over the step and r = change/x:
 //   e(t) = (e - r) exp(-t/time) + r,   mean e = e m + change (1 - m)/x,
 //   1/time ∫ e^2 dt = e^2 (1 - exp(-2x))/2 + e change x m^2 + change^2 [(1 - m)/x - m^2/2].
 void SpringMemory::Branch::set_step(double duration) {
-    const double x = duration / time, lost = -std::expm1(-x);
+    const contact::StepIntegrals integrals(duration / time);
     const contact::RelaxationStep step({{{ratio, time}}, {}}, duration);
     decay = step.decay.front();
     gain = step.gain.front();
     mean_h = gain / ratio;
-    mean_u = ratio * drift(x);
-    dissipated_hh = -std::expm1(-2 * x) / 2 / ratio;
-    dissipated_hu = lost * mean_h;
-    dissipated_uu = mean_u - ratio * mean_h * mean_h / 2;
+    mean_u = ratio * integrals.drift;
+    dissipated_hh = integrals.ee / ratio;
+    dissipated_hu = 2 * integrals.ew;
+    dissipated_uu = ratio * integrals.ww;
 }
 
 SpringMemory::SpringMemory(const contact::Relaxation& relaxation, int n_springs) {
@@ -88,26 +73,39 @@ SpringMemory::Sums SpringMemory::end(const Window& window, const std::vector<dou
     double* const mean = mean_.data();
     double* const law = law_.data();
     const double softness = 1 / stiffness_;
-    double stored = 0, work = 0, mean_force = 0, law_error = 0;
+    contact::CompensatedSum all_stored, all_work, all_turnover, all_mean_force;
+    contact::for_each_block(window.first, window.last, [&](int begin, int end) {
+        double stored = 0;
 #pragma omp simd reduction(+ : stored)
-    for (int i = window.first; i < window.last; ++i) {
-        const double before = u[i];
-        u[i] = free[i] + softness * f[i];
-        change[i] = u[i] - before;
-        mean[i] = (u[i] + before) / 2;
-        law[i] = u[i];
-        stored += u[i] * u[i] / 2;
-    }
+        for (int i = begin; i < end; ++i) {
+            const double before = u[i];
+            u[i] = free[i] + softness * f[i];
+            change[i] = u[i] - before;
+            mean[i] = (u[i] + before) / 2;
+            law[i] = u[i];
+            stored += u[i] * u[i] / 2;
+        }
+        all_stored.add(stored);
+    });
     for (Branch& branch : branches_) advance(branch, window, sums);
-#pragma omp simd reduction(+ : work, mean_force) reduction(max : law_error)
-    for (int i = window.first; i < window.last; ++i) {
-        work += mean[i] * change[i];
-        mean_force += mean[i];
-        law_error = std::max(law_error, std::abs(law[i] - f[i]));
-    }
-    sums.stored += stored;
-    sums.work = work;
-    sums.mean_force = mean_force;
+    double law_error = 0;
+    contact::for_each_block(window.first, window.last, [&](int begin, int end) {
+        double work = 0, turnover = 0, mean_force = 0;
+#pragma omp simd reduction(+ : work, turnover, mean_force) reduction(max : law_error)
+        for (int i = begin; i < end; ++i) {
+            work += mean[i] * change[i];
+            turnover += std::abs(mean[i] * change[i]);
+            mean_force += mean[i];
+            law_error = std::max(law_error, std::abs(law[i] - f[i]));
+        }
+        all_work.add(work);
+        all_turnover.add(turnover);
+        all_mean_force.add(mean_force);
+    });
+    sums.stored += all_stored.value();
+    sums.work = all_work.value();
+    sums.turnover = all_turnover.value();
+    sums.mean_force = all_mean_force.value();
     sums.law_error = law_error;
     return sums;
 }
@@ -120,18 +118,23 @@ void SpringMemory::advance(Branch& branch, const Window& window, Sums& sums) {
     double* const h = branch.h.data();
     double* const mean = mean_.data();
     double* const law = law_.data();
-    double stored = 0, dissipated = 0;
+    contact::CompensatedSum all_stored, all_dissipated;
+    contact::for_each_block(window.first, window.last, [&](int begin, int end) {
+        double stored = 0, dissipated = 0;
 #pragma omp simd reduction(+ : stored, dissipated)
-    for (int i = window.first; i < window.last; ++i) {
-        const double before = h[i], driven = change[i];
-        dissipated += hh * before * before + hu * before * driven + uu * driven * driven;
-        mean[i] += mean_h * before + mean_u * driven;
-        h[i] = decay * before + gain * driven;
-        law[i] += h[i];
-        stored += over * h[i] * h[i];
-    }
-    sums.stored += stored;
-    sums.dissipated += dissipated;
+        for (int i = begin; i < end; ++i) {
+            const double before = h[i], driven = change[i];
+            dissipated += hh * before * before + hu * before * driven + uu * driven * driven;
+            mean[i] += mean_h * before + mean_u * driven;
+            h[i] = decay * before + gain * driven;
+            law[i] += h[i];
+            stored += over * h[i] * h[i];
+        }
+        all_stored.add(stored);
+        all_dissipated.add(dissipated);
+    });
+    sums.stored += all_stored.value();
+    sums.dissipated += all_dissipated.value();
 }
 
 }  // namespace tricontact::mdr

@@ -34,6 +34,7 @@ class SpringMemory {
         double stored = 0;      ///< elastic energy at the end
         double dissipated = 0;  ///< by the springs
         double work = 0;        ///< on the springs
+        double turnover = 0;    ///< the same with the magnitudes of its parts
         double mean_force = 0;  ///< in time [m]
         double law_error = 0;   ///< largest |u + sum h_i - force| [m]
     };

@@ -7,11 +7,15 @@
 #include <limits>
 #include <numeric>
 
+#include "contact/compensated_sum.h"
 #include "contact/error.h"
 
 namespace tricontact::mdr {
 
 namespace {
+
+using contact::CompensatedSum;
+using contact::for_each_block;
 
 struct ClampedSum {
     double sum = 0;     // of the deflections
@@ -21,19 +25,25 @@ struct ClampedSum {
 
 ClampedSum clamped_sum(std::span<const double> deflections, std::span<const double> bounds,
                        double increment) {
-    const int n = static_cast<int>(bounds.size());
     const double* const u = deflections.data();
     const double* const bound = bounds.data();
-    double sum = 0, n_free = 0, total = 0;
+    CompensatedSum all, all_bounds;
+    double all_free = 0;
+    for_each_block(0, static_cast<int>(bounds.size()), [&](int begin, int end) {
+        double sum = 0, n_free = 0, total = 0;
 #pragma omp simd reduction(+ : sum, n_free, total)
-    for (int i = 0; i < n; ++i) {
-        const double trial = u[i] + increment;
-        const double clamped = std::min(std::max(trial, -bound[i]), bound[i]);
-        sum += clamped;
-        n_free += clamped == trial ? 1. : 0.;
-        total += bound[i];
-    }
-    return {sum, n_free, total};
+        for (int i = begin; i < end; ++i) {
+            const double trial = u[i] + increment;
+            const double clamped = std::min(std::max(trial, -bound[i]), bound[i]);
+            sum += clamped;
+            n_free += clamped == trial ? 1. : 0.;
+            total += bound[i];
+        }
+        all.add(sum);
+        all_bounds.add(total);
+        all_free += n_free;
+    });
+    return {all.value(), all_free, all_bounds.value()};
 }
 
 }  // namespace
@@ -69,31 +79,43 @@ ShiftSolution find_increment(std::span<const double> deflections, std::span<cons
 
 SlipSums take_step(std::span<const double> before, std::span<const double> bounds, double increment,
                    double negligible, std::span<double> after) {
-    const int n = static_cast<int>(bounds.size());
     const double* const old = before.data();
     const double* const bound = bounds.data();
     double* const u = after.data();
-    double deflection = 0, dissipated = 0, trapezoidal = 0, stored = 0, n_stick = 0;
-    double energy = 0;
-    double lowest_work = 0, bound_excess = 0;
+    CompensatedSum all_deflection, all_dissipated, all_trapezoidal, all_stored, all_energy;
+    double n_stick = 0, lowest_work = 0, bound_excess = 0;
+    for_each_block(0, static_cast<int>(bounds.size()), [&](int begin, int end) {
+        double deflection = 0, dissipated = 0, trapezoidal = 0, stored = 0, energy = 0;
 #pragma omp simd reduction(+ : deflection, dissipated, trapezoidal, stored, n_stick, energy) \
     reduction(min : lowest_work) reduction(max : bound_excess)
-    for (int i = 0; i < n; ++i) {
-        const double trial = old[i] + increment;
-        u[i] = std::min(std::max(trial, -bound[i]), bound[i]);
-        const double slip = trial - u[i];  // exactly zero where it sticks
-        const double work = u[i] * slip;
-        deflection += u[i];
-        dissipated += std::abs(work);
-        trapezoidal += (work + old[i] * slip) / 2;
-        stored += (u[i] * u[i] - old[i] * old[i]) / 2;
-        energy += u[i] * u[i] / 2;
-        n_stick += std::abs(slip) <= negligible ? 1. : 0.;
-        lowest_work = std::min(lowest_work, work);
-        bound_excess = std::max(bound_excess, std::abs(u[i]) - bound[i]);
-    }
-    return {deflection,  dissipated,   trapezoidal, stored,
-            lowest_work, bound_excess, n_stick,     energy};
+        for (int i = begin; i < end; ++i) {
+            const double trial = old[i] + increment;
+            u[i] = std::min(std::max(trial, -bound[i]), bound[i]);
+            const double slip = trial - u[i];  // exactly zero where it sticks
+            const double work = u[i] * slip;
+            deflection += u[i];
+            dissipated += std::abs(work);
+            trapezoidal += (work + old[i] * slip) / 2;
+            stored += (u[i] * u[i] - old[i] * old[i]) / 2;
+            energy += u[i] * u[i] / 2;
+            n_stick += std::abs(slip) <= negligible ? 1. : 0.;
+            lowest_work = std::min(lowest_work, work);
+            bound_excess = std::max(bound_excess, std::abs(u[i]) - bound[i]);
+        }
+        all_deflection.add(deflection);
+        all_dissipated.add(dissipated);
+        all_trapezoidal.add(trapezoidal);
+        all_stored.add(stored);
+        all_energy.add(energy);
+    });
+    return {.deflection = all_deflection.value(),
+            .dissipated = all_dissipated.value(),
+            .trapezoidal = all_trapezoidal.value(),
+            .stored = all_stored.value(),
+            .lowest_work = lowest_work,
+            .bound_excess = bound_excess,
+            .n_stick = n_stick,
+            .energy = all_energy.value()};
 }
 
 }  // namespace tricontact::mdr
