@@ -82,6 +82,15 @@ Vector2 Coupling::tangential_force(std::span<const double> p) const {
     return sum;
 }
 
+double Coupling::inclined_force(std::span<const double> p) const {
+    if (!deformed_) return 0;
+    const auto& area = compliance_.points().area;
+    double sum = 0;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        sum += area[i] * p[i] * norm({slope_.x[i], slope_.y[i]});
+    return sum;
+}
+
 TangentialField Coupling::surface_traction(std::span<const double> p,
                                            const TangentialField& t) const {
     TangentialField all = t;

@@ -44,6 +44,8 @@ class Coupling {
     /// Parts of the vertical and the tangential force that t and p carry [N].
     double normal_force(const TangentialField& t) const;
     Vector2 tangential_force(std::span<const double> p) const;
+    /// What p could carry in the surface at most: its parts added up by their magnitudes [N].
+    double inclined_force(std::span<const double> p) const;
 
     /// Tractions on the substrate in all: in the surface and downwards [Pa].
     TangentialField surface_traction(std::span<const double> p, const TangentialField& t) const;

@@ -55,8 +55,10 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
     audit.record("slip_along_traction", larger(across, backward) / facts.length, 10 * tolerance);
     for (int d = 0; d < 2; ++d)
         if (facts.control[d].kind == TangentialControl::Kind::force)
-            audit.record("tangential_force",
-                         std::abs(force[d] - facts.control[d].value) / total_bound, force_allowed);
+            audit.record(
+                "tangential_force",
+                std::abs(force[d] - facts.control[d].value) / (total_bound + facts.inclined_force),
+                force_allowed);
 }
 
 }  // namespace tricontact::contact

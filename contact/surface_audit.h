@@ -26,7 +26,8 @@ struct TangentialFacts {
     const TangentialField& slip;       ///< indenter over substrate in this step [m]
     const std::vector<ContactState>& contact_state;
     std::array<TangentialControl, 2> control;
-    double length;  ///< what slips are compared with [m], mu d
+    double length;              ///< what slips are compared with [m], mu d
+    double inclined_force = 0;  ///< what pressures carry beside the tractions, by magnitude [N]
 };
 /// Friction bound, no slip where it sticks, slip along the traction where it slips, forces.
 void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit,
