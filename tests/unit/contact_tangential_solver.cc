@@ -207,6 +207,35 @@ TEST(TangentialSolver, StartDoesNotMatter) {
     EXPECT_LT(setting.solve(control, cold).iterations, cold.iterations / 2);
 }
 
+// As after a step that lowered the bounds by less than the tolerance: the start solves the problem
+// but for its slipping points, which are a little below the bound. Left there they would count as
+// stuck.
+TEST(TangentialSolver, AStartThatSlipsBelowTheBoundIsPutOnIt) {
+    constexpr double coarse = 1e-7, below = 1e-8;
+    const Setting setting(9);
+    const auto exact = setting.solve(forces(.6 * setting.total_bound, 0));
+    ASSERT_GT(n_slipping(setting, exact), 3);
+    auto start = exact;
+    auto at_bound = [&](const TangentialSolution& s, int i, double closeness) {
+        return setting.bound[i] > 0 &&
+               std::hypot(s.traction.x[i], s.traction.y[i]) >= setting.bound[i] * (1 - closeness);
+    };
+    for (int i = 0; i < n_points; ++i)
+        if (at_bound(exact, i, 1e-9)) {
+            start.traction.x[i] *= 1 - below;
+            start.traction.y[i] *= 1 - below;
+        }
+    // The shift prescribed, so that the start may be taken as it is.
+    const std::array<TangentialControl, 2> control{
+        {{Kind::shift, exact.shift_increment[0]}, {Kind::shift, exact.shift_increment[1]}}};
+    TangentialSolver(setting.compliance, coarse).solve(setting.problem(control), start);
+    EXPECT_LE(start.residual, coarse);
+    for (int i = 0; i < n_points; ++i)
+        if (at_bound(exact, i, 1e-9)) {
+            EXPECT_TRUE(at_bound(start, i, 1e-11)) << i;
+        }
+}
+
 TEST(TangentialSolver, ProjectedGradientsFindTheSame) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const Setting setting(seed);
