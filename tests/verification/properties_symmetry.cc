@@ -83,7 +83,9 @@ void unitless(const std::string& model) {
     RC_ASSERT(std::abs(b.scales.unit_shift / a.scales.unit_shift / length - 1) < 1e-7);
     RC_ASSERT(std::abs(b.scales.contact_radius / a.scales.contact_radius / length - 1) < 1e-6);
     RC_ASSERT(std::abs(b.scales.peak_pressure / a.scales.peak_pressure / stress - 1) < 1e-7);
-    RC_ASSERT(std::abs(b.limit_tangential_ratio / a.limit_tangential_ratio - 1) < 1e-6);
+    // An average over the contact of the least pressures, each right to 1e-7 of the peak: where the
+    // path leaves next to nothing, or nothing, of the contact unmoved, the ratio is as small.
+    RC_ASSERT(std::abs(b.limit_tangential_ratio - a.limit_tangential_ratio) < 1e-6);
     RC_ASSERT(a.state == b.state);
 }
 RC_GTEST_PROP(PropertiesScaling, UnitsDoNotMatterBem, ()) {
