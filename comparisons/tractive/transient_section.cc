@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "comparisons/format.h"
+#include "comparisons/model_assumptions.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "comparisons/tractive/readings.h"
 #include "comparisons/tractive/rolling_sections.h"
@@ -22,20 +23,29 @@ constexpr int theory_points = 400;
 
 const std::string way_label = "rolled way over the half length a of the contact [-]";
 
+/// What the contact is before it rolls; elastic, uncoupled ones have a closed form.
+std::string at_rest(const RollingReport& report) {
+    if (by_creepage(report.c)) return "";
+    const bool coupled = std::ranges::any_of(
+        report.runs, [&](const RollingRun& run) { return couples(report.c, run.model); });
+    const bool known = !coupled && !report.c.relaxation;
+    return " under F_N and F_T" + (known ? ", the state of " + static_theory(report.c) : "");
+}
+
 /// What follows from what is prescribed along x, over the way.
 Figure way_figure(const RollingReport& report) {
     const bool forces = by_creepage(report.c);
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
-    Figure figure{.id = "way",
-                  .title = forces ? "Force while the contact rolls on"
-                                  : "Creepage while the contact rolls on",
-                  .caption = fmt::format(
-                      "From rest{}. Lines: step by step. Points at the end: the steady state, {}.",
-                      forces ? "" : " under F_N and F_T, the state of Cattaneo and Mindlin",
-                      report.c.relaxation ? "where rolling on ends" : "solved by itself"),
-                  .x = {way_label},
-                  .y = {forces ? "F_x/(μ F_N) [-]"
-                               : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
+    Figure figure{
+        .id = "way",
+        .title =
+            forces ? "Force while the contact rolls on" : "Creepage while the contact rolls on",
+        .caption = fmt::format(
+            "From rest{}. Lines: step by step. Points at the end: the steady state, {}.",
+            at_rest(report), report.c.relaxation ? "where rolling on ends" : "solved by itself"),
+        .x = {way_label},
+        .y = {forces ? "F_x/(μ F_N) [-]"
+                     : fmt::format("creepage ξ over {} [-]", significant(unit, 4))}};
     const auto value = [&](const RollingState& s) {
         return forces ? force_ratio(s, mu) : s.creepage.longitudinal / unit;
     };

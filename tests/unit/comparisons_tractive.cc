@@ -130,6 +130,23 @@ TEST(TractiveReport, ReadsTheTransient) {
     EXPECT_FALSE(creepage_at(report.runs[0], .57, .999));
 }
 
+TEST(TractiveReport, ClosedFormsAreNamedWhereTheyAreMeant) {
+    const auto words = [](const RollingReport& report) {
+        std::string text = transient_section(report).figures.front().caption;
+        for (const Verdict& verdict : rolling_document(report).verdicts) text += verdict.sentence;
+        for (const DocumentTable& table : creep_section(report).tables) text += table.note;
+        return text;
+    };
+    const std::string rest = "the state of Cattaneo and Mindlin", ratio = "(2.2.31)";
+    const std::string rubber_words = words(report_of(.5));
+    EXPECT_NE(rubber_words.find(rest), std::string::npos) << rubber_words;
+    EXPECT_NE(rubber_words.find(ratio), std::string::npos) << rubber_words;
+    // nu = 0.3 under a rigid sphere: bem couples.
+    const std::string coupled_words = words(report_of(.3));
+    EXPECT_EQ(coupled_words.find(rest), std::string::npos) << coupled_words;
+    EXPECT_EQ(coupled_words.find(ratio), std::string::npos) << coupled_words;
+}
+
 TEST(TractiveReport, CentreLineIsTheRowThroughTheCentre) {
     const CentreLine line = centre_line(three_cells(), .5, 0);
     EXPECT_EQ(line.x, (std::vector<double>{-1e-3, 0, 1e-3}));
