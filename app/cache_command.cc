@@ -1,3 +1,5 @@
+#include "app/cache_command.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -5,7 +7,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/cache_command.h"
 #include "contact/error.h"
 #include "fem/layer_cache.h"
 #include "fem/layer_folder.h"
@@ -44,9 +45,9 @@ void cache_command(const CacheOptions& options) {
     const std::string folder = fem::LayerCache(options.folder).folder();
     if (folder.empty())
         throw contact::InputError(
-            "cache: there is no folder of the user's (neither XDG_CACHE_HOME nor HOME is set); "
-            "name "
-            "one by --folder");
+            "cache: layers are kept nowhere (neither XDG_CACHE_HOME nor HOME is set, or the folder "
+            "is "
+            "\"none\"); name one by --folder");
     files::remove_left_partial_files(folder);
     const std::vector<fem::KeptLayer> layers = fem::kept_layers(folder);
     if (options.clear) return clear(folder, layers);

@@ -43,11 +43,14 @@ std::string read_text(const std::string& path) {
     }
 }
 
-/// What a level.json holds beside the digest.
+/// What a level.json holds: nothing of it is believed unless all of it is what belongs to its
+/// numbers.
 json document_of(const Level& level, const Finished& done) {
-    return {{"version", version},     {"numerics", numerics_digest()},
-            {"case", level.resolved}, {"files", file_digests(level.c)},
-            {"cpu_s", done.cpu_s},    {"values", done.values}};
+    json document{{"version", version},     {"numerics", numerics_digest()},
+                  {"case", level.resolved}, {"files", file_digests(level.c)},
+                  {"cpu_s", done.cpu_s},    {"values", done.values}};
+    document["digest"] = files::digest_of(document.dump());
+    return document;
 }
 
 /// Levels in the folders of a refinement. A level that is finished is not computed again as long as
@@ -71,9 +74,7 @@ class Levels {
     }
     Finished keep(const Level& level, const contact::History& history) const {
         const Finished done{comparisons::level_values(level.c, history), history.cpu_s};
-        json document = document_of(level, done);
-        document["digest"] = files::digest_of(document.dump());
-        io::write_file(file(level), document.dump(2) + "\n");
+        io::write_file(file(level), document_of(level, done).dump(2) + "\n");
         return done;
     }
     std::optional<Finished> find(const Level& level) const {
@@ -82,9 +83,7 @@ class Levels {
         try {
             const Finished done{found.at("values").get<LevelValues>(),
                                 found.at("cpu_s").get<double>()};
-            // Nothing of it is believed that a document of the same numbers would not hold.
-            const json due = document_of(level, done);
-            if (found.at("digest") != files::digest_of(due.dump())) return {};
+            if (found != document_of(level, done)) return {};
             say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
             return done;
         } catch (const json::exception&) {  // not of our making

@@ -13,12 +13,12 @@ cat >study.toml <<EOF
 case = "$source_dir/cases/rig_sphere_parallel.toml"
 models = ["mdr"]
 [set]
-mdr.springs = 1000
-rolling.periods = 10
+mdr.springs = 2000
+rolling.periods = 2
 rolling.run_all = true
 output.vtk = "quarters"
 [vary]
-rolling.amplitude_ratio = {from = 0.1, to = 0.5, points = 5}
+rolling.amplitude_ratio = [0.1, 0.3]
 load.tangential_ratio = [0.1, 0.2, 0.3]
 EOF
 sed '/^\[rolling\]/,/^$/d; /^\[fem\]/,$d' "$source_dir/cases/rig_layer_parallel.toml" >static.toml
@@ -33,12 +33,12 @@ limit=(limit "$sphere" --set rolling.amplitude_ratio=0.51 --set mdr.springs=2000
     --set "bem.spacing=0.8 mm" --tolerance 0.01 --output limit --threads 1)
 refine=(refine "$sphere" --model bem --output refine --set "bem.spacing=0.8 mm" --set rolling.periods=2
     --threads 1)
-run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=all --set rolling.periods=2
-    --output run --threads 1)
+run=(run "$sphere" --models mdr,bem --set "bem.spacing=0.8 mm" --set output.vtk=quarters --set rolling.periods=2
+    --output run --threads 1 --no-report)
 commands=(sweep deviation limit refine run)
 if "$program" list | grep -q '^  fem '; then
-    condense=(condense "$layer" --set 'fem.size="1.2 mm"' --set fem.cache=condense)
-    run_fem=(run "$layer" --models fem --no-studies --set 'fem.size="1.2 mm"' --set fem.cache=run_fem/cache
+    condense=(condense "$layer" --set 'fem.size="2 mm"' --set fem.cache=condense)
+    run_fem=(run "$layer" --models fem --no-studies --no-report --set 'fem.size="2 mm"' --set fem.cache=run_fem/cache
         --output run_fem)
     commands+=(condense run_fem)
 fi

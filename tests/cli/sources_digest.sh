@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# The identity of the numerics: the same in every folder, another for another byte, written only when it
+# changes; part of what a refinement keeps.
+# usage: sources_digest.sh PROGRAM SOURCE_DIR
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+
+printf 'contact/run.cc\nbem/model.cc\n' >list
+digest() {
+    cmake -DROOT="$work/$1" -DLIST="$work/list" -DUNIT="$work/$2" -DHEADER=app/numerics.h \
+        -DFUNCTION=app::numerics_digest -P "$source_dir/cmake/sources_digest.cmake" ||
+        complain "no digest of $1"
+}
+for root in one another/place; do
+    mkdir -p "$root/contact" "$root/bem"
+    cp "$source_dir/contact/run.cc" "$root/contact"
+    cp "$source_dir/bem/model.cc" "$root/bem"
+    digest "$root" "${root%/*}.cc"
+done
+grep -qE '^    return "[0-9a-f]{64}";$' one.cc || complain "no digest: $(cat one.cc)"
+cmp -s one.cc another.cc || complain "another digest in another folder"
+touch -d '2020-01-01' one.cc
+touch one/bem/model.cc
+digest one one.cc
+[ "$(stat -c %Y one.cc)" -lt 1600000000 ] || complain "written though nothing changed"
+printf ' ' >>one/bem/model.cc
+digest one one.cc
+! cmp -s one.cc another.cc || complain "the same digest of another byte"
+mv one/bem/model.cc one/contact/model.cc
+sed -i 's,bem/model,contact/model,' list
+truncate -s -1 one/contact/model.cc
+digest one moved.cc
+! cmp -s moved.cc another.cc || complain "the same digest of another name"
+
+"$program" refine "$source_dir/cases/rig_sphere_parallel.toml" --model bem --output refined --quiet \
+    --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null ||
+    complain "the refinement"
+kept=$(grep -oE '"numerics": "[0-9a-f]{64}"' refined/level_0/level.json | grep -oE '[0-9a-f]{64}')
+[ -n "$kept" ] || complain "no identity of the numerics in level.json"
+unit=$(dirname "$program")/app_numerics_digest.cc
+[ ! -e "$unit" ] || grep -qF "$kept" "$unit" || complain "another identity than the program's own"
+
+# What another program, or this one with other numerics, left is not taken.
+sed -i "s/$kept/$(printf '%064d' 0)/" refined/level_0/level.json
+"$program" refine "$source_dir/cases/rig_sphere_parallel.toml" --model bem --output refined \
+    --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null 2>log ||
+    complain "the second refinement"
+grep -c 'taken from' log | grep -qx 2 || complain "taken over: $(grep 'taken from' log)"
+
+finish
