@@ -85,7 +85,9 @@ template <class Number>
 Number number(std::string_view& rest, const Lines& lines) {
     const std::string_view word = first_word(rest);
     Number value{};
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool plus = word.size() > 1 && word[0] == '+' && word[1] != '-';  // not for from_chars
+    const auto [end, error] =
+        std::from_chars(word.data() + (plus ? 1 : 0), word.data() + word.size(), value);
     if (word.empty() || error != std::errc() || end != word.data() + word.size())
         lines.refuse(fmt::format("\"{}\" is no number", word.substr(0, 40)),
                      "numbers look like 1.5e-12, with blanks between them");

@@ -8,6 +8,7 @@
 
 #include "io/input_file.h"
 #include "io/messages.h"
+#include "io/number_text.h"
 
 namespace tricontact::io {
 
@@ -61,6 +62,7 @@ std::string example(const CsvForm& form) {
 }
 
 double number_in(std::string_view cell, const std::string& column, const std::string& place) {
+    cell = without_plus(cell);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     const std::string subject = column + " = " + shortened(cell, 40);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/messages.h"
+#include "io/number_text.h"
 
 namespace tricontact::io {
 
@@ -37,6 +38,7 @@ struct Numeral {
 };
 
 Numeral numeral_of(std::string_view text, Dimension dimension) {
+    text = without_plus(text);
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || !std::isfinite(number)) refuse("a number is due", dimension);

@@ -16,8 +16,13 @@ std::vector<std::string_view> words_of(std::string_view line) {
     return words;
 }
 
+std::string_view without_plus(std::string_view word) {
+    const bool more = word.size() > 1 && word[0] == '+' && word[1] != '-';
+    return more ? word.substr(1) : word;
+}
+
 std::optional<double> number_in(std::string_view word) {
-    if (word.starts_with('+')) word.remove_prefix(1);
+    word = without_plus(word);
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || error != std::errc() || end != word.data() + word.size()) return {};

@@ -8,6 +8,7 @@
 
 #include "io/case_keys.h"
 #include "io/disguise.h"
+#include "io/entered_number.h"
 #include "io/messages.h"
 #include "io/nesting.h"
 
@@ -171,7 +172,9 @@ toml::table parse_toml(std::string_view text, const std::string& name, Disguise&
         const bool twice = what.find("redefine") != std::string::npos;
         fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
              twice ? "keep one of the two"
-                   : "correct the line (texts and quantities stand in double quotes)");
+             : has_bare_point(text, error.source().begin.line)
+                 ? "write a digit on both sides of the point, as in 0.24"
+                 : "correct the line (texts and quantities stand in double quotes)");
     } catch (const std::length_error& error) {
         fail(name + ":1:1", "", error.what(), examples);
     }
@@ -260,6 +263,7 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
 }
 
 Value parse_value(const std::string& text) {
+    if (const auto number = entered_number(text)) return *number;
     // A line break could smuggle in a second key.
     if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text) ||
         first_too_deep(text) != std::string_view::npos)

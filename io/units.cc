@@ -11,6 +11,7 @@
 
 #include "contact/error.h"
 #include "io/messages.h"
+#include "io/number_text.h"
 
 namespace tricontact::io {
 
@@ -206,8 +207,7 @@ std::string_view example_of(Dimension dimension) {
 }
 
 double parse_quantity(std::string_view text, Dimension dimension) {
-    std::string_view rest = trimmed(text);
-    if (rest.size() > 1 && rest[0] == '+' && rest[1] != '-') rest.remove_prefix(1);
+    std::string_view rest = without_plus(trimmed(text));
     double number = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error == std::errc::result_out_of_range)

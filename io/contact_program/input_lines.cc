@@ -89,9 +89,10 @@ std::vector<double> InputLines::numbers(std::size_t n, std::string_view what) {
 int InputLines::whole_number(std::string_view what) {
     taken_.clear();
     const std::string_view word = next_word(fmt::format("{} is", what));
+    const std::string_view number = without_plus(word);
     int value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size())
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    if (error != std::errc() || end != number.data() + number.size())
         refuse(quoted(word), fmt::format("is no whole number, but {} is due", what), "correct it");
     end_of_values();
     return value;
