@@ -51,6 +51,7 @@ ExportedSequence export_case(const BoundaryElementCase& read, int threads,
 
 void export_command(const ExportOptions& options) {
     const auto read = read_boundary_elements(options.case_file, options.overrides, options.model);
+    refuse_rolling_on(read.c, options.case_file);
     const std::string name = std::filesystem::path(options.case_file).stem().string();
     const std::string influence_name = name + ".influence";
     const ExportedSequence sequence = [&] {

@@ -6,6 +6,7 @@
 #include "bem/grid_compliance.h"
 #include "io/atomic_file.h"
 #include "io/contact_program/case_text.h"
+#include "io/file_kind.h"
 #include "io/input_file.h"
 
 namespace tricontact::app {
@@ -17,6 +18,7 @@ constexpr std::size_t largest_input_mb = 100;
 }  // namespace
 
 void import_command(const ImportOptions& options) {
+    io::refuse_toml(options.input_file);
     const io::ImportedCase imported = io::case_of_sequence(
         io::read_input_file(options.input_file, "input file of CONTACT", largest_input_mb),
         options.input_file, bem::is_coupled);

@@ -29,6 +29,7 @@ const std::string version = TRICONTACT_VERSION;
 }
 
 void check(const LimitOptions& options, const Case& c) {
+    refuse_rolling_on(c, options.case_file);
     if (!c.rolling)
         refuse(options, "there is no [rolling], and without it no limit of shakedown",
                "add that section");

@@ -13,6 +13,7 @@
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
+#include "app/unknown_command.h"
 #include "contact/error.h"
 
 namespace {
@@ -42,6 +43,17 @@ void add_case_arguments(CLI::App& command, std::string& file, std::vector<std::s
         ->allow_extra_args(false);
 }
 
+// The words stand in the help as the name of the type, not as CLI11 shows a set.
+CLI::Validator one_of(std::vector<std::string> words) {
+    return CLI::IsMember(std::move(words)).description("");
+}
+
+// A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
+void add_no_report(CLI::App& command, bool& report, const std::string& text) {
+    command.add_flag_callback(
+        "--no-report", [&report] { report = false; }, text);
+}
+
 const CLI::App* add_limit(CLI::App& app, tricontact::app::LimitOptions& options) {
     using tricontact::comparisons::LimitVariable;
     static const std::map<std::string, LimitVariable> variables{
@@ -49,7 +61,7 @@ const CLI::App* add_limit(CLI::App& app, tricontact::app::LimitOptions& options)
     auto* limit = app.add_subcommand("limit", "Bisect the limit of shakedown of each model");
     add_case_arguments(*limit, options.case_file, options.overrides);
     limit->add_option("--vary", options.variable, "Limit in the load (f_T) or the amplitude (w)")
-        ->transform(CLI::CheckedTransformer(variables))
+        ->transform(CLI::CheckedTransformer(variables).description(""))
         ->type_name("load|amplitude");
     limit->add_option("--tolerance", options.tolerance, "Of f_T or w (1e-6 for mdr, else 1e-3)")
         ->check(CLI::Range(1e-9, 0.1));
@@ -69,7 +81,7 @@ const CLI::App* add_walk(CLI::App& app, tricontact::app::WalkOptions& options) {
     add_case_arguments(*walk, options.case_file, options.overrides);
     walk->add_option("--output", options.output, "Folder (results/<case>)")->type_name("DIR");
     walk->add_flag("--quiet", options.quiet, "No table, no closing line");
-    walk->add_flag("!--no-report", options.report, "Leave out report.html");
+    add_no_report(*walk, options.report, "Skip report.html");
     return walk;
 }
 
@@ -84,7 +96,7 @@ const CLI::App* add_roll(CLI::App& app, tricontact::app::RollOptions& options) {
         ->check(CLI::Range(0, 1000));
     roll->add_option("--threads", options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
-    roll->add_flag("!--no-report", options.report, "Leave out report.html");
+    add_no_report(*roll, options.report, "Skip report.html");
     roll->add_flag("--quiet", options.quiet, "No progress, no closing line");
     return roll;
 }
@@ -95,7 +107,8 @@ const CLI::App* add_export(CLI::App& app, tricontact::app::ExportOptions& option
     exporting->add_option("--output", options.output, "Folder (results/<case>_contact)")
         ->type_name("DIR");
     exporting->add_option("--model", options.model, "Model (the one of the case)")
-        ->check(CLI::IsMember({"bem", "bem-layer"}));
+        ->check(one_of({"bem", "bem-layer"}))
+        ->type_name("bem|bem-layer");
     exporting->add_option("--threads", options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
     return exporting;
@@ -124,7 +137,7 @@ const CLI::App* add_sweep(CLI::App& app, tricontact::app::SweepOptions& options)
     sweep->add_option("--output", options.output, "Folder (results/<study>)")->type_name("DIR");
     sweep->add_flag("--retry-failed", options.retry_failed, "Compute failed points again");
     sweep->add_flag("--vtk", options.vtk, "Files for ParaView of each point (output.vtk)");
-    sweep->add_flag("!--no-report", options.report, "Leave out report.html");
+    add_no_report(*sweep, options.report, "Skip report.html");
     sweep->add_flag("--quiet", options.quiet, "No progress, no closing line");
     return sweep;
 }
@@ -137,7 +150,9 @@ const CLI::App* add_deviation(CLI::App& app, tricontact::app::DeviationOptions& 
         ->check(CLI::Range(1, 1024));
     deviation->add_option("--output", options.output, "Folder (results/<case>_deviation)")
         ->type_name("DIR");
-    deviation->add_flag("!--no-runs", options.runs, "Exact theory alone: no friction, no rolling");
+    deviation->add_flag_callback(
+        "--no-runs", [&options] { options.runs = false; },
+        "Exact theory alone: no friction, no rolling");
     deviation->add_flag("--quiet", options.quiet, "No progress, no closing line");
     return deviation;
 }
@@ -213,9 +228,9 @@ int run_program(int argc, char** argv) {
     run->add_option("--threads", options.threads, "Threads for large grids (all cores)")
         ->check(CLI::Range(1, 1024));
     run->add_flag("--quiet", options.quiet, "No progress, no closing lines");
-    run->add_flag("!--no-studies", options.studies,
-                  "The case alone, no runs beside it for comparison");
-    run->add_flag("!--no-report", options.report, "Leave out report.html and the plots");
+    run->add_flag_callback(
+        "--no-studies", [&options] { options.studies = false; }, "Skip comparison runs");
+    add_no_report(*run, options.report, "Skip report.html and the plots");
 
     std::string check_file;
     std::vector<std::string> check_overrides;
@@ -249,7 +264,8 @@ int run_program(int argc, char** argv) {
     refine->add_option("--levels", refine_options.levels, "Number of levels (3)")
         ->check(CLI::Range(3, 8));
     refine->add_option("--model", refine_options.model, "Model to be refined (fem)")
-        ->check(CLI::IsMember({"fem", "bem"}));
+        ->check(one_of({"fem", "bem"}))
+        ->type_name("fem|bem");
     refine->add_option("--output", refine_options.output, "Folder (results/<case>_refined)")
         ->type_name("DIR");
     refine_options.threads = options.threads;
@@ -265,7 +281,8 @@ int run_program(int argc, char** argv) {
         ->required()
         ->type_name("FILE");
     influence->add_option("--model", influence_options.model, "Model (the one of the case)")
-        ->check(CLI::IsMember({"bem", "bem-layer"}));
+        ->check(one_of({"bem", "bem-layer"}))
+        ->type_name("bem|bem-layer");
     influence_options.threads = options.threads;
     influence
         ->add_option("--threads", influence_options.threads, "Threads for large grids (all cores)")
@@ -312,7 +329,8 @@ int run_program(int argc, char** argv) {
     std::string keys_of = "case";
     auto* keys = app.add_subcommand("keys", "Print the reference of all keys of an input file");
     keys->add_option("kind", keys_of, "case, or walking for the micro-walking machine")
-        ->check(CLI::IsMember({"case", "walking"}));
+        ->check(one_of({"case", "walking"}))
+        ->type_name("case|walking");
 
     std::optional<std::string> list_folder;
     auto* list = app.add_subcommand("list", "List the models and the case files of a folder");
@@ -323,6 +341,8 @@ int run_program(int argc, char** argv) {
         told_by_another = tricontact::app::fem_entries().another_process_speaks();
     });
 #endif
+    if (const std::string wrong = tricontact::app::unknown_command(app, argc, argv); !wrong.empty())
+        return fail(exit_bad_input, wrong.c_str());
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {

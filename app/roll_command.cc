@@ -139,7 +139,7 @@ void require_rolling_on(const Case& c, const std::string& case_file) {
     if (!c.tractive_rolling)
         throw contact::InputError(case_file +
                                   ": there is no [tractive_rolling], so that nothing rolls on; "
-                                  "add that section, or take tricontact run");
+                                  "tricontact run computes it, or add that section");
 }
 
 void roll_command(const RollOptions& given) {

@@ -3,6 +3,7 @@
 #include "app/case_run.h"
 #include "app/commands.h"
 #include "app/run_model.h"
+#include "app/run_text.h"
 #include "bem/case_compliance.h"
 #include "comparisons/report.h"
 #include "contact/error.h"
@@ -53,8 +54,8 @@ void run_command(const RunOptions& given) {
             io::write_file(options.output + "/" + file.name, file.content);
     }
     if (!options.quiet)
-        std::cerr << "results in " << options.output
-                  << (options.report ? " (open report.html)" : "") << '\n';
+        std::cout << run_text(run) << (options.report ? "report: " : "results: ") << options.output
+                  << (options.report ? "/report.html\n" : "\n");
 }
 
 }  // namespace tricontact::app

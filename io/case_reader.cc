@@ -6,6 +6,7 @@
 
 #include "io/case_checks.h"
 #include "io/case_keys.h"
+#include "io/file_kind.h"
 #include "io/indenter_input.h"
 #include "io/indenter_keys.h"
 #include "io/input_file.h"
@@ -16,7 +17,6 @@
 #include "io/relaxation_input.h"
 #include "io/rough_bodies.h"
 #include "io/toml_document.h"
-#include "io/walk_reader.h"
 
 namespace tricontact::io {
 
@@ -65,9 +65,6 @@ void make_paths_absolute(Case& c, const Document& document) {
 }
 
 Case resolve(const Document& document) {
-    if (is_walk_case(document))
-        fail(document.find_section("machine")->place, "", "a case of the micro-walking machine",
-             "tricontact walk computes it");
     const KeyList& keys = case_key_list();
     check_known(document, keys);
     Case c;
@@ -90,6 +87,7 @@ Case resolve(const Document& document) {
 Case parse_case(std::string_view text, const std::string& name,
                 const std::vector<std::string>& overrides) {
     Document document = parse_document(text, name);
+    require_kind(FileKind::contact, document);
     apply_overrides(document, overrides, case_key_list());
     return resolve(document);
 }

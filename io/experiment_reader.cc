@@ -6,7 +6,9 @@
 
 #include "io/csv_table.h"
 #include "io/field_reader.h"
+#include "io/file_kind.h"
 #include "io/input_file.h"
+#include "io/key_guess.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -105,7 +107,7 @@ void check_known(const Document& document) {
         if (is_nested_section(entry.path) ||
             std::find(paths.begin(), paths.end(), entry.path) != paths.end())
             continue;
-        const std::string near(nearest(entry.path, paths));
+        const std::string near = likely_path(entry.path, paths);
         fail(entry.key_place, "", "unknown key " + entry.path,
              near.empty() ? "docs/experiment.md lists the keys" : "did you mean " + near + "?");
     }
@@ -183,7 +185,7 @@ std::vector<ExperimentInput::CaseError> read_errors(const Document& document) {
         if (!key || (key->kind != Kind::quantity && key->kind != Kind::number)) {
             std::vector<std::string_view> paths;
             for (const Key& k : case_keys()) paths.push_back(k.path);
-            const std::string near(nearest(path, paths));
+            const std::string near = likely_path(path, paths);
             fail(entry.key_place, "",
                  "unknown key " + entry.path + ": the case has no number " + path,
                  near.empty() || key ? "docs/case-file.md lists the keys"
@@ -236,6 +238,7 @@ void check_drive(const Experiment& e, const Document& document) {
 ExperimentInput read_experiment(const std::string& path) {
     const Document document =
         parse_document(read_input_file(path, "experiment file"), path, is_nested_section);
+    require_kind(FileKind::experiment, document);
     check_known(document);
     ExperimentInput input;
     Experiment& e = input.experiment;

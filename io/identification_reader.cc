@@ -8,8 +8,10 @@
 #include "contact/error.h"
 #include "io/case_reader.h"
 #include "io/field_reader.h"
+#include "io/file_kind.h"
 #include "io/identification_table.h"
 #include "io/input_file.h"
+#include "io/key_guess.h"
 #include "io/messages.h"
 #include "io/toml_document.h"
 
@@ -91,7 +93,7 @@ void check_known(const Document& document) {
     for (const Entry& entry : document.entries) {
         if (is_error(entry) || std::find(known.begin(), known.end(), entry.path) != known.end())
             continue;
-        const std::string near(nearest(entry.path, known));
+        const std::string near = likely_path(entry.path, known);
         fail(entry.key_place, "",
              (find_key(entry.path) ? "a measurement has no key " : "unknown key ") + entry.path,
              near.empty() ? "docs/identify.md lists what it has" : "did you mean " + near + "?");
@@ -321,6 +323,7 @@ std::string_view name_of(Measurement measurement) {
 
 Input parse_identification(std::string_view text, const std::string& name) {
     const Document document = parse_document(text, name, is_nested_section);
+    require_kind(FileKind::measurement, document);
     check_known(document);
     Input input;
     input.name = name;

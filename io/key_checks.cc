@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/field_reader.h"
+#include "io/key_guess.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -13,18 +14,6 @@ std::string join(const std::vector<std::string_view>& words) {
     std::string out;
     for (const auto word : words) out.append(out.empty() ? "" : ", ").append(word);
     return out;
-}
-
-// Names that may stand where the unknown one stands, else full paths with the same last word.
-std::string guess(std::string_view path, const KeyList& keys) {
-    const std::string_view section = section_of(path);
-    std::vector<std::string_view> siblings;
-    for (const Key* key : keys.keys()) {
-        if (key->section() == section) siblings.push_back(key->path);
-        if (key->name() == name_of_key(path)) return std::string(key->path);
-    }
-    const std::string_view near = nearest(path, siblings);
-    return std::string(near.empty() ? nearest(path, keys.paths()) : near);
 }
 
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
@@ -62,7 +51,8 @@ void check_keys_known(const Document& document, const KeyList& keys) {
         std::vector<std::string_view> names;
         for (const Key* key : keys.keys())
             if (key->section() == section) names.push_back(key->path);
-        refuse_unknown(entry.key_place, "key " + entry.path, guess(entry.path, keys), join(names));
+        refuse_unknown(entry.key_place, "key " + entry.path, likely_path(entry.path, keys.paths()),
+                       join(names));
     }
 }
 

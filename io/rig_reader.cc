@@ -6,7 +6,9 @@
 
 #include "io/case_keys.h"
 #include "io/field_reader.h"
+#include "io/file_kind.h"
 #include "io/input_file.h"
+#include "io/key_guess.h"
 #include "io/measured_quantity.h"
 #include "io/messages.h"
 #include "io/rig_keys.h"
@@ -48,11 +50,10 @@ const Key& shape_key() {
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
                                  std::string_view word,
                                  const std::vector<std::string_view>& known) {
-    const std::string_view near = nearest(word, known);
+    const std::string near = likely_path(word, known);
     std::string remedy = "known are ";
     for (const auto one : known) remedy.append(&one == &known.front() ? "" : ", ").append(one);
-    fail(place, "", "unknown " + what,
-         near.empty() ? remedy : "did you mean " + std::string(near) + "?");
+    fail(place, "", "unknown " + what, near.empty() ? remedy : "did you mean " + near + "?");
 }
 
 std::vector<std::string_view> sections_of(const std::vector<RigKey>& keys) {
@@ -218,6 +219,7 @@ WalkingRig read_walking(const Document& document) {
 
 Rig parse_rig(std::string_view text, const std::string& name) {
     const Document document = parse_document(text, name, is_printed_value);
+    require_kind(FileKind::rig, document);
     const Entry* kind = document.find(kind_key().path);
     if (!kind)
         fail(name + ":1:1", "", "missing key rig",

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "io/field_reader.h"
+#include "io/key_guess.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -16,7 +17,7 @@ namespace {
 using Kind = Key::Kind;
 
 [[noreturn]] void refuse_unknown(const Entry& entry, const std::string& path, const KeyList& keys) {
-    const std::string near(nearest(path, keys.paths()));
+    const std::string near = likely_path(path, keys.paths());
     fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
          near.empty() ? std::string(keys.reference()) + " lists the keys"
                       : "did you mean " + near + "?");

@@ -6,6 +6,7 @@
 
 #include "io/case_keys.h"
 #include "io/field_reader.h"
+#include "io/file_kind.h"
 #include "io/input_file.h"
 #include "io/messages.h"
 #include "io/study_axes.h"
@@ -98,7 +99,9 @@ Document read_base(const Document& document) {
     const std::string path =
         (std::filesystem::path(document.name).parent_path() / file).lexically_normal().string();
     try {
-        return parse_document(read_input_file(path), path);
+        Document base = parse_document(read_input_file(path), path);
+        if (!is_walk_case(base)) require_kind(FileKind::contact, base);
+        return base;
     } catch (const std::exception& error) {
         fail(entry->place, entry->subject(), error.what(), "");
     }
@@ -154,6 +157,7 @@ std::optional<Study::LatinHypercube> read_sampling(const Document& document,
 
 Study parse_study(std::string_view text, const std::string& name) {
     const Document document = parse_document(text, name, is_nested_section);
+    require_kind(FileKind::study, document);
     check_known(document);
     Study study;
     study.name = name;

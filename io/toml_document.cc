@@ -9,6 +9,7 @@
 #include "io/case_keys.h"
 #include "io/disguise.h"
 #include "io/entered_number.h"
+#include "io/file_kind.h"
 #include "io/messages.h"
 #include "io/nesting.h"
 
@@ -168,6 +169,7 @@ toml::table parse_toml(std::string_view text, const std::string& name, Disguise&
         check_nesting(text, name);
         return toml::parse(disguise.put_on(text));
     } catch (const toml::parse_error& error) {
+        if (is_contact_program_input(name)) refuse_contact_program_input(name);
         const std::string what = disguise.take_off(error.description());
         const bool twice = what.find("redefine") != std::string::npos;
         fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),

@@ -1,5 +1,6 @@
 #include "io/walk_reader.h"
 
+#include "io/file_kind.h"
 #include "io/input_file.h"
 #include "io/key_checks.h"
 #include "io/messages.h"
@@ -17,8 +18,7 @@ using dynamics::WalkCase;
 void check_machine_there(const Document& document) {
     if (is_walk_case(document)) return;
     fail(document.name + ":1:1", "", "missing section [machine]: no case of the walking machine",
-         document.find("models") ? "tricontact run computes this case"
-                                 : "add a section [machine] with its kappas");
+         "add a section [machine] with its kappas");
 }
 
 // Makes those parts of the case that the document has, so that their fields have a place.
@@ -76,6 +76,7 @@ bool is_walk_case(const Document& document) {
 WalkCase parse_walk_case(std::string_view text, const std::string& name,
                          const std::vector<std::string>& overrides) {
     Document document = parse_document(text, name);
+    require_kind(FileKind::walking, document);
     apply_overrides(document, overrides, walk_key_list());
     return resolve(document);
 }

@@ -107,7 +107,7 @@ near tips stick_time_2 0.5 0.5
     --set output.frames=0 || complain "b again"
 [ -e b/report.html ] || [ -e b/animation/machine.pvd ] && complain "files of the run before"
 
-refused "tricontact run computes this case" walk "$cases/rig_sphere_parallel.toml"
+refused "tricontact run computes it" walk "$cases/rig_sphere_parallel.toml"
 refused "tricontact walk computes it" run "$cases/walking_set_b.toml"
 refused "exceeds the stable limit 0.6828" walk "$cases/walking_set_b.toml" --set time.step=0.7
 refused "machine.kappa5 = -0.1: must be at least 0" walk "$cases/walking_set_b.toml" \

@@ -153,7 +153,10 @@ TEST(WalkReader, KindsOfCasesAreTold) {
         std::holds_alternative<contact::Case>(read_any_case(cases + "rig_sphere_parallel.toml")));
     EXPECT_EQ(message_of("models = [\"mdr\"]\n"),
               "test.toml:1:1: missing section [machine]: no case of the walking machine; "
-              "tricontact run computes this case");
+              "add a section [machine] with its kappas");
+    EXPECT_EQ(message_of("models = [\"mdr\"]\n[indenter]\n"),
+              "test.toml:2:1: this is a contact case, not a case of the micro-walking machine; "
+              "tricontact run computes it");
 }
 
 // What a key needs beside its example to be accepted.
