@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Sees to the Debian packages of packages.txt: root installs what is missing, anybody else is told
-# the command.
-# usage: setup.sh [build|fuzz|report|docs]...   (build)
+# the command. Beside an installed ParaView, VTK's development files are unpacked into build/vtk instead,
+# where CMake finds them: libvtk9-dev needs python3-vtk9, which conflicts with python3-paraview.
+# usage: setup.sh [build|fuzz|report|docs|paraview]...   (build)
 # Exit codes: 0 all packages are there, 2 some are missing, else apt-get's.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
+vtk=$scripts/../build/vtk
 [ $# -gt 0 ] || set -- build
 
 if ! command -v dpkg-query >/dev/null; then
@@ -13,21 +15,46 @@ if ! command -v dpkg-query >/dev/null; then
     exit 2
 fi
 
+is_installed() {
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+beside_paraview=
+if is_installed python3-paraview; then
+    beside_paraview=yes
+    [[ " $* " != *" build "* ]] || set -- "$@" beside-paraview
+fi
+
 missing=()
 while read -r package need _; do
     case " $* " in *" $need "*) ;; *) continue ;; esac
-    status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-    [ "$status" = installed ] || missing+=("$package")
+    [[ $beside_paraview && $package == libvtk9-dev ]] && continue
+    # Not only Debian has npm, and others' conflicts with Debian's.
+    [ "$package" = npm ] && command -v npm >/dev/null && continue
+    is_installed "$package" || missing+=("$package")
 done < <(sed 's/#.*//; /^[[:space:]]*$/d' "$scripts/packages.txt")
-[ ${#missing[@]} -gt 0 ] || exit 0
 
-if [ "$(id -u)" -ne 0 ]; then
+if [ ${#missing[@]} -gt 0 ] && [ "$(id -u)" -ne 0 ]; then
     printf 'Packages are missing, and only root may install them. Please run\n\n' >&2
     printf '  sudo apt-get install --no-install-recommends %s\n\n' "${missing[*]}" >&2
     printf 'and start this script again (if a package is not found: sudo apt-get update).\n' >&2
     exit 2
 fi
-printf 'Installing %d packages: %s\n' "${#missing[@]}" "${missing[*]}"
-export DEBIAN_FRONTEND=noninteractive
-apt-get -qq update
-apt-get -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "${missing[@]}" >/dev/null
+if [ ${#missing[@]} -gt 0 ]; then
+    printf 'Installing %d packages: %s\n' "${#missing[@]}" "${missing[*]}"
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get -qq update
+    apt-get -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+[[ " $* " == *" build "* ]] || exit 0
+if [ ! "$beside_paraview" ]; then
+    rm -rf "$vtk"
+    exit 0
+fi
+version=$(dpkg-query -W -f '${Version}' libvtk9.1)
+"$scripts/unpack.sh" "$vtk" "libvtk9-dev=$version" "python3-vtk9=$version" "libvtk9-java=$version" "vtk9=$version"
+# The libraries themselves are installed; CMake looks for them beside the rest.
+for library in /usr/lib/*/libvtk*-9.1.so.*; do
+    ln -sf "$library" "$vtk${library%/*}"
+done

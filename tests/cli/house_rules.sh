@@ -74,6 +74,10 @@ if [ -e "$sources" ]; then
     done < <(grep '^comparisons/' "$sources")
 fi
 
+# Package clients know registries, mirrors and proxies of the machine.
+found=$(grep -nE 'https?://' CMakeLists.txt ./*/CMakeLists.txt cmake/* scripts/* .ci/run | grep -v 'www.w3.org' || true)
+[ -z "$found" ] || complain "a host in the sources: $found"
+
 # Links [text](path#anchor) relative to their document.
 n=0
 for document in ./*.md docs/*.md docs/*/*.md benchmarks/*.md; do

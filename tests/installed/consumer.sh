@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A project outside finds the installed copy by find_package; what it computes there agrees with
 # closed forms. The code in docs/cpp.md is that project's.
-# usage: consumer.sh COPY SOURCE_DIR COMPILER
+# usage: consumer.sh COPY SOURCE_DIR COMPILER VTK_DIR
 set -euo pipefail
 copy=$(realpath "$1")
 source_dir=$(realpath "$2")
@@ -10,7 +10,7 @@ trap 'rm -rf "$work"' EXIT
 
 cp -r "$source_dir/tests/consumer" "$work/project"
 cmake -G Ninja -S "$work/project" -B "$work/build" --log-level=WARNING \
-    -DCMAKE_PREFIX_PATH="$copy" -DCMAKE_CXX_COMPILER="$3" -DCMAKE_BUILD_TYPE=Release
+    -DCMAKE_PREFIX_PATH="$copy" -DCMAKE_CXX_COMPILER="$3" -DVTK_DIR="$4" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$work/build"
 "$work/build/sphere"
 [ ! -x "$work/build/layer" ] || "$work/build/layer"
