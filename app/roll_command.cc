@@ -120,7 +120,7 @@ void write(const RollingReport& report, const std::string& resolved, const RollO
     io::write_file(options.output + "/summary.json", roll_summary(report, resolved));
     io::write_file(options.output + "/creep.csv", comparisons::tractive::creep_csv(report));
     io::write_file(options.output + "/" + io::paraview_macro_name,
-                   std::string(io::paraview_macro()));
+                   io::paraview_macro(options.output));
     if (options.report)
         io::write_file(options.output + "/report.html",
                        comparisons::document_html(comparisons::tractive::rolling_document(report)));

@@ -46,7 +46,7 @@ void run_command(const RunOptions& given) {
         });
     io::write_file(options.output + "/summary.json", summary_of(run));
     io::write_file(options.output + "/" + io::paraview_macro_name,
-                   std::string(io::paraview_macro()));
+                   io::paraview_macro(options.output));
     if (options.report) {
         io::make_output_folder(options.output + "/plots");
         for (const auto& file :

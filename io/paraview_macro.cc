@@ -1,9 +1,15 @@
 #include "io/paraview_macro.h"
 
+#include <filesystem>
+
+#include "io/messages.h"
+
 namespace tricontact::io {
 
-std::string_view paraview_macro() {
-    return R"python(# Opens the results beside this script in ParaView, at the last state: one layout per model, the
+namespace {
+
+constexpr std::string_view macro =
+    R"python(# Opens the results beside this script in ParaView, at the last state: one layout per model, the
 # contact surface and, where there are such, steady rolling and the inside.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
 import glob
@@ -13,14 +19,34 @@ import sys
 from paraview.simple import *
 
 FIELDS = {"surface": ["normal_traction_Pa"], "steady": ["normal_traction_Pa"], "volume": ["von_mises_Pa"]}
+WRITTEN_TO = @folder@  # looked into where ParaView does not say where this script lies
 
 
-def results_folder():
-    """Where this script lies; the working directory if ParaView does not tell."""
-    for name in (globals().get("__file__"), sys._getframe().f_code.co_filename):
+def own_folder():
+    """Where this script lies, as Python, the call stack or the command line tells; else empty. The GUI leaves
+    __file__ None and calls the script "<string>"."""
+    names = [globals().get("__file__"), sys._getframe().f_code.co_filename]
+    if os.path.exists("/proc/self/cmdline"):
+        with open("/proc/self/cmdline", encoding="utf-8", errors="surrogateescape") as line:
+            words = line.read().split("\0")
+        names += [word[len("--script="):] for word in words if word.startswith("--script=")]
+        names += [following for word, following in zip(words, words[1:]) if word == "--script"]
+    for name in names:
         if name and os.path.isfile(name):
             return os.path.dirname(os.path.abspath(name))
-    return os.getcwd()
+    return ""
+
+
+def all_series():
+    """The series of the first folder that has some."""
+    folders = [folder for folder in (own_folder(), WRITTEN_TO, os.getcwd()) if folder]
+    for folder in folders:
+        found = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+        if found:
+            print("results of", folder)
+            return found
+    raise RuntimeError("no results (*/*.pvd) in " + " or ".join(folders) +
+                       ": let WRITTEN_TO in this script name their folder")
 
 
 def warp_scale(source, size):
@@ -68,9 +94,8 @@ def show(path, kind, view):
 
 
 def main():
-    folder = results_folder()
+    series = all_series()
     pictures = sys.argv[1] if len(sys.argv) > 1 else None
-    series = glob.glob(os.path.join(folder, "*", "*.pvd"))
     for model in sorted(set(os.path.dirname(path) for path in series)):
         name = os.path.basename(model)
         kinds = [k for k in FIELDS if os.path.join(model, k + ".pvd") in series]
@@ -86,6 +111,16 @@ def main():
 
 main()
 )python";
+
+}  // namespace
+
+std::string paraview_macro(const std::string& folder) {
+    constexpr std::string_view place = "@folder@";
+    const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
+    // A TOML string is one of Python too. A name that is not UTF-8 would make the script none.
+    const bool named = first_non_utf8(absolute) == std::string::npos;
+    std::string text(macro);
+    return text.replace(text.find(place), place.size(), toml_string(named ? absolute : ""));
 }
 
 }  // namespace tricontact::io

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string_view>
+#include <string>
 
 namespace tricontact::io {
 
@@ -9,7 +9,8 @@ inline constexpr const char* paraview_macro_name = "open_run.py";
 
 /// Python for ParaView (paraview.simple): opens surface.pvd and volume.pvd of every model folder
 /// beside the script, each in a view of its own, coloured by normal traction or von Mises' stress,
-/// warped by the displacement. `paraview --script=open_run.py`, or Macros > Import new macro.
-std::string_view paraview_macro();
+/// warped by the displacement. `paraview --script=open_run.py`, or Macros > Import new macro, which
+/// finds the results in `folder`.
+std::string paraview_macro(const std::string& folder);
 
 }  // namespace tricontact::io

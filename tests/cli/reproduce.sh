@@ -14,11 +14,12 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-# A file without the times of the computation.
+# A file without the times of the computation and the name of the folder.
 timeless() {
     case $1 in
         */summary.json) sed '/^ *"\(cpu_s\|wall_s\)": [-0-9.e+]*,$/d' "$1" ;;
         */report.html) sed '/<th scope="row">CPU time\( per step\)\?<\/th>/d' "$1" ;;
+        */open_run.py) sed '/^WRITTEN_TO = /d' "$1" ;;
         *) cat "$1" ;;
     esac
 }

@@ -1,0 +1,152 @@
+"""Run by check_paraview.sh in pvpython: results as ParaView reads and draws them.
+usage: check_paraview.py WORK_FOLDER RESULTS_FOLDER..."""
+
+import contextlib
+import glob
+import io
+import os
+import re
+import shutil
+import sys
+
+from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+# What docs/ promise of each series; units stand behind the name where there are some.
+FIELDS = {
+    "surface": ["normal_traction", "tangential_traction", "displacement", "gap", "slip", "dissipation", "contact_state",
+                "friction_bound"],
+    "volume": ["displacement", "stress", "von_mises", "pressure"],
+    "machine": ["displacement", "normal_force", "tangential_force", "spring_force", "contact_state", "part"],
+}
+FIELDS["steady"] = FIELDS["surface"]
+failures = []
+
+
+def complain(text):
+    failures.append(text)
+    print("FAILED:", text)
+
+
+def arrays(source):
+    data = [source.PointData, source.CellData]
+    return {part.GetArray(i).Name: part.GetArray(i).GetRange(-1) for part in data for i in range(len(part))}
+
+
+def check_series(path):
+    """All steps of the .pvd, in order of time, each with the fields of the first."""
+    kind = os.path.splitext(os.path.basename(path))[0]
+    with open(path, encoding="utf-8") as file:
+        times = [float(t) for t in re.findall(r'timestep="([^"]+)"', file.read())]
+    source = OpenDataFile(path)
+    source.UpdatePipeline()
+    if list(source.TimestepValues) != sorted(set(times)) or not times:
+        complain(f"{path}: the steps {list(source.TimestepValues)} are not those of the file, {times}")
+    first = None
+    for time in source.TimestepValues:
+        source.UpdatePipeline(time)
+        found = arrays(source)
+        first = first or set(found)
+        missing = [name for name in FIELDS[kind] if not any(re.match(name + r"(_[A-Za-z].*)?$", a) for a in found)]
+        if missing or set(found) != first:
+            complain(f"{path} at {time}: fields {sorted(found)}, without {missing}")
+        if not 0 <= found.get("contact_state", (0, 0))[0] <= found.get("contact_state", (0, 0))[1] <= 2:
+            complain(f"{path} at {time}: contact_state {found['contact_state']}")
+    Delete(source)
+    return len(times)
+
+
+def check_picture(path):
+    """Something is drawn in the middle, where neither scale nor axes are."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)
+    middle = pixels[height // 4:, width // 5:2 * width // 3, :3].reshape(-1, 3).astype(int)
+    codes = middle @ [65536, 256, 1]
+    drawn = (codes != codes[0]).mean()
+    colours = len(set(codes.tolist()))
+    if drawn < 0.001 or colours < 10:
+        complain(f"{path}: {100 * drawn:.2f} % drawn in {colours} colours")
+    print(f"{os.path.basename(path)}: {100 * drawn:.1f} % drawn in {colours} colours")
+
+
+def run_macro(folder, pictures):
+    """open_run.py as the window runs it: no __file__, no file name, elsewhere; what it says."""
+    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
+        text = file.read()
+    said = io.StringIO()
+    sys.argv = ["", pictures]
+    with contextlib.redirect_stdout(said):
+        exec(compile(text, "<string>", "exec"), {"__name__": "__main__", "__file__": None})
+    return said.getvalue()
+
+
+def check_macro(folder, work):
+    pictures = os.path.join(work, "pictures")
+    shutil.rmtree(pictures, ignore_errors=True)
+    os.makedirs(pictures)
+    said = run_macro(folder, pictures)
+    if os.path.realpath(said.strip().removeprefix("results of ")) != folder:
+        complain(f"{folder}: the macro says '{said.strip()}'")
+    series = glob.glob(os.path.join(glob.escape(folder), "*", "*.pvd"))
+    drawn = glob.glob(os.path.join(pictures, "*.png"))
+    if len(drawn) != len(series):
+        complain(f"{folder}: {len(drawn)} pictures of {len(series)} series")
+    for picture in sorted(drawn):
+        check_picture(picture)
+    ResetSession()
+
+    # Where there are no results, it says so.
+    lost = os.path.join(work, "lost")
+    os.makedirs(lost, exist_ok=True)
+    with open(os.path.join(folder, "open_run.py"), encoding="utf-8") as file:
+        text = re.sub(r"(?m)^WRITTEN_TO = .*$", 'WRITTEN_TO = "/nowhere"', file.read())
+    with open(os.path.join(lost, "open_run.py"), "w", encoding="utf-8") as file:
+        file.write(text)
+    try:
+        run_macro(lost, pictures)
+        complain("the macro is content without results")
+    except RuntimeError as error:
+        print("without results:", error)
+
+
+def check_animation(path, work):
+    """The walking machine, coloured by its parts, at its last step."""
+    source = OpenDataFile(path)
+    view = CreateView("RenderView")
+    display = Show(source, view)
+    ColorBy(display, ["CELLS", "part"])
+    view.ViewTime = source.TimestepValues[-1]
+    view.CameraPosition, view.CameraViewUp = [0, -1, 0], [0, 0, 1]
+    ResetCamera(view)
+    Render(view)
+    picture = os.path.join(work, "machine.png")
+    SaveScreenshot(picture, view)
+    check_picture(picture)
+    ResetSession()
+
+
+def main():
+    work, folders = sys.argv[1], sys.argv[2:]
+    os.chdir(work)
+    for folder in folders:
+        series = sorted(glob.glob(os.path.join(glob.escape(folder), "**", "*.pvd"), recursive=True))
+        if not series:
+            complain(f"{folder}: no .pvd")
+        for path in series:
+            print(f"{path}: {check_series(path)} steps")
+        if os.path.exists(os.path.join(folder, "open_run.py")):
+            check_macro(folder, work)
+        for path in series:
+            if os.path.basename(path) == "machine.pvd":
+                check_animation(path, work)
+    print(f"{len(failures)} failures")
+    sys.stdout.flush()
+    os._exit(len(failures) > 0)
+
+
+main()
