@@ -138,7 +138,7 @@ refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 
 # 7. What the rig sets is a force: f_T has the errors of mu and F_N whether the case states F_T or
 #    its ratio, and no number is ± 0. Without [errors] nobody tells whether models differ.
-json() { python3 -c "import json; print(json.load(open('$1'))$2)"; }
+json() { "$python" -c "import json; print(json.load(open('$1'))$2)"; }
 run=experiments/synthetic/run_1.csv
 cp "$source_dir/$run" run.csv
 ratio=$(awk 'BEGIN { printf "%.17g", 6.735 / (0.57 * 21.1) }')

@@ -74,6 +74,10 @@ if [ -e "$sources" ]; then
     done < <(grep '^comparisons/' "$sources")
 fi
 
+# Debian's Python has the packages; the first python3 in PATH may be another one.
+found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/installed/*.sh scripts/*.sh || true)
+[ -z "$found" ] || complain "$found: take \"\$python\" of prepare.bash, or /usr/bin/python3"
+
 # Package clients know registries, mirrors and proxies of the machine.
 found=$(grep -nE 'https?://' CMakeLists.txt ./*/CMakeLists.txt cmake/* scripts/* .ci/run | grep -v 'www.w3.org' || true)
 [ -z "$found" ] || complain "a host in the sources: $found"

@@ -5,7 +5,7 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # number PATH: of the result in out, by python's notation of keys.
-number() { python3 -c "import json; print(json.load(open('out/identify.json'))$1)"; }
+number() { "$python" -c "import json; print(json.load(open('out/identify.json'))$1)"; }
 # holds EXPRESSION: in awk.
 holds() { awk "BEGIN { exit !($1) }" || complain "$1: $2"; }
 

@@ -5,7 +5,7 @@
 # usage: paraview_macro.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
-command -v python3 >/dev/null || { echo "no python3: not checked"; exit 0; }
+command -v "$python" >/dev/null || { echo "no python3: not checked"; exit 0; }
 run=("$program" run "$source_dir/cases/rig_sphere_inside.toml" --models mdr,bem --quiet --no-studies
     --no-report --set 'bem.spacing="1 mm"' --set mdr.springs=500
     --set 'output.volume_depth="3 mm"' --output run)
@@ -16,7 +16,7 @@ run=("$program" run "$source_dir/cases/rig_sphere_inside.toml" --models mdr,bem 
 cp "$source_dir/examples/pyvista_surface.py" .
 for script in run/open_run.py roll/open_run.py pyvista_surface.py; do
     [ "$(wc -l <"$script")" -gt 50 ] || complain "$script is missing"
-    python3 -m py_compile "$script" || complain "$script is no Python"
+    "$python" -m py_compile "$script" || complain "$script is no Python"
 done
 
 cat >fields.py <<'PYTHON'
@@ -55,10 +55,9 @@ for kind in macro:
 if checked < 5:
     sys.exit(f"only {checked} files to be checked")
 PYTHON
-for python in python3 /usr/bin/python3; do
-    "$python" -c 'import vtkmodules.vtkIOXML' 2>/dev/null || continue
+if "$python" -c 'import vtkmodules.vtkIOXML' 2>/dev/null; then
     "$python" fields.py >told.txt 2>&1 || complain "$(tail -1 told.txt)"
-    finish
-done
-echo "no python3 with VTK: fields not checked"
+else
+    echo "no python3 with VTK: fields not checked"
+fi
 finish

@@ -7,6 +7,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
+# Debian's, which has the packages of packages.txt; another python3 may come first in PATH.
+python=/usr/bin/python3
+[ -x $python ] || python=python3
 
 complain() {
     failures=$((failures + 1))
