@@ -31,12 +31,13 @@ class RollingBed {
         const double n_springs = c.mdr.springs + c.mdr.springs % 2;
         steps_per_radius_ =
             std::max(1, static_cast<int>(n_springs * a / (bed_margin * (2 * a + distance))));
-        step_length_ = a / steps_per_radius_;
+        model_ = model_of(c, static_cast<int>(n_springs),
+                          n_springs * a / steps_per_radius_ / bed_margin);
+        step_ = contact::press_step(c);
+        step_length_ = spring_distance(static_cast<int>(n_springs));
         // Ends of the contact halfway between springs, before each step as after it: what depends
         // on where springs stand is then the same at each step.
         start_ = -std::round(distance / 2 / step_length_) * step_length_;
-        model_ = model_of(c, static_cast<int>(n_springs), n_springs * step_length_ / bed_margin);
-        step_ = contact::press_step(c);
         step_.offset[0] = start_;
         model_->advance(step_);
         if (relaxes_) duration_ = step_length_ / c.tractive_rolling->speed;
@@ -80,6 +81,14 @@ class RollingBed {
         c.mdr.springs = n_springs;
         c.rolling.emplace().amplitude = length / 2 - contact::half_space_scales(c).contact_radius;
         return mdr::make_model(c);
+    }
+
+    /// Of the bed, whose contact is not to the last digit as wide as the half-space's.
+    double spring_distance(int n_springs) {
+        model_->advance(step_);
+        const double first = model_->surface().first[0];
+        model_->release();
+        return -2 * first / (n_springs - 1);
     }
 
     /// What springs and friction took in the last step and neither force gave came by rolling: the

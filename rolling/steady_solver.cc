@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "contact/error.h"
@@ -45,10 +46,10 @@ class Newton {
         for (const std::size_t i : active_) mean_bound_ += problem_.bound[i] / active_.size();
     }
 
-    void run() {
+    void run(int most_steps = max_newton_steps) {
         start();
         if (active_.empty()) return;
-        for (int step = 0; step < max_newton_steps; ++step) {
+        for (int step = 0; step < most_steps; ++step) {
             update_slip();
             classify();
             update_slip();
@@ -60,10 +61,13 @@ class Newton {
         throw contact::NotConverged(fmt::format(
             "steady rolling: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
             "Newton steps; {} points in contact, {} slipping; creepage {:.3e}, {:.3e}",
-            solution_.residual, tolerance_, solution_.force_residual, max_newton_steps,
-            active_.size(), std::count(slipping_.begin(), slipping_.end(), 1),
-            solution_.creepage.longitudinal, solution_.creepage.lateral));
+            solution_.residual, tolerance_, solution_.force_residual, most_steps, active_.size(),
+            std::count(slipping_.begin(), slipping_.end(), 1), solution_.creepage.longitudinal,
+            solution_.creepage.lateral));
     }
+
+    /// About the creepage at which all slides; known once run() has begun.
+    double sliding_creepage() const { return sliding_creepage_; }
 
   private:
     static std::vector<std::size_t> points_in_contact(const std::vector<double>& bound) {
@@ -224,13 +228,80 @@ class Newton {
     double sliding_creepage_ = 0;  // the unit of its steps [-]
 };
 
+/// Where all cells slip, in a direction that pressure gives them, the force hardly follows the
+/// creepage and Newton's steps lead nowhere: the force along x is bracketed, which grows with the
+/// creepage, until Newton's method arrives from there.
+class Bracketing {
+  public:
+    Bracketing(const contact::Compliance& compliance, const SteadyProblem& problem,
+               double tolerance, SteadySolution& solution)
+        : compliance_(compliance),
+          problem_(problem),
+          tolerance_(tolerance),
+          solution_(solution),
+          drive_(problem.drive),
+          at_creepage_{problem.bound, problem.displacement, drive_} {}
+
+    /// `unit`: a creepage of its size [-].
+    void run(double unit) {
+        double low = -unit, high = unit;
+        while (missing_force(low) < 0) low = 2 * low;
+        while (missing_force(high) > 0) high = 2 * high;
+        while (!arrives()) {
+            const double middle = std::midpoint(low, high);
+            if (middle <= low || middle >= high)
+                throw contact::NotConverged(
+                    fmt::format("steady rolling: no creepage has the force {:.6g} N: {:.6g} N are "
+                                "missing at {:.15g}, beyond it next to there",
+                                problem_.drive.force[0], missing_force(low), low));
+            (missing_force(middle) > 0 ? low : high) = middle;
+        }
+    }
+
+  private:
+    double missing_force(double creepage) {
+        drive_.creepage[0] = creepage;
+        Newton(compliance_, at_creepage_, tolerance_, solution_).run();
+        double missing = problem_.drive.force[0];
+        for (std::size_t i = 0; i < problem_.bound.size(); ++i)
+            missing -= compliance_.points().area[i] * solution_.traction.x[i];
+        return missing;
+    }
+
+    bool arrives() {
+        SteadySolution guess = solution_;
+        try {
+            Newton(compliance_, problem_, tolerance_, guess).run(careful_steps);
+        } catch (const contact::NotConverged&) {
+            return false;
+        }
+        solution_ = std::move(guess);
+        return true;
+    }
+
+    const contact::Compliance& compliance_;
+    const SteadyProblem& problem_;
+    const double tolerance_;
+    SteadySolution& solution_;
+    Drive drive_;  // creepage along x in place of the force
+    const SteadyProblem at_creepage_;
+};
+
 }  // namespace
 
 SteadySolver::SteadySolver(const contact::Compliance& compliance, double tolerance)
     : compliance_(compliance), tolerance_(tolerance) {}
 
 void SteadySolver::solve(const SteadyProblem& problem, SteadySolution& solution) const {
-    Newton(compliance_, problem, tolerance_, solution).run();
+    const SteadySolution start = solution;
+    Newton newton(compliance_, problem, tolerance_, solution);
+    try {
+        newton.run();
+    } catch (const contact::NotConverged&) {
+        if (problem.drive.creepage[0]) throw;
+        solution = start;
+        Bracketing(compliance_, problem, tolerance_, solution).run(newton.sliding_creepage());
+    }
 }
 
 }  // namespace tricontact::rolling

@@ -47,6 +47,11 @@ done
     --set bem.cells_per_radius=12 --set tractive_rolling.distance=2 --points 2 --quiet --no-report \
     --output far >far.txt 2>&1 || complain "mu = 10: $(cat far.txt)"
 
+# The exact sphere by depth: its bed is not to the last digit as wide as the half-space's contact.
+"$program" roll "$sphere" "${coarse[@]}" --models mdr --set 'indenter.shape="sphere"' \
+    --set 'substrate.poisson=0.5' --set 'load.indentation="0.3 mm"' --no-report --output deep >deep.txt 2>&1 ||
+    complain "sphere by depth: $(cat deep.txt)"
+
 # Dundurs' beta of a rigid body may exceed 1/2.
 "$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set substrate.poisson=-0.3 \
     --set indenter.young='"1e15 Pa"' --set friction.coefficient=1 --set bem.cells_per_radius=8 \

@@ -235,6 +235,19 @@ TEST(SteadyRolling, ConvergesWhereNearlyAllSlips) {
     problem.tolerance = 1e-7;
     EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
     rig.substrate.poisson = .5;
+    // So little friction that no cell sticks at nearly all creepages.
+    rig.substrate.poisson = .3;
+    rig.friction = 1e-3;
+    problem = rig.row(.56);
+    problem.tolerance = 1e-7;
+    EXPECT_TRUE(rolling::steady_rolling(*rig.row_grid(), problem).audit.passed());
+    rig.substrate.poisson = 0;
+    rig.friction = .01;
+    problem = rig.sphere(.56);
+    problem.tolerance = 1e-7;
+    EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
+    rig.friction = .05;
+    rig.substrate.poisson = .5;
     problem = rig.sphere(.998);
     problem.drive.spin = 9 * rig.friction / rig.radius;
     EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
