@@ -57,7 +57,7 @@ tells results/other/report.html '1 of 2 printed numbers can be computed from the
 cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
 cmp -s again/report.html results/sphere_parallel/report.html || complain "report.html differs"
 
-refused "missing key rig" rig "$source_dir/cases/rig_sphere_parallel.toml"
+refused "this is a contact case, not a rig file" rig "$source_dir/cases/rig_sphere_parallel.toml"
 refused "the file cannot be read" rig missing.toml
 sed 's/"8 mm"/"8 N"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
 refused 'bad.toml:13:13: substrate.thickness = "8 N": "N" is a unit of force' rig ../bad.toml
