@@ -8,11 +8,10 @@
 #include <memory>
 
 #include "bem/grid_compliance.h"
+#include "bem/grid_coverage.h"
 #include "bem/periodic_compliance.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/normal_solver.h"
-#include "contact/placement.h"
 #include "contact/rough_scales.h"
 #include "theory/case_layers.h"
 
@@ -23,6 +22,7 @@ namespace {
 constexpr double default_depth = 3;    // of the volume, over Hertz' contact radius
 constexpr double first_margin = 1.08;  // grid over Hertz' contact
 constexpr double enlargement = 1.25;
+constexpr double widest_by_friction = 4;  // margin; no contact that is computed moves farther
 constexpr double max_cells = 4096. * 4096.;
 constexpr double whole_cells = 1e-6;  // how far a period may be from them, in cells
 
@@ -105,34 +105,6 @@ contact::Vector2 path_extent(const contact::Case& c, double radius, double rolle
             std::abs(reach * std::sin(c.rolling->angle))};
 }
 
-double hardest_factor(const contact::Case& c) {
-    return 1 + std::abs(c.load.normal_amplitude_ratio);
-}
-
-/// Friction widens a coupled contact by less than this wins, which is probed without.
-constexpr double harder_if_coupled = 1.1;
-
-/// At the edge of the grid the indenter is higher than it is pressed in: roughness has no spots of
-/// contact beyond, for the substrate gives way there.
-bool is_clear_of_edge(const contact::ContactPoints& grid, const std::vector<double>& height,
-                      double indentation) {
-    std::vector<double> reached(height.size());
-    for (std::size_t i = 0; i < height.size(); ++i) reached[i] = height[i] < indentation;
-    return !reaches_edge(grid, reached);
-}
-
-/// The hardest press of the case, probed where the path reaches farthest.
-bool covers(const contact::Compliance& compliance, const contact::Case& c,
-            const contact::Indenter& indenter, const contact::Vector2& extent) {
-    contact::NormalControl hardest = contact::press_step(c).normal;
-    hardest.value *= hardest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
-    const auto height = heights_over(compliance.points(), indenter, extent);
-    const auto probe = contact::NormalSolver(compliance, 1e-3).solve(height, hardest);
-    if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))
-        return false;
-    return !reaches_edge(compliance.points(), probe.pressure);
-}
-
 InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
     const double radius = half_space_scales(c).contact_radius;
     double depth = c.output.volume_depth.value_or(default_depth * radius);
@@ -174,7 +146,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(hardest_factor(c));
-    const auto indenter = c.make_indenter();
+    const std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
@@ -187,7 +159,8 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
             make(c.is_cylindrical()
                      ? make_long_grid(half_x, spacing, c.indenter.length, c.is_line_contact())
                      : make_grid(half_x, half_y, spacing));
-        if (covers(*compliance, c, *indenter, extent)) return compliance;
+        if (covers(*compliance, c, indenter, extent, margin < widest_by_friction))
+            return compliance;
     }
 }
 

@@ -61,7 +61,7 @@ void SurfaceModel::release() {
     displacement_z_.assign(n, 0);
     contact_state_.assign(n, ContactState::open);
     least_pressure_.clear();
-    energy_ = material_dissipation_ = 0;
+    energy_ = material_dissipation_ = shift_factor_ = 0;
     substrate_->forget();
 }
 
@@ -252,8 +252,9 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
         relative.y[i] += stiffness * turned[1] - other.y[i];
         if (bound_[i] > 0) contact_area += points().area[i];
     }
+    if (shift_factor_ == 0) find_shift_factor();
     const double contact_compliance =
-        stiffness * normal_->indentation * contact_area / normal_->force;
+        shift_factor_ * stiffness * normal_->indentation * contact_area / normal_->force;
     for (double& increment : tangential_.shift_increment) increment *= stiffness;
     tangential_solver_->solve({bound_, relative, control, contact_compliance}, tangential_);
     tangential_iterations_ += tangential_.iterations;
@@ -261,6 +262,24 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
         tangential_.shift_increment[d] /= stiffness;
         shift_[d] = before.shift[d] + tangential_.shift_increment[d];
     }
+}
+
+/// Tangential displacements are about mu d under the tractions of sliding, and compared with that;
+/// but a thin layer that glides on its ground is like a membrane, a thousand times as soft along as
+/// across: there mu d would ask for more than rounding leaves.
+void SurfaceModel::find_shift_factor() {
+    constexpr double much_softer = 10;
+    TangentialField sliding(bound_.size()), displacement(bound_.size());
+    sliding.x = bound_;
+    substrate_->compliance().tangential(sliding, displacement);
+    double work = 0, force = 0;
+    for (std::size_t i = 0; i < bound_.size(); ++i) {
+        work += points().area[i] * bound_[i] * displacement.x[i];
+        force += points().area[i] * bound_[i];
+    }
+    const double mean = work / force;
+    const double across = friction_coefficient_ * substrate_->stiffness() * normal_->indentation;
+    shift_factor_ = mean > much_softer * across ? mean / across : 1;
 }
 
 /// Without friction no tangential traction is left, and only a prescribed shift moves the indenter.
@@ -300,7 +319,7 @@ void SurfaceModel::update_totals() {
 }
 
 void SurfaceModel::update_slip(const Before& before) {
-    const double unit = friction_coefficient_ * normal_->indentation;
+    const double unit = std::max(shift_factor_, 1.) * friction_coefficient_ * normal_->indentation;
     const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};

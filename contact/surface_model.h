@@ -94,6 +94,7 @@ class SurfaceModel final : public Model {
     void solve_tangential(const LoadStep& step, const Before& before);
     std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
     void slide_freely(const LoadStep& step);
+    void find_shift_factor();
     void update_totals();
     void update_slip(const Before& before);
     StepRecord record(const LoadStep& step) const;
@@ -123,6 +124,7 @@ class SurfaceModel final : public Model {
     TangentialField slip_;                // of the last step [m]
     std::vector<ContactState> contact_state_;
     double gap_residual_ = 0;  // of the coupled solution, over d
+    double shift_factor_ = 0;  // slips are compared with it times mu d; 0: not known yet
     int normal_iterations_ = 0, tangential_iterations_ = 0;
     std::vector<double> least_pressure_;  // since start_limit()
     double least_pressure_force_ = 0;     // F_N at start_limit()

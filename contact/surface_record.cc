@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/compensated_sum.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::contact {
+
+namespace {
+constexpr double product_rounding = 1e-13;
+}  // namespace
 
 StepRecord SurfaceModel::record(const LoadStep& step) const {
     const auto& area = points().area;
@@ -82,19 +85,19 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
                           .slip = slip_,
                           .contact_state = contact_state_,
                           .control = tangential,
-                          .length = friction_coefficient_ * normal_->indentation,
+                          .length = shift_factor_ * friction_coefficient_ * normal_->indentation,
                           .inclined_force = coupling_.inclined_force(p)},
                          tolerance_, audit_, force_allowed);
     }
     // What relaxes takes energy out of a frame that leaves it behind.
     if (carried && substrate_->relaxes()) return;
     // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
-    // Rounding goes with all that is turned over, F d under whatever friction: products of the
-    // compliance and sums are right to sum_rounding of their terms.
+    // Rounding goes with all that is turned over, F d under whatever friction: a product of the
+    // compliance adds up a thousand terms, each to half an epsilon.
     // A displaced surface meets the indenter to the tolerance of the turns, over d.
     const double factor = friction_coefficient_ * friction_coefficient_ + coupling_.deformed();
     const double by_friction = factor * normal_->force * normal_->indentation;
-    const double by_rounding = sum_rounding * energy.magnitude;
+    const double by_rounding = product_rounding * energy.magnitude;
     audit_.record("energy_balance",
                   std::abs(energy.missing) / (by_friction + by_rounding / force_allowed),
                   force_allowed);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -15,6 +14,7 @@
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
 #include "io/rough_bodies.h"
+#include "io/sliding_checks.h"
 #include "io/tractive_checks.h"
 
 namespace tricontact::io {
@@ -23,7 +23,6 @@ namespace {
 
 using contact::Case;
 using contact::HalfSpaceScales;
-using contact::triangle_wave;
 
 // Above this |Dundurs' beta| the coupling of normal and tangential contact is no longer negligible.
 constexpr double largest_beta = 1e-3;
@@ -98,58 +97,6 @@ void check_coupling(const Case& c, const Document& document) {
            "leave out " + *mdr +
                " (bem and bem-layer do), or set contact.coupling = false: the "
                "coupling is then left out, and the report says so");
-}
-
-// Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
-// linear functions is largest at a kink of either: at the crests and troughs.
-double largest_ratio(const Case::Load& load, double mean_ratio) {
-    const double normal_shift = load.normal_phase / (2 * std::numbers::pi);
-    const double tangential_shift = load.tangential_phase / (2 * std::numbers::pi);
-    double worst = mean_ratio;
-    for (const double shift : {normal_shift, tangential_shift})
-        for (const double kink : {0.25, 0.75}) {
-            const double phase = kink - shift;
-            const double normal =
-                1 + load.normal_amplitude_ratio * triangle_wave(phase + normal_shift);
-            const double tangential =
-                1 + load.tangential_amplitude_ratio * triangle_wave(phase + tangential_shift);
-            worst = std::max(worst, mean_ratio * std::abs(tangential) / normal);
-        }
-    return worst;
-}
-
-/// To and fro x may point along F_T; who rolls on along x is braked by F_T > 0, else driven.
-void check_direction_of_force(const Case& c, const Document& document) {
-    if (c.tractive_rolling) return;
-    if (c.load.tangential_ratio.value_or(0) < 0)
-        refuse(document, "load.tangential_ratio",
-               "must be at least 0 and less than 1 but with [tractive_rolling]",
-               "give its amount, x points along F_T");
-    if (c.load.tangential_force.value_or(0) < 0)
-        refuse(document, "load.tangential_force", "must be at least 0 but with [tractive_rolling]",
-               "give its amount, x points along F_T");
-}
-
-// With a prescribed indentation the models find F_N, and they check.
-void check_friction_limit(const Case& c, const Document& document) {
-    const bool has_force = c.load.tangential_ratio || c.load.tangential_force;
-    if (!c.load.normal_force || !has_force) return;
-    const double mean =
-        std::abs(c.load.tangential_ratio
-                     ? *c.load.tangential_ratio
-                     : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force));
-    const std::string key = used(document, "load.tangential_ratio", "load.tangential_force");
-    if (mean >= 1)
-        refuse(document, key,
-               "F_T/(mu F_N) = " + rounded(mean) + " is not below 1: the contact slides",
-               "reduce it below mu F_N = " +
-                   rounded(c.friction_coefficient * *c.load.normal_force) + " N");
-    const double worst = largest_ratio(c.load, mean);
-    if (worst >= 1)
-        refuse(document, key,
-               "with the oscillating loads F_T/(mu F_N) reaches " + rounded(worst) +
-                   ", not below 1: the contact slides",
-               "reduce it or the amplitude ratios in [load]");
 }
 
 void check_oscillation(const Case& c, const Document& document) {
@@ -266,7 +213,7 @@ void check_case(const Case& c, const Document& document) {
     check_relaxation(c, document);
     check_ground(c, document);
     check_direction_of_force(c, document);
-    check_friction_limit(c, document);
+    check_friction_limit(c, scales, document);
     const double steps = check_steps(c, scales, document);
     check_bem_options(c, document);
     for (const std::string& model : c.models) {

@@ -18,6 +18,21 @@ void check_length(const std::string& key, std::size_t n, std::size_t n_layers,
            "give one for each layer, from the top down");
 }
 
+// Of its contact radius: as a membrane it gives way (a/b) times as far along itself as across, and
+// solvers compare both with the indentation.
+constexpr double thinnest_gliding = .01;
+
+void check_gliding(const Case& c, const Document& document) {
+    if (c.layer.base != Base::frictionless) return;
+    const double least = thinnest_gliding * contact::half_space_scales(c).contact_radius;
+    if (c.layer.total_thickness() >= least) return;
+    refuse(document, "substrate.thickness",
+           "a layer that glides on its ground must be at least " + rounded(least) + " m thick, " +
+               rounded(thinnest_gliding) +
+               " of the contact radius on a half-space: thinner, it is a membrane",
+           "take base = \"bonded\", a thicker layer or a smaller contact");
+}
+
 void check_fem_layers(const Case& c, const Document& document) {
     if (c.layer.base == Base::half_space)
         refuse(document, "substrate.base", "fem has its layers on a rigid ground",
@@ -74,6 +89,7 @@ void check_layer(const std::string& model, const Case& c, const Document& docume
                "mdr-layer: nothing holds a layer that glides on its ground against a tangential "
                "force",
                "take base = \"bonded\" or \"half-space\", or leave out mdr-layer");
+    if (model == "bem-layer") check_gliding(c, document);
     if (model == "fem") check_fem_layers(c, document);
 }
 
