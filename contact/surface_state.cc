@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/contact_radius.h"
+#include "contact/frictional_work.h"
 #include "contact/mirror.h"
 #include "contact/state_bytes.h"
 #include "contact/surface_model.h"
@@ -47,14 +48,15 @@ Surface SurfaceModel::surface() const {
     s.displacement_x = displacement_.x;
     s.displacement_y = displacement_.y;
     s.displacement_z = displacement_z_;
-    s.slip_x = slip_.x;
-    s.slip_y = slip_.y;
     s.gap.resize(bound_.size());
-    s.dissipation.resize(bound_.size());
+    for (auto* field : {&s.slip_x, &s.slip_y, &s.dissipation}) field->resize(bound_.size());
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         s.gap[i] = coupling_.bare_height()[i] + displacement_z_[i] - normal_->indentation;
-        s.dissipation[i] =
-            tangential_.traction.x[i] * slip_.x[i] + tangential_.traction.y[i] * slip_.y[i];
+        const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
+        const Vector2 slip = told_slip(contact_state_[i], {slip_.x[i], slip_.y[i]});
+        s.slip_x[i] = slip[0];
+        s.slip_y[i] = slip[1];
+        s.dissipation[i] = frictional_work(contact_state_[i], t, slip);
     }
     s.contact_state = contact_state_;
     if (s.layout != Surface::Layout::nodes) return s;

@@ -8,6 +8,7 @@
 #include "contact/coupling.h"
 #include "contact/error.h"
 #include "contact/fixed_point.h"
+#include "contact/frictional_work.h"
 #include "contact/largest.h"
 #include "contact/moving_frame.h"
 #include "contact/normal_solver.h"
@@ -160,13 +161,16 @@ class Turns {
         for (std::size_t i = 0; i < s.size(); ++i) {
             const contact::Vector2 t = {s.tangential_traction_x[i], s.tangential_traction_y[i]};
             const contact::Vector2 slip = {s.slip_x[i], s.slip_y[i]};
-            s.dissipation[i] = contact::dot(t, slip);
             // On the bound without sliding is stick.
             const bool slips =
                 contact::norm(t) >= bound_[i] * (1 - 1e-9) && contact::norm(slip) > still;
             s.contact_state[i] = !(s.normal_traction[i] > 0) ? ContactState::open
                                  : slips                     ? ContactState::slip
                                                              : ContactState::stick;
+            const contact::Vector2 told = contact::told_slip(s.contact_state[i], slip);
+            s.slip_x[i] = told[0];
+            s.slip_y[i] = told[1];
+            s.dissipation[i] = contact::frictional_work(s.contact_state[i], t, told);
         }
     }
 
