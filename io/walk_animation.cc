@@ -24,13 +24,14 @@ using dynamics::Snapshot;
 // Units of the files: those of the model, or SI.
 struct Units {
     double length = 1, force = 1, time = 1;
-    std::string of_length = {}, of_force = {};  // "_m", "_N"
+    std::string of_length = {}, of_force = {}, of_time = {};  // "_m", "_N", "_s"
 };
 
 Units units_of(const dynamics::WalkCase& walk_case) {
     if (!walk_case.dimensional) return {};
     const auto& machine = *walk_case.dimensional;
-    return {machine.half_width, force_unit(machine), characteristic_time(machine), "_m", "_N"};
+    return {
+        machine.half_width, force_unit(machine), characteristic_time(machine), "_m", "_N", "_s"};
 }
 
 std::vector<Vector3> scaled(std::vector<Vector3> vectors, double factor) {
@@ -90,11 +91,13 @@ void write_walk_animation(const std::string& folder, const dynamics::WalkCase& w
     const double magnified = magnification(walk_case.machine, snapshots);
     VtkSeries series(folder, "machine", provenance);
     for (const Snapshot& snapshot : snapshots) {
-        const double time = snapshot.motion.time * units.time;
+        const double run_time = snapshot.motion.time * units.time;
+        const double time = (snapshot.motion.time - snapshots.front().motion.time) * units.time;
         vtkNew<vtkPolyData> poly;
         fill(*poly, walk_scene(walk_case.machine, snapshot, snapshots.front().motion.base), units);
         vtkFieldData& circumstances = *poly->GetFieldData();
         add_numbers(circumstances, "TimeValue", {time});
+        add_numbers(circumstances, ("run_time" + units.of_time).c_str(), {run_time});
         add_numbers(circumstances, "magnification", {magnified});
         add_provenance(circumstances, provenance);
         vtkNew<vtkXMLPolyDataWriter> writer;

@@ -15,10 +15,11 @@ namespace tricontact::io {
 ///
 /// Points have their places without load; `displacement` says where they are. Displacements are
 /// small: "Warp By Vector" with the field data `magnification` shows them. On the body act
-/// `normal_force` and `tangential_force` at the spots, with `contact_state` 0 released, 1 stick,
-/// 2 slip (255: no spot), and `spring_force`; cell data `part`: 0 spots, 1 spring, 2 body, 3 and 4
-/// ground. In units of b, k_x b and sqrt(m/k_x); of a machine with dimensions in m, N and s
-/// (`displacement_m`, `normal_force_N` ...).
+/// `normal_force` and `tangential_force` at the spots, with `contact_state` 1 stick, 2 slip, and 0
+/// of what is not in contact, and `spring_force`; cell data `part`: 0 spots, 1 spring, 2 body, 3
+/// and 4 ground. In units of b, k_x b and sqrt(m/k_x); of a machine with dimensions in m, N and s
+/// (`displacement_m`, `normal_force_N` ...). Time begins at 0; the field data `run_time`
+/// (`run_time_s`) tells that of the run.
 ///
 /// Throws contact::InputError if a file cannot be written.
 void write_walk_animation(const std::string& folder, const dynamics::WalkCase& walk_case,

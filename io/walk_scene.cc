@@ -9,8 +9,6 @@ namespace {
 using dynamics::Machine;
 using dynamics::Motion;
 
-constexpr std::uint8_t no_spot = 255;
-
 // Of the model, which is a plane one, drawn with some depth.
 constexpr double body_depth = 1, ground_depth = 1.5;
 
@@ -28,7 +26,7 @@ int add_point(WalkScene& scene, const Vector3& point, const Vector3& displacemen
     scene.normal_forces.push_back({});
     scene.tangential_forces.push_back({});
     scene.spring_forces.push_back({});
-    scene.contact_states.push_back(no_spot);
+    scene.contact_states.push_back(static_cast<std::uint8_t>(dynamics::SpotState::released));
     return static_cast<int>(scene.points.size()) - 1;
 }
 

@@ -21,7 +21,7 @@ struct WalkScene {
     std::vector<Vector3> points;         ///< without load
     std::vector<Vector3> displacements;  ///< from there
     std::vector<Vector3> normal_forces, tangential_forces, spring_forces;
-    std::vector<std::uint8_t> contact_states;  ///< 0 released, 1 stick, 2 slip, 255 no spot
+    std::vector<std::uint8_t> contact_states;  ///< 0 no contact, 1 stick, 2 slip
 
     std::vector<std::vector<int>> vertices;  ///< the spots' tips, points by their numbers
     std::vector<std::vector<int>> lines;     ///< the spring
