@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparisons/format.h"
+#include "dynamics/drive_load.h"
 
 namespace tricontact::app {
 
@@ -70,8 +71,12 @@ std::string walk_text(const WalkCase& walk_case, const dynamics::Walk& walk) {
              result.transient_over ? "from t = " + significant(result.transient) + " on"
                                    : "as far as the run goes");
     text += period_text(walk_case, result);
-    text += line("mu_e", with_error(result.mu_e, result.mu_e_error),
-                 "<f_s> over that of sliding, 95 % interval");
+    if (result.regime == dynamics::Regime::sticking)
+        text += line("loaded", "t = " + significant(dynamics::loading_time(walk_case.machine), 3),
+                     "at the earliest; until then there is no mu_e");
+    else
+        text += line("mu_e", with_error(result.mu_e, result.mu_e_error),
+                     "<f_s> over that of sliding, 95 % interval");
     text += drift_text(result);
     text += line("z_min, z_max",
                  significant(result.z_min_ratio) + ", " + significant(result.z_max_ratio),

@@ -40,6 +40,20 @@ double mean_spring_force(const Machine& machine, std::span<const SectionReturn> 
     return (sums.spring_force + missed * spring_force(machine, begin)) / steps;
 }
 
+/// Whether the returns have come to the cycle. A motion that creeps along a line repeats itself
+/// from return to return, and not after many: it goes as far in the second half of their time as in
+/// the first, in the same direction. What the integration scatters does not add up.
+bool is_settled(const Machine& machine, std::span<const SectionReturn> returns, std::size_t points,
+                double error) {
+    const std::size_t half = (returns.size() - 1) / points / 2 * points;
+    const auto whole = returns.last(2 * half + 1);
+    const Motion &first = whole.front().motion, &middle = whole[half].motion,
+                 &last = whole.back().motion;
+    const double before = distance(machine, first, middle), after = distance(machine, middle, last);
+    const bool straight = distance(machine, first, last) > 0.9 * (before + after);
+    return !straight || after <= std::max({error, before / 2, repetition(machine, whole, points)});
+}
+
 double mean_period(std::span<const SectionReturn> returns, std::size_t points) {
     return (returns.back().motion.time - returns.front().motion.time) /
            static_cast<double>((returns.size() - 1) / points);
@@ -84,12 +98,16 @@ std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
     const StretchSums sums = total(end);
     const double size = std::sqrt(2 * sums.kinetic_energy / static_cast<double>(sums.steps));
     // Where contacts change between two steps, Verlet errs by the order of step^2; measured on the
-    // cycles of the map of kappa8 and mu, returns repeat to 2.5 step^2 at worst.
+    // cycles of the map of kappa8 and mu, returns repeat to 2.5 step^2 at worst. On the way to a
+    // cycle, or along what is none, they may be farther apart.
     // Coarse steps may not make anything look alike: above 0.01 a motion does not repeat.
     const double tolerance = std::clamp(100 * step * step, 1e-9, 0.01) * size;
     for (std::size_t points = 1; points <= std::min(longest, end.size() / 3); ++points)
-        if (repetition(machine, end, points) <= tolerance)
-            return mean_cycle(machine, end, static_cast<int>(points), step);
+        if (repetition(machine, end, points) <= tolerance) {
+            LimitCycle cycle = mean_cycle(machine, end, static_cast<int>(points), step);
+            cycle.settled = is_settled(machine, end, points, tolerance / 100);
+            return cycle;
+        }
     return std::nullopt;
 }
 

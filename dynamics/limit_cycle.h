@@ -18,6 +18,7 @@ struct LimitCycle {
     double period_drift = 0;        ///< how much the means of both halves of the time differ:
     double spring_force_drift = 0;  ///< what is left of the way to the cycle, or less than a step
     StretchSums sums;               ///< over all periods
+    bool settled = false;  ///< no longer on the way to it, or at half the pace in half the time
 };
 
 /// Distance of two returns in the energy of their difference: square root of the kinetic energy of

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "dynamics/block_bootstrap.h"
+#include "dynamics/drive_load.h"
+#include "dynamics/fall_risk.h"
 #include "dynamics/limit_cycle.h"
 #include "dynamics/stationarity.h"
 
@@ -22,12 +24,12 @@ constexpr double still = 0.01;
 // 1450 on average and then walks; a transient of that life would be missed once in a thousand runs.
 constexpr double sustained = 10000;
 
+// Chaos is not what a run ends in either where it may be expected to end by a fall: above one in
+// twenty, as intervals are of 95 %, in the time of ten such runs.
+constexpr double runs_ahead = 10, likely_fall = 0.05;
+
 double vibration(const WalkWindow& window) {
     return (window.sums.z_max - window.sums.z_min) / 2;
-}
-
-double mean_force(const WalkWindow& window) {
-    return window.sums.spring_force / static_cast<double>(window.sums.steps);
 }
 
 /// The force that mu_e and its error are told in; NaN, as they are, where there is no friction.
@@ -56,18 +58,29 @@ double greatest_vibration(std::span<const WalkWindow> windows) {
     return greatest;
 }
 
+/// Whether no spot can have left the ground: at the highest position with the largest rotation.
+bool stays_on_ground(const std::vector<Spot>& spots, double kappa3, const StretchSums& sums) {
+    return std::ranges::all_of(spots, [&](const Spot& spot) {
+        return std::min(approach(spot, sums.z_min, sums.phi_min / kappa3),
+                        approach(spot, sums.z_min, sums.phi_max / kappa3)) > 0;
+    });
+}
+
 /// First of the windows from which on the body slides without vertical vibration, or with one that
 /// is left from the start: while all spots stay on the ground z is a free oscillator, neither
-/// driven nor damped by friction. It swings evenly about its rest then, and a jump cannot. None if
-/// it does not in the last quarter of the run.
+/// driven nor damped by friction. It swings evenly about its rest then. None if it does not in the
+/// last quarter of the run.
 std::optional<std::size_t> first_steady(const Machine& machine,
                                         std::span<const WalkWindow> windows) {
     const double rest = static_displacement(machine), bound = still * std::abs(rest);
     const double amplitude = vibration(windows.back());
+    const std::vector<Spot> spots = spots_of(machine);
     const std::size_t first = first_of_end(windows, [&](const WalkWindow& window) {
         const double middle = (window.sums.z_max + window.sums.z_min) / 2;
-        return vibration(window) <= bound || (std::abs(middle - rest) <= bound &&
-                                              std::abs(vibration(window) - amplitude) <= bound);
+        return vibration(window) <= bound ||
+               (std::abs(middle - rest) <= bound &&
+                std::abs(vibration(window) - amplitude) <= bound &&
+                stays_on_ground(spots, machine.kappas.kappa3, window.sums));
     });
     if (first >= windows.size() - windows.size() / 4) return std::nullopt;
     return first;
@@ -83,30 +96,43 @@ WalkResult judge_windows(const Machine& machine, std::span<const WalkWindow> win
     return result;
 }
 
+/// Flutter begins small: a vibration that still grows is not what the run ends in.
+bool grows(const Machine& machine, std::span<const WalkWindow> windows) {
+    const std::size_t half = windows.size() / 2;
+    const double before = greatest_vibration(windows.first(half)),
+                 after = greatest_vibration(windows.subspan(half));
+    constexpr double rounding = 1e-9;
+    return after > std::max(1.1 * before, rounding * static_displacement(machine));
+}
+
+/// The base moves and nothing slides: the spring takes up what the base moves. Its force is a load,
+/// which friction has not yet answered.
+WalkResult judge_sticking(const Machine& machine, std::span<const WalkWindow> windows,
+                          std::size_t first) {
+    WalkResult result = judge_windows(machine, windows, Regime::sticking, first);
+    result.mu_e = result.mu_e_error = nothing;
+    return result;
+}
+
 /// Sliding is linearly neutral: what the transient leaves behind swings on undamped, its integral
 /// stays bounded, and the error of a mean falls as one over the time, not over its square root.
+/// The spring has to be loaded first, which takes the base a way of mu kappa4 (1/kappa1 + 1/2).
 WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> windows,
-                        std::size_t first) {
+                        std::size_t still) {
+    const auto judged = windows.subspan(still);
+    if (machine.kappas.kappa6 > 0 && only_sticks(judged.last((judged.size() + 1) / 2)))
+        return judge_sticking(machine, windows, still);
+    const std::size_t loaded = still + first_loaded(machine, judged);
+    const bool enough = 4 * (windows.size() - loaded) >= windows.size();
+    const std::size_t first = enough ? loaded : still;
+    const auto rest = windows.subspan(first);
     WalkResult result = judge_windows(machine, windows, Regime::steady, first);
-    const auto judged = windows.subspan(first);
-    // A window's own deviation would not do: about a period long, it averages over the swing, and
-    // what is left adds up over many.
-    const double mean = result.mu_e * unit_force(machine);
-    double integral = 0, least = 0, greatest = 0;
-    for (const WalkWindow& window : judged) {
-        integral += (mean_force(window) - mean) * (window.end - window.begin);
-        least = std::min(least, integral);
-        greatest = std::max(greatest, integral);
-    }
-    result.mu_e_error =
-        judged.size() > 1 ? (greatest - least) / result.observed / unit_force(machine) : nothing;
-    // Flutter begins small: a vibration that still grows is not what the run ends in.
-    const std::size_t half = judged.size() / 2;
-    const double before = greatest_vibration(judged.first(half)),
-                 after = greatest_vibration(judged.subspan(half));
-    constexpr double rounding = 1e-9;
-    result.transient_over =
-        half > 0 && after <= std::max(1.1 * before, rounding * static_displacement(machine));
+    result.mu_e_error = rest.size() > 1 ? mean_error(machine, rest) / unit_force(machine) : nothing;
+    const bool pulled =
+        enough && is_evenly_pulled(machine, rest) && moves_with_base(machine, total(rest));
+    // What rises has mu_e = 1, all spots sliding, ahead.
+    if (!pulled) result.mu_e_error = std::max(result.mu_e_error, std::abs(1 - result.mu_e));
+    result.transient_over = pulled && !grows(machine, rest);
     return result;
 }
 
@@ -118,11 +144,47 @@ bool same_extremes(const StretchSums& a, const StretchSums& b) {
            std::abs(a.phi_min - b.phi_min) <= phi && std::abs(a.phi_max - b.phi_max) <= phi;
 }
 
-/// Time from which on every window shows the extremes of the cycle; infinite if none does.
-double time_of_arrival(std::span<const WalkWindow> windows, const StretchSums& cycle) {
-    const std::size_t first = first_of_end(
+/// First of the windows from which on all show the extremes of the cycle; their number if none
+/// does.
+std::size_t first_on_cycle(std::span<const WalkWindow> windows, const StretchSums& cycle) {
+    return first_of_end(
         windows, [&](const WalkWindow& window) { return same_extremes(window.sums, cycle); });
-    return first < windows.size() ? windows[first].begin : std::numeric_limits<double>::infinity();
+}
+
+/// Whether an extreme of the windows creeps along: its ranges in their first and last third are
+/// apart, and from the second third to the last one it moves more than half as far as from the
+/// first to the second. `error`: what the integration may make of it.
+bool creeps(std::span<const WalkWindow> windows, double StretchSums::*extreme, double error) {
+    const std::size_t third = windows.size() / 3;
+    if (third < 4) return false;
+    struct Part {
+        double least, greatest, mean;
+    };
+    const auto part = [&](std::size_t first) {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        Part part{far, -far, 0};
+        for (const WalkWindow& window : windows.subspan(first, third)) {
+            const double value = window.sums.*extreme;
+            part.least = std::min(part.least, value);
+            part.greatest = std::max(part.greatest, value);
+            part.mean += value / static_cast<double>(third);
+        }
+        return part;
+    };
+    const Part a = part(0), b = part(third), c = part(windows.size() - third);
+    const double before = std::abs(b.mean - a.mean), after = std::abs(c.mean - b.mean);
+    return (c.least > a.greatest || c.greatest < a.least) && after > std::max(before / 2, error);
+}
+
+/// Whether the motion of these windows is on its way: returns repeat to the error of the
+/// integration, which hides what is slower.
+bool creeps(std::span<const WalkWindow> windows) {
+    constexpr double near = 1e-6;  // step^2
+    const StretchSums& sums = windows.back().sums;
+    const double z = near * (sums.z_max - sums.z_min), phi = near * (sums.phi_max - sums.phi_min);
+    return creeps(windows, &StretchSums::z_min, z) || creeps(windows, &StretchSums::z_max, z) ||
+           creeps(windows, &StretchSums::phi_min, phi) ||
+           creeps(windows, &StretchSums::phi_max, phi);
 }
 
 WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windows,
@@ -134,9 +196,13 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
     result.period = cycle.period;
     result.period_error = cycle.period_drift;
     result.section_points = cycle.section_points;
-    result.transient = std::min(time_of_arrival(windows, cycle.sums), cycle.begin);
-    result.transient_over = true;
+    const std::size_t first = first_on_cycle(windows, cycle.sums);
+    result.transient =
+        first < windows.size() ? std::min(windows[first].begin, cycle.begin) : cycle.begin;
     result.observed = cycle.n_periods * cycle.period;
+    result.transient_over = cycle.settled && !creeps(windows.subspan(first));
+    if (!result.transient_over)
+        result.mu_e_error = std::max(result.mu_e_error, std::abs(1 - result.mu_e));
     return result;
 }
 
@@ -147,7 +213,8 @@ WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windo
     WalkResult result = judge_windows(machine, windows, Regime::chaotic, first);
     const auto rest = std::span(forces).subspan(first);
     result.transient_over =
-        2 * first < forces.size() && result.observed >= sustained && stationary(rest);
+        2 * first < forces.size() && result.observed >= sustained && stationary(rest) &&
+        expected_falls(machine, windows.subspan(first), runs_ahead) < likely_fall;
     if (result.transient_over) {
         result.mu_e_error = block_bootstrap_mean(rest).error / unit_force(machine);
         return result;
@@ -211,7 +278,8 @@ WalkResult judge(const Machine& machine, const WalkEvidence& evidence) {
     if (evidence.tilting_time) return judge_tilting(machine, evidence);
     if (const auto first = first_steady(machine, evidence.windows))
         return judge_steady(machine, evidence.windows, *first);
-    if (const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step))
+    const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step);
+    if (cycle && moves_with_base(machine, cycle->sums))
         return judge_cycle(machine, evidence.windows, *cycle);
     return judge_chaos(machine, evidence.windows);
 }

@@ -12,6 +12,8 @@ std::string_view word_of(Regime regime) {
             return "chaotic";
         case Regime::tilting:
             return "tilting";
+        case Regime::sticking:
+            return "sticking";
         case Regime::shakedown:
             return "shakedown";
         case Regime::ratcheting:

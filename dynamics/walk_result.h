@@ -16,17 +16,18 @@ enum class Regime {
     limit_cycle,  ///< repeats itself
     chaotic,      ///< does not, within the time observed
     tilting,      ///< falls over: small rotations no longer
+    sticking,     ///< has not begun to slide: the base still loads the spring
     // Of a machine under an excitation whose base stands still:
     shakedown,   ///< comes to rest: no shift per period
     ratcheting,  ///< shifts in every period, its spots on the ground
     walking      ///< spots leave the ground
 };
 
-inline constexpr std::array all_regimes = {Regime::steady,  Regime::limit_cycle, Regime::chaotic,
-                                           Regime::tilting, Regime::shakedown,   Regime::ratcheting,
-                                           Regime::walking};
+inline constexpr std::array all_regimes = {
+    Regime::steady,   Regime::limit_cycle, Regime::chaotic,    Regime::tilting,
+    Regime::sticking, Regime::shakedown,   Regime::ratcheting, Regime::walking};
 
-/// "steady", "limit-cycle", "chaotic", "tilting", "shakedown", "ratcheting", "walking"
+/// "steady", "limit-cycle", "chaotic", "tilting", "sticking", "shakedown", "ratcheting", "walking"
 std::string_view word_of(Regime regime);
 
 /// Statistics of a run after its transient: over whole periods of a limit cycle, else over what is

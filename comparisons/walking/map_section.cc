@@ -120,11 +120,11 @@ Figure regime_figure(const WalkSweep& sweep, const WalkGrid& grid) {
                   .title = "What becomes of each machine",
                   .caption =
                       "Steady sliding, a limit cycle, chaos that has not ended within the "
-                      "run, or tilting.",
+                      "run, tilting, or sticking, where the run ends before the machine slides.",
                   .x = {label_of(sweep, grid.x_axis)},
                   .y = {label_of(sweep, grid.y_axis)}};
-    for (const Regime regime :
-         {Regime::steady, Regime::limit_cycle, Regime::chaotic, Regime::tilting}) {
+    for (const Regime regime : {Regime::steady, Regime::limit_cycle, Regime::chaotic,
+                                Regime::tilting, Regime::sticking}) {
         Curve curve{.name = std::string(dynamics::word_of(regime)),
                     .x = {},
                     .y = {},
@@ -181,7 +181,7 @@ Verdict flutter_verdict(const WalkGrid& grid) {
     int n = 0, n_agreeing = 0, n_steady_above = 0;
     for (std::size_t i = 0; i < grid.cells.size(); ++i) {
         const WalkGroup* cell = grid.cells[i];
-        if (!cell || cell->tilts()) continue;
+        if (!cell || cell->tilts() || regime_of(*cell) == Regime::sticking) continue;
         const double limit = flutter[i % grid.x.size()];
         const bool stable = std::isnan(limit) || grid.y[i / grid.x.size()] < limit;
         const bool steady = regime_of(*cell) == Regime::steady;

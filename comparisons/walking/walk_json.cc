@@ -3,6 +3,7 @@
 #include <string>
 
 #include "comparisons/json_number.h"
+#include "dynamics/drive_load.h"
 #include "dynamics/stable_step.h"
 
 namespace tricontact::comparisons::walking {
@@ -71,6 +72,7 @@ Json machine_json(const dynamics::Machine& machine) {
     return {{"kappas", kappas},
             {"static_displacement", number(static_displacement(machine))},
             {"critical_friction", number(critical_friction(machine))},
+            {"loading_time", number(dynamics::loading_time(machine))},
             {"stable_step", number(dynamics::stable_step(machine))}};
 }
 

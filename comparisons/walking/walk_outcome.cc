@@ -45,7 +45,8 @@ double largest_phi(const dynamics::Walk& walk) {
 }
 
 WalkOutcome::Vibration vibration(const dynamics::Machine& machine, const dynamics::Walk& walk) {
-    if (walk.result.tilting_time) return {undefined, undefined, undefined};
+    if (walk.result.tilting_time || walk.result.regime == Regime::sticking)
+        return {undefined, undefined, undefined};
     if (walk.result.regime == Regime::steady) return {undefined, undefined, 0};
     const auto found = vibration_of(machine, walk);
     if (!found) return {undefined, undefined, undefined};

@@ -35,19 +35,24 @@ Verdict regime_verdict(const WalkSweep& sweep) {
         n_short += result.regime != Regime::tilting && !result.transient_over;
     }
     const auto count = [&](Regime regime) { return n[static_cast<std::size_t>(regime)]; };
-    const std::size_t n_driven =
-        count(Regime::steady) + count(Regime::limit_cycle) + count(Regime::chaotic);
+    const std::size_t n_driven = count(Regime::steady) + count(Regime::limit_cycle) +
+                                 count(Regime::chaotic) + count(Regime::sticking);
     if (n_driven == 0)
         return {Verdict::Standing::finding,
                 fmt::format("{} runs shake down, {} ratchet, {} walk, {} tilt.",
                             count(Regime::shakedown), count(Regime::ratcheting),
                             count(Regime::walking), count(Regime::tilting))};
+    const std::string sticking =
+        count(Regime::sticking) > 0
+            ? fmt::format(" {} do not slide yet, the base still loads their spring.",
+                          count(Regime::sticking))
+            : "";
     return {Verdict::Standing::finding,
             fmt::format("{} runs slide steadily, {} walk in a limit cycle, {} are chaotic to their "
-                        "end, {} tilt. Of those that do not tilt, {} are too short to tell whether "
-                        "their transient is over.",
+                        "end, {} tilt.{} Of those that do not tilt, {} are too short to tell "
+                        "whether their transient is over.",
                         count(Regime::steady), count(Regime::limit_cycle), count(Regime::chaotic),
-                        count(Regime::tilting), n_short)};
+                        count(Regime::tilting), sticking, n_short)};
 }
 
 DocumentTable run_table(const WalkSweep& sweep) {

@@ -11,6 +11,8 @@
 #include "comparisons/walking/spot_statistics.h"
 #include "comparisons/walking/stability_section.h"
 #include "dynamics/drift.h"
+#include "dynamics/drive_load.h"
+#include "dynamics/forces.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -74,34 +76,83 @@ Verdict excited(const WalkReport& report) {
     return {Standing::finding, text};
 }
 
+/// A machine that has not begun to slide: nothing is known of its friction.
+Verdict loading(const WalkReport& report) {
+    const dynamics::Machine& machine = report.walk_case.machine;
+    const double load =
+        spring_force(machine, report.walk.tail.back().motion) / sliding_force(machine);
+    return {Standing::cannot_tell,
+            fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
+                        "by T = {} to {} of the force of steady sliding. That takes until t = {} "
+                        "at least; a longer [time] end tells its friction.",
+                        significant(report.walk_case.time.end, 5), percents(load),
+                        significant(loading_time(machine), 3))};
+}
+
+/// The run does not tell what it ends in, and why.
+Verdict too_short(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    const dynamics::Machine& machine = report.walk_case.machine;
+    const double rotation =
+        std::max(-result.phi_min, result.phi_max) / dynamics::tilting_limit(machine);
+    std::string reason = result.regime == Regime::steady
+                             ? "its mean force or its vibration still changes"
+                             : "the motion is chaotic";
+    if (result.regime == Regime::chaotic && rotation > 0.2)
+        reason += ", and |φ| has come to " + percents(rotation, 2) + " of where it falls over";
+    return {Standing::cannot_tell,
+            fmt::format("Too short: the transient was not over by T = {}, {}. So far μ_e = {}, "
+                        "whose error covers what it may still become; a longer [time] end tells.",
+                        significant(report.walk_case.time.end, 5), reason,
+                        with_error(result.mu_e, result.mu_e_error))};
+}
+
+/// The transient is over: z is still, or swings as the start left it, the spring force has no trend
+/// and the spots move.
+Verdict steady(const WalkReport& report) {
+    const WalkResult& result = report.walk.result;
+    const dynamics::Machine& machine = report.walk_case.machine;
+    if (machine.kappas.kappa6 == 0)
+        return {
+            Standing::finding,
+            fmt::format("The base rests: a mean spring force of {} of that of steady sliding "
+                        "holds the body from t = {} on.",
+                        with_error(result.mu_e, result.mu_e_error), significant(result.transient))};
+    double sticking = 0;
+    for (const WalkResult::Spot& spot : result.spots)
+        sticking = std::max(sticking, spot.stick_time);
+    const std::string ways =
+        sticking > 0 ? "Slides, a spot sticking for up to " + percents(sticking) + " of the time"
+                     : "Slides steadily";
+    return {Standing::finding,
+            fmt::format("{}: {}. From t = {} on the height does not vibrate by itself and the mean "
+                        "spring force has no trend.",
+                        ways, friction(result), significant(result.transient))};
+}
+
 Verdict outcome(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     if (result.regime == Regime::tilting) return fall(report);
     if (result.drift) return excited(report);
     if (report.walk_case.machine.kappas.kappa5 == 0)
         return {Standing::finding, "Without friction, μ = 0, there is none to reduce."};
-    if (!result.transient_over)
-        return {Standing::cannot_tell,
-                fmt::format("Too short: the transient was not over by T = {}. So far {} with "
-                            "μ_e = {}, whose error covers what it may still become; a longer "
-                            "[time] end tells.",
-                            significant(report.walk_case.time.end, 5),
-                            result.regime == Regime::steady ? "it slides" : "the motion is chaotic",
-                            with_error(result.mu_e, result.mu_e_error))};
+    if (result.regime == Regime::sticking) return loading(report);
+    if (!result.transient_over) return too_short(report);
     if (result.regime == Regime::limit_cycle)
         return {Standing::finding,
                 fmt::format("Walks in a limit cycle of period {}: {}{}. Mean over whole periods; "
                             "the transient ends before t = {}.",
                             with_error(*result.period, result.period_error, 5), friction(result),
                             reduction(result), significant(result.transient))};
-    if (result.regime == Regime::steady)
-        return {Standing::finding,
-                fmt::format("Slides steadily: {}. The height does not vibrate from t = {} on.",
-                            friction(result), significant(result.transient))};
+    if (result.regime == Regime::steady) return steady(report);
+    // Without an end in a time T the mean life is T/3 or more, with a probability of 1 - exp(-3).
     return {Standing::finding,
             fmt::format("Chaotic to the end: {}{}; 95 % interval by block bootstrap over the last "
-                        "{}. Single numbers of a chaotic motion mean nothing.",
-                        friction(result), reduction(result), significant(result.observed))};
+                        "{}. It is that of this chaos, whose mean life is above {} (95 %); whether "
+                        "it ends later no run tells. Single numbers of a chaotic motion mean "
+                        "nothing.",
+                        friction(result), reduction(result), significant(result.observed),
+                        significant(result.observed / 3, 2))};
 }
 
 Verdict jump(const WalkReport& report) {
@@ -166,6 +217,13 @@ std::optional<Verdict> predictable(const WalkResult& result) {
     return Verdict{Standing::finding, text};
 }
 
+/// Spots that never stick, and whose sliding small disturbances neither leave nor come back to.
+bool slides_neutrally(const WalkReport& report) {
+    const auto& spots = report.walk.result.spots;
+    return std::ranges::all_of(spots, [](const auto& spot) { return spot.stick_time == 0; }) &&
+           is_neutral(sliding_stability(report.walk_case.machine));
+}
+
 Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
     const auto& [frequency, error] = vibration.characteristic;
     std::string text = fmt::format("The spring force vibrates at {} cycles per √(m/k_x)",
@@ -176,7 +234,7 @@ Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
     }
     text += fmt::format("; in free flight it would be {}.", significant(vibration.free_flight, 3));
     const bool steady = report.walk.result.regime == Regime::steady;
-    if (steady && is_neutral(sliding_stability(report.walk_case.machine)))
+    if (steady && slides_neutrally(report))
         text += " Sliding is linearly neutral: nothing damps this vibration, nor feeds it.";
     if (!steady && std::isfinite(vibration.instability))
         text += fmt::format(
@@ -192,7 +250,8 @@ std::vector<Verdict> walk_verdicts(const WalkReport& report,
                                    const std::optional<Vibration>& vibration) {
     const WalkResult& result = report.walk.result;
     std::vector<Verdict> verdicts{outcome(report)};
-    if (result.regime == Regime::tilting || result.drift) return verdicts;
+    if (result.regime == Regime::tilting || result.regime == Regime::sticking || result.drift)
+        return verdicts;
     if (result.regime != Regime::steady && result.transient_over) {
         verdicts.push_back(jump(report));
         if (const auto verdict = walking(report)) verdicts.push_back(*verdict);

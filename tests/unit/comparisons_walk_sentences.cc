@@ -80,6 +80,57 @@ TEST(WalkSentences, SlidingThatFluttersIsNotNeutral) {
     EXPECT_FALSE(says(text(set_5()), neutral));
 }
 
+std::string first_sentence(const WalkReport& report) {
+    return walk_verdicts(report, {}).front().sentence;
+}
+
+// Each word about sliding stands with its condition, and not without it.
+TEST(WalkSentences, SlidesSteadilyOnlyWhatSlides) {
+    WalkReport report = report_of({.kappas = dynamics::set_b()});
+    report.walk.result.spots = {{.stick_time = 0}, {.stick_time = 0}};
+    EXPECT_TRUE(says(first_sentence(report), "Slides steadily"));
+    EXPECT_TRUE(says(first_sentence(report), "mean spring force has no trend"));
+    report.walk.result.spots[1].stick_time = 0.3;
+    EXPECT_FALSE(says(first_sentence(report), "steadily"));
+    EXPECT_TRUE(says(first_sentence(report), "sticking for up to 30.0 % of the time"));
+    report.walk.result.transient_over = false;
+    EXPECT_FALSE(says(first_sentence(report), "Slides"));
+    EXPECT_TRUE(says(first_sentence(report), "Too short"));
+    report.walk_case.machine.kappas.kappa6 = 0;
+    report.walk.result.transient_over = true;
+    EXPECT_TRUE(says(first_sentence(report), "The base rests"));
+    EXPECT_FALSE(says(first_sentence(report), "lides"));
+}
+
+// mu kappa4 (1/kappa1 + 1/2)/kappa6 = 6.8e-5/1e-9 without the turn of the body.
+TEST(WalkSentences, WhatSticksHasNoFrictionToTell) {
+    WalkReport report = report_of({.kappas = dynamics::set_b()});
+    report.walk_case.machine.kappas.kappa6 = 1e-9;
+    report.walk_case.time.end = 20000;
+    report.walk.result.regime = dynamics::Regime::sticking;
+    report.walk.result.transient_over = false;
+    // kappa1 x_s/(mu kappa4) = 2 * 1.7e-5/6.8e-5
+    report.walk.tail = {{.motion = {.base = 1.7e-5}, .spots = {}}};
+    const std::string text = first_sentence(report);
+    EXPECT_TRUE(says(text, "Does not slide yet")) << text;
+    EXPECT_TRUE(says(text, "50.0 % of the force of steady sliding")) << text;
+    EXPECT_TRUE(says(text, "until t = 6.80·10⁴")) << text;
+    EXPECT_FALSE(says(text, "μ_e"));
+    EXPECT_EQ(walk_verdicts(report, vibration()).size(), 1u);
+}
+
+TEST(WalkSentences, ChaosIsSaidToLastAsLongAsItWasSeen) {
+    WalkReport report = report_of({.kappas = dynamics::set_b()});
+    report.walk.result.regime = dynamics::Regime::chaotic;
+    report.walk.result.observed = 18000;
+    EXPECT_TRUE(says(first_sentence(report), "mean life is above 6000"));
+    report.walk.result.transient_over = false;
+    report.walk.result.phi_min = -0.6 * dynamics::tilting_limit(report.walk_case.machine);
+    EXPECT_TRUE(says(first_sentence(report), "60 % of where it falls over"));
+    report.walk.result.phi_min = -0.01 * dynamics::tilting_limit(report.walk_case.machine);
+    EXPECT_FALSE(says(first_sentence(report), "falls over"));
+}
+
 TEST(WalkSentences, MicroWalkingIsThatOfAllSpots) {
     const auto text = [](std::vector<double> correlations) {
         WalkReport report = report_of({.kappas = dynamics::set_b()});

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
+#include "dynamics/drive_load.h"
+#include "dynamics/fall_risk.h"
 #include "dynamics/walk_judge.h"
 #include "dynamics_autoregressive.h"
 #include "dynamics_sets.h"
@@ -29,14 +32,20 @@ class Windows {
         sums.phi_min = -1e-5;
         sums.phi_max = 1e-5;
         sums.spots.resize(2);
+        for (SpotSums& spot : sums.spots) {
+            spot.velocity = 1000 * machine.kappas.kappa6 * slides_;
+            spot.sticking = slides_ > 0 ? 0 : 1000;
+        }
         windows_.push_back(window);
     }
+    // From here on the spots slide with this share of the base's velocity.
+    void slide(double share) { slides_ = share; }
 
     WalkResult judged() const { return judge(machine, {1e-3, windows_, {}, {}}); }
     bool may_repeat() const { return dynamics::may_repeat(machine, windows_); }
 
   private:
-    double time_ = 0;
+    double time_ = 0, slides_ = 1;
     std::vector<WalkWindow> windows_;
 };
 
@@ -69,6 +78,92 @@ TEST(WalkJudge, TheErrorOfASwingFallsWithTime) {
     Windows windows;
     for (int i = 0; i < 100; ++i) windows.add(1, 1, i % 2 ? 1.01 : 0.99);
     EXPECT_NEAR(windows.judged().mu_e_error, 0.01 / 100, 1e-12);
+}
+
+// The base moves, the spots stick: a load, which no friction has answered yet.
+TEST(WalkJudge, ALoadIsNoFriction) {
+    Windows windows;
+    windows.slide(0);
+    for (int i = 0; i < 100; ++i) windows.add(1, 1, 0.001 * i);
+    const WalkResult result = windows.judged();
+    EXPECT_EQ(result.regime, Regime::sticking);
+    EXPECT_FALSE(result.transient_over);
+    EXPECT_TRUE(std::isnan(result.mu_e));
+    EXPECT_TRUE(std::isnan(result.mu_e_error));
+}
+
+// Loading that takes half of the run counts neither in the mean nor in the error.
+TEST(WalkJudge, LoadingIsTransient) {
+    Windows windows;
+    windows.slide(0);
+    for (int i = 0; i < 50; ++i) windows.add(1, 1, i / 50.);
+    windows.slide(1);
+    for (int i = 0; i < 50; ++i) windows.add(1, 1, i % 2 ? 0.99 : 1.01);
+    const WalkResult result = windows.judged();
+    EXPECT_EQ(result.regime, Regime::steady);
+    EXPECT_TRUE(result.transient_over);
+    EXPECT_EQ(result.transient, 1000);
+    EXPECT_NEAR(result.mu_e, 1, 1e-12);
+    EXPECT_NEAR(result.mu_e_error, 0.01 / 50, 1e-12);
+}
+
+// What still comes is told by the error: all of the way to sliding.
+TEST(WalkJudge, AForceThatRisesIsNotOver) {
+    for (const double slides : {1., 0.5}) {
+        Windows rising, level;
+        rising.slide(slides), level.slide(slides);
+        for (int i = 0; i < 100; ++i) {
+            rising.add(1, 1, 0.4 + 0.002 * i + (i % 2 ? 0.01 : 0));
+            level.add(1, 1, 0.4 + (i % 2 ? 0.01 : 0));
+        }
+        EXPECT_FALSE(rising.judged().transient_over);
+        EXPECT_GE(rising.judged().mu_e + rising.judged().mu_e_error, 1);
+        // A force without a trend does not tell either while the spots lag behind the base.
+        EXPECT_EQ(level.judged().transient_over, slides == 1);
+    }
+}
+
+// A run that turns back has the same mean in its first and last third: its second half tells.
+TEST(WalkJudge, AForceThatTurnsIsNotOver) {
+    Windows windows;
+    for (int i = 0; i < 100; ++i) windows.add(1, 1, 0.9 + std::pow(i / 50. - 1, 2) / 100);
+    EXPECT_FALSE(windows.judged().transient_over);
+}
+
+// z is free while all spots stay on the ground. In the air it is not, however evenly it swings.
+TEST(WalkJudge, AnEvenSwingThatLeavesTheGroundIsNotSteady) {
+    Windows pressed, jumping;
+    for (int i = 0; i < 50; ++i) {
+        pressed.add(0.6, 1.4);
+        jumping.add(-0.1, 2.1);
+    }
+    EXPECT_EQ(pressed.judged().regime, Regime::steady);
+    EXPECT_NE(jumping.judged().regime, Regime::steady);
+}
+
+// |phi| of each window is distributed exponentially: one in exp(1/scale) falls. Twelve thousand
+// windows, in which 6 of scale 1/8 and 0.3 in a million of scale 1/24 are to be expected.
+TEST(WalkJudge, ExpectsTheFallsOfAnExponentialTail) {
+    std::mt19937_64 generator(1);
+    const auto expected = [&](double scale) {
+        std::exponential_distribution<double> rotation(1 / scale);
+        std::vector<WalkWindow> windows(1200);
+        for (WalkWindow& window : windows) {
+            window.sums.phi_max = std::min(rotation(generator), 0.99) * tilting_limit(machine);
+            window.sums.phi_min = 0;
+        }
+        return expected_falls(machine, windows, 10);
+    };
+    // The mean of 600 excesses is known to 4 %; times 8, the exponent to 0.33.
+    EXPECT_NEAR(std::log(expected(1. / 8) / (12000 * std::exp(-8.))), 0, 3 * 0.33);
+    EXPECT_LT(expected(1. / 24), 1e-4);
+    // A rotation that drifts is at the limit after three more of these runs.
+    std::vector<WalkWindow> drifting(120);
+    for (std::size_t i = 0; i < drifting.size(); ++i)
+        drifting[i].sums.phi_max = drifting[i].sums.phi_min =
+            (0.1 + 0.002 * static_cast<double>(i)) * tilting_limit(machine);
+    EXPECT_EQ(expected_falls(machine, drifting, 10), std::numeric_limits<double>::infinity());
+    EXPECT_LT(expected_falls(machine, drifting, 1), 1);
 }
 
 TEST(WalkJudge, ChaosCountsWhenItHasLastedLong) {

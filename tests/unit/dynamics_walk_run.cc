@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dynamics/drive_load.h"
 #include "dynamics/walk_run.h"
 #include "dynamics_sets.h"
 
@@ -57,6 +58,41 @@ TEST(WalkRun, RestsOnItsSpots) {
     EXPECT_NEAR(result.mu_e, 0, 1e-12);
     EXPECT_EQ(result.spots[0].stick_time, 1);
     EXPECT_TRUE(std::isnan(result.spots[0].correlation));
+}
+
+// Set B with a base that takes 68000 to load the spring, mu kappa4 (1/kappa1 + 1/2)/kappa6, and
+// longer, as the body turns: nothing slides by the end.
+TEST(WalkRun, DoesNotTellFrictionBeforeItSlides) {
+    Kappas kappas = set_b();
+    kappas.kappa6 = 1e-9, kappas.kappa8 = 0.2;
+    EXPECT_NEAR(loading_time({.kappas = kappas}), 68000, 1e-6);
+    const WalkResult result = walk(case_of(kappas, 4000)).result;
+    EXPECT_EQ(result.regime, Regime::sticking);
+    EXPECT_FALSE(result.transient_over);
+    EXPECT_TRUE(std::isnan(result.mu_e));
+    EXPECT_EQ(result.spots[0].stick_time, 1);
+}
+
+// The same ten times as fast slides before the end, and ends on mu_e = 1; it says so, or that it
+// cannot tell, wherever it is stopped.
+TEST(WalkRun, TellsTheFrictionOfSlidingOnceItSlides) {
+    Kappas kappas = set_b();
+    kappas.kappa6 = 1e-7, kappas.kappa8 = 0.2;  // loaded at t = 680 at the earliest
+    for (const double end : {300., 800., 1500., 6000.}) {
+        const WalkResult result = walk(case_of(kappas, end)).result;
+        EXPECT_EQ(result.transient_over, end > 5000) << end;
+        if (result.regime == Regime::sticking) continue;
+        EXPECT_NEAR(result.mu_e, 1, 1.01 * result.mu_e_error) << end;
+    }
+}
+
+// A body that bounces while its spring is loaded repeats its motion without being on a cycle.
+TEST(WalkRun, ABouncingBodyThatIsLoadedHasNoCycle) {
+    WalkCase walk_case = case_of(set_b(), 2000);
+    walk_case.machine.kappas.kappa6 = 1e-11;
+    walk_case.start.z = 3;
+    const WalkResult result = walk(walk_case).result;
+    EXPECT_FALSE(result.transient_over) << word_of(result.regime) << ' ' << result.mu_e;
 }
 
 // A fast and light machine: f_s swings 160 times as far as friction reaches, with a period that
