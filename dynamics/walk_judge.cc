@@ -214,6 +214,7 @@ WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windo
     const auto rest = std::span(forces).subspan(first);
     result.transient_over =
         2 * first < forces.size() && result.observed >= sustained && stationary(rest) &&
+        moves_with_base(machine, total(windows.subspan(first))) &&
         expected_falls(machine, windows.subspan(first), runs_ahead) < likely_fall;
     if (result.transient_over) {
         result.mu_e_error = block_bootstrap_mean(rest).error / unit_force(machine);

@@ -86,6 +86,16 @@ is tilting regime '"tilting"'
 awk -v x="$(number tilting tilting_time)" 'BEGIN { exit !(x > 0 && x < 5000) }' ||
     complain "tilting_time is $(number tilting tilting_time)"
 
+#    A base too slow to load the spring by the end: nothing slides, nothing is known of friction.
+walk loading walking_set_b --set machine.kappa6=1e-9 --set machine.kappa8=0.2 --set time.end=2000
+is loading regime '"sticking"'
+is loading transient_over false
+is loading mu_e null
+near loading loading_time 68000 1e-6
+grep -q '^loaded  *t = 6.80' loading.txt || complain "loading: $(cat loading.txt)"
+grep -q 'Does not slide yet' loading/report.html || complain "loading: the report does not say so"
+grep -q 'Slides steadily' loading/report.html && complain "loading: slides steadily"
+
 # 5. Dimensions: tau = sqrt(m/k_x) of check, time in s.
 walk rig walking_rig_set_5 --set "time.duration=0.1 s" --no-report
 tau=$("$program" check "$cases/walking_rig_set_5.toml" | awk '$2 == "tau" { print $4 }')

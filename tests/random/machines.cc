@@ -1,6 +1,7 @@
 // Random walking machines, each run to its end and to ten times that: what the shorter run says of
 // friction has to hold in the longer one, or it has to say that its transient is not over.
-// usage: random_machines [SEED [MACHINES [END]]]; exit code 1 where they disagree.
+// usage: random_machines [SEED [MACHINES [END]]]; exit code 1 where more disagree than intervals of
+// 95 % let by chance.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

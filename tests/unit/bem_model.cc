@@ -226,6 +226,34 @@ TEST(SurfaceModel, RecordAndSurfaceSayTheSame) {
     EXPECT_NEAR(r.contact_area, r.stick_area + r.slip_area, 1e-18);
 }
 
+// The slip condition: none where a point sticks, along the traction elsewhere. Loads that turn back
+// leave most points sticking, with slips of either sign below the solver's tolerance.
+TEST(SurfaceModel, FrictionNeverGivesEnergyBack) {
+    auto model = model_on(25);
+    contact::LoadStep step;
+    step.normal.value = 21.1;
+    model.advance(step);
+    const double limit = .57 * 21.1;
+    for (const double ratio : {.6, .3, -.2, -.6, -.5, .1, .7}) {
+        step.tangential[0].value = ratio * limit;
+        step.tangential[1].value = .4 * ratio * ratio * limit;
+        const auto record = model.advance(step);
+        EXPECT_GE(record.dissipation, 0);
+        const auto s = model.surface();
+        int n_sticking = 0;
+        for (std::size_t i = 0; i < s.size(); ++i) {
+            EXPECT_GE(s.dissipation[i], 0) << ratio;
+            if (s.contact_state[i] == contact::ContactState::slip) {
+                EXPECT_GT(s.dissipation[i], 0);
+                continue;
+            }
+            EXPECT_EQ(std::abs(s.slip_x[i]) + std::abs(s.slip_y[i]) + s.dissipation[i], 0);
+            n_sticking += s.contact_state[i] == contact::ContactState::stick;
+        }
+        EXPECT_GT(n_sticking, 20);
+    }
+}
+
 TEST(SurfaceModel, ShiftControlReachesTheShift) {
     auto by_force = model_on(25), by_shift = model_on(25);
     contact::LoadStep step;

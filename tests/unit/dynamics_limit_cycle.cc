@@ -46,6 +46,23 @@ TEST(LimitCycle, FindsTheCyclesOfTheLogisticMap) {
     EXPECT_EQ(points(3.7), 0);
 }
 
+// Returns within the tolerance of each other, 1e-4: those that creep along by 5e-6 are on no cycle,
+// those that come nearer, or scatter about one, are.
+TEST(LimitCycle, DoesNotTakeACreepingMotionForACycle) {
+    const Machine machine{.kappas = set_b()};
+    const auto settled = [&](auto height) {
+        auto returns = logistic_returns(2.8, 48);
+        for (std::size_t i = 0; i < returns.size(); ++i)
+            returns[i].motion.z += height(static_cast<double>(i));
+        const auto cycle = find_limit_cycle(machine, returns, step);
+        return cycle && cycle->settled;
+    };
+    EXPECT_FALSE(settled([](double i) { return 5e-6 * i; }));
+    EXPECT_TRUE(settled([](double i) { return 5e-5 * std::exp(-i / 10); }));
+    EXPECT_TRUE(settled([](double i) { return 2e-5 * std::sin(2.4 * i); }));
+    EXPECT_TRUE(settled([](double i) { return 1e-8 * i; }));  // the error of the integration
+}
+
 TEST(LimitCycle, CountsWholePeriodsFromTheEnd) {
     const Machine machine{.kappas = set_b()};
     const auto returns = logistic_returns(3.2, 30);

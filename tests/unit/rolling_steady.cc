@@ -84,6 +84,17 @@ TEST(SteadyRolling, IsWhereTransientRollingEndsOnALayer) {
 }
 
 // Kalker's C23: to the left when turning to the left, and nothing along the way.
+TEST(SteadyRolling, FrictionGivesNoEnergyBackAtAnyPoint) {
+    const Rig rig{.n = 8};
+    const auto steady = rolling::steady_rolling(*rig.sphere_grid(), rig.sphere(.6));
+    for (std::size_t i = 0; i < steady.surface.size(); ++i) {
+        const bool slips = steady.surface.contact_state[i] == contact::ContactState::slip;
+        EXPECT_EQ(steady.surface.dissipation[i] > 0, slips);
+        EXPECT_GE(steady.surface.dissipation[i], 0);
+        EXPECT_EQ(steady.surface.slip_x[i] != 0, slips);
+    }
+}
+
 TEST(SteadyRolling, SpinAlonePushesSideways) {
     const Rig rig{.n = 15};
     RollingProblem problem = rig.sphere(0);

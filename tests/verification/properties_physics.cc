@@ -58,6 +58,7 @@ void check_points(const Surface& s, double friction, double unit) {
         const Vector2 slip = {s.slip_x[i], s.slip_y[i]};
         RC_ASSERT(s.normal_traction[i] >= 0);
         RC_ASSERT(norm(t) <= friction * s.normal_traction[i] + 1e-12 * mean_bound);
+        RC_ASSERT(s.dissipation[i] >= 0);
         if (s.contact_state[i] != ContactState::slip) continue;
         // tolerance 1e-7 of slip over mu d and of the angle between slip and traction
         const double allowed = 1e-6 * unit;
