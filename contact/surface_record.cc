@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/frictional_work.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
 
@@ -29,8 +28,6 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
         r.normal_force += area[i] * p[i];
         r.tangential_force[0] += area[i] * t.x[i];
         if (!mirrored) r.tangential_force[1] += area[i] * t.y[i];
-        r.dissipation += area[i] * frictional_work(contact_state_[i], {t.x[i], t.y[i]},
-                                                   {slip_.x[i], slip_.y[i]});
         switch (contact_state_[i]) {
             case ContactState::open:
                 r.open_area += area[i];
@@ -40,6 +37,7 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
                 break;
             case ContactState::slip:
                 r.slip_area += area[i];
+                r.dissipation += area[i] * (t.x[i] * slip_.x[i] + t.y[i] * slip_.y[i]);
                 break;
         }
     }
