@@ -57,10 +57,15 @@ double swing_error(std::span<const WalkWindow> windows) {
     return (greatest - least) / mean.time;
 }
 
-bool ever_sticks(std::span<const WalkWindow> windows) {
-    return std::ranges::any_of(windows, [](const WalkWindow& window) {
-        return std::ranges::any_of(window.sums.spots,
-                                   [](const SpotSums& spot) { return spot.sticking > 0; });
+/// Whether nothing damps the swings: spots stick for instants at most, where a swing that the start
+/// left comes to rest.
+bool slips_neutrally(const Machine& machine, std::span<const WalkWindow> windows) {
+    constexpr double instants = 0.01;
+    if (machine.model == Machine::Model::prism) return false;
+    StretchSums sums;
+    for (const WalkWindow& window : windows) sums.add(window.sums);
+    return std::ranges::all_of(sums.spots, [&](const SpotSums& spot) {
+        return static_cast<double>(spot.sticking) <= instants * static_cast<double>(sums.steps);
     });
 }
 
@@ -107,8 +112,7 @@ std::size_t first_loaded(const Machine& machine, std::span<const WalkWindow> win
 double mean_error(const Machine& machine, std::span<const WalkWindow> windows) {
     const double swings = std::max(swing_error(windows), resolution * sliding_force(machine));
     const std::size_t third = windows.size() / 3;
-    if (third == 0 || !(machine.model == Machine::Model::prism || ever_sticks(windows)))
-        return swings;
+    if (third == 0 || slips_neutrally(machine, windows)) return swings;
     const double mean = mean_of(windows).force, end = mean_of(windows.last(third)).force,
                  before = mean_of(windows.last(2 * third).first(third)).force;
     return std::max(swings, std::abs(end - mean) + 2 * std::abs(end - before));

@@ -20,6 +20,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 // friction, differ by no more.
 constexpr double still = 0.01;
 
+// The same of a free oscillator where a spot might have been in the air: it would be driven.
+constexpr double even = 0.001;
+
 // A chaotic run has to outlive this before chaos counts as what it ends in. Chaos of set B lives
 // 1450 on average and then walks; a transient of that life would be missed once in a thousand runs.
 constexpr double sustained = 10000;
@@ -68,19 +71,20 @@ bool stays_on_ground(const std::vector<Spot>& spots, double kappa3, const Stretc
 
 /// First of the windows from which on the body slides without vertical vibration, or with one that
 /// is left from the start: while all spots stay on the ground z is a free oscillator, neither
-/// driven nor damped by friction. It swings evenly about its rest then. None if it does not in the
-/// last quarter of the run.
+/// driven nor damped by friction. It swings evenly about its rest then, and a jump cannot. None if
+/// it does not in the last quarter of the run.
 std::optional<std::size_t> first_steady(const Machine& machine,
                                         std::span<const WalkWindow> windows) {
-    const double rest = static_displacement(machine), bound = still * std::abs(rest);
+    const double rest = std::abs(static_displacement(machine));
     const double amplitude = vibration(windows.back());
     const std::vector<Spot> spots = spots_of(machine);
     const std::size_t first = first_of_end(windows, [&](const WalkWindow& window) {
+        if (vibration(window) <= still * rest) return true;
         const double middle = (window.sums.z_max + window.sums.z_min) / 2;
-        return vibration(window) <= bound ||
-               (std::abs(middle - rest) <= bound &&
-                std::abs(vibration(window) - amplitude) <= bound &&
-                stays_on_ground(spots, machine.kappas.kappa3, window.sums));
+        const bool pressed = stays_on_ground(spots, machine.kappas.kappa3, window.sums);
+        const double bound = (pressed ? still : even) * rest;
+        return window.sums.z_min > 0 && std::abs(middle - rest) <= bound &&
+               std::abs(vibration(window) - amplitude) <= bound;
     });
     if (first >= windows.size() - windows.size() / 4) return std::nullopt;
     return first;
@@ -118,13 +122,13 @@ WalkResult judge_sticking(const Machine& machine, std::span<const WalkWindow> wi
 /// stays bounded, and the error of a mean falls as one over the time, not over its square root.
 /// The spring has to be loaded first, which takes the base a way of mu kappa4 (1/kappa1 + 1/2).
 WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> windows,
-                        std::size_t still) {
-    const auto judged = windows.subspan(still);
+                        std::size_t quiet) {
+    const auto judged = windows.subspan(quiet);
     if (machine.kappas.kappa6 > 0 && only_sticks(judged.last((judged.size() + 1) / 2)))
-        return judge_sticking(machine, windows, still);
-    const std::size_t loaded = still + first_loaded(machine, judged);
+        return judge_sticking(machine, windows, quiet);
+    const std::size_t loaded = quiet + first_loaded(machine, judged);
     const bool enough = 4 * (windows.size() - loaded) >= windows.size();
-    const std::size_t first = enough ? loaded : still;
+    const std::size_t first = enough ? loaded : quiet;
     const auto rest = windows.subspan(first);
     WalkResult result = judge_windows(machine, windows, Regime::steady, first);
     result.mu_e_error = rest.size() > 1 ? mean_error(machine, rest) / unit_force(machine) : nothing;
@@ -162,14 +166,14 @@ bool creeps(std::span<const WalkWindow> windows, double StretchSums::*extreme, d
     };
     const auto part = [&](std::size_t first) {
         constexpr double far = std::numeric_limits<double>::infinity();
-        Part part{far, -far, 0};
+        Part all{far, -far, 0};
         for (const WalkWindow& window : windows.subspan(first, third)) {
             const double value = window.sums.*extreme;
-            part.least = std::min(part.least, value);
-            part.greatest = std::max(part.greatest, value);
-            part.mean += value / static_cast<double>(third);
+            all.least = std::min(all.least, value);
+            all.greatest = std::max(all.greatest, value);
+            all.mean += value / static_cast<double>(third);
         }
-        return part;
+        return all;
     };
     const Part a = part(0), b = part(third), c = part(windows.size() - third);
     const double before = std::abs(b.mean - a.mean), after = std::abs(c.mean - b.mean);
