@@ -57,10 +57,8 @@ double swing_error(std::span<const WalkWindow> windows) {
     return (greatest - least) / mean.time;
 }
 
-/// Whether nothing damps the swings: spots stick for instants at most, where a swing that the start
-/// left comes to rest.
+/// Whether nothing damps the swings.
 bool slips_neutrally(const Machine& machine, std::span<const WalkWindow> windows) {
-    constexpr double instants = 0.01;
     if (machine.model == Machine::Model::prism) return false;
     StretchSums sums;
     for (const WalkWindow& window : windows) sums.add(window.sums);

@@ -121,9 +121,9 @@ Verdict steady(const WalkReport& report) {
     double sticking = 0;
     for (const WalkResult::Spot& spot : result.spots)
         sticking = std::max(sticking, spot.stick_time);
-    const std::string ways =
-        sticking > 0 ? "Slides, a spot sticking for up to " + percents(sticking) + " of the time"
-                     : "Slides steadily";
+    const std::string ways = sticking > dynamics::instants ? "Slides, a spot sticking for up to " +
+                                                                 percents(sticking) + " of the time"
+                                                           : "Slides steadily";
     return {Standing::finding,
             fmt::format("{}: {}. From t = {} on the height does not vibrate by itself and the mean "
                         "spring force has no trend.",
@@ -217,10 +217,11 @@ std::optional<Verdict> predictable(const WalkResult& result) {
     return Verdict{Standing::finding, text};
 }
 
-/// Spots that never stick, and whose sliding small disturbances neither leave nor come back to.
+/// Spots that do not stick, and whose sliding small disturbances neither leave nor come back to.
 bool slides_neutrally(const WalkReport& report) {
     const auto& spots = report.walk.result.spots;
-    return std::ranges::all_of(spots, [](const auto& spot) { return spot.stick_time == 0; }) &&
+    return std::ranges::all_of(
+               spots, [](const auto& spot) { return spot.stick_time <= dynamics::instants; }) &&
            is_neutral(sliding_stability(report.walk_case.machine));
 }
 

@@ -92,7 +92,7 @@ is loading regime '"sticking"'
 is loading transient_over false
 is loading mu_e null
 near loading loading_time 68000 1e-6
-grep -q '^loaded  *t = 6.80' loading.txt || complain "loading: $(cat loading.txt)"
+grep -q '^loaded  *t = 68000' loading.txt || complain "loading: $(cat loading.txt)"
 grep -q 'Does not slide yet' loading/report.html || complain "loading: the report does not say so"
 grep -q 'Slides steadily' loading/report.html && complain "loading: slides steadily"
 
