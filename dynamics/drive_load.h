@@ -10,7 +10,7 @@ namespace tricontact::dynamics {
 
 /// Share of time up to which spots stick but for instants, in which a swing that the start left
 /// comes to rest: sliding then, which does not damp it.
-inline constexpr double instants = 0.01;
+inline constexpr double instants = 0.02;
 
 /// Mean spring force of a window, in units of k_x b.
 double mean_force(const WalkWindow& window);
