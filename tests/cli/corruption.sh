@@ -140,7 +140,7 @@ wait "$child" 2>/dev/null
 rm -rf damaged
 cp -r killed damaged
 flipped="no bit"
-layer --output damaged 2>err.txt || complain "the resumed run"
+layer --output damaged >/dev/null 2>err.txt || complain "the resumed run"
 same
 n_steps=$(sed -n 's/.*: \([0-9]*\) steps of an earlier run.*/\1/p' err.txt)
 [ "${n_steps:-0}" -ge 1 ] || complain "nothing resumed: $(cat err.txt)"
