@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,18 @@ TEST(Run, KeepsTheBooks) {
     EXPECT_EQ(h.state, contact::State::undecided);
     EXPECT_TRUE(h.audit.passed());
     EXPECT_EQ(h.audit.checks().size(), 1u);
+}
+
+// The model's limit is over F_N where rolling begins, the ratio of the case over the mean F_N: with
+// an oscillation that leads by a quarter of its period the one is 1.2 times the other.
+TEST(Run, LimitIsOverTheMeanNormalForce) {
+    Case c = rolling_case(1);
+    c.load.normal_amplitude_ratio = .2;
+    c.load.normal_phase = std::numbers::pi / 2;
+    GeometricModel model(.9);
+    const contact::History h = contact::run(c, model);
+    EXPECT_DOUBLE_EQ(h.steps[1].normal_force, 24);
+    EXPECT_DOUBLE_EQ(h.limit_tangential_ratio, 1.2 * model.limit_tangential_ratio());
 }
 
 TEST(Run, StopsWhenSettledUnlessToldToGoOn) {

@@ -24,6 +24,20 @@ State verdict(int n, const std::function<double(int)>& increment) {
     return contact::judge({.2, shift, dissipation});
 }
 
+// A shift that stays where it is tells nothing while friction still works: settled is below both
+// 1e-7 of U_max and 1e-6 of mu F_N U_max a period (contact/verdict.h).
+TEST(Verdict, IsNotSettledWhileFrictionWorks) {
+    const auto settled = [](double increment, double dissipation) {
+        return contact::has_settled({.2, {.3, .3 + increment}, {.1, dissipation}});
+    };
+    EXPECT_TRUE(settled(0, 9e-7));
+    EXPECT_FALSE(settled(0, 2e-6));
+    EXPECT_FALSE(settled(0, -2e-6));
+    EXPECT_TRUE(settled(9e-8, 0));
+    EXPECT_FALSE(settled(2e-7, 0));
+    EXPECT_FALSE(settled(-2e-7, 0));
+}
+
 TEST(Verdict, NothingIsKnownBeforeTheFourthPeriod) {
     for (int n = 0; n < 4; ++n)
         EXPECT_EQ(verdict(n, [](int) { return .1; }), State::undecided) << n;

@@ -7,7 +7,9 @@
 
 #include "contact/error.h"
 #include "contact/moving_frame.h"
+#include "contact/relaxing_substrate.h"
 #include "rolling/linear_creep.h"
+#include "rolling/roll_until_steady.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"
@@ -262,6 +264,48 @@ TEST(SteadyRolling, ConvergesWhereNearlyAllSlips) {
     problem = rig.sphere(.998);
     problem.drive.spin = 9 * rig.friction / rig.radius;
     EXPECT_TRUE(rolling::steady_rolling(*rig.sphere_grid(), problem).audit.passed());
+}
+
+// Friction at its limit against a turn about the centre: mu int p r dA = 3 pi/16 mu F_N a, and no
+// force but what the point of the slip leaves, some 1/200 of mu F_N by 1/50 of a.
+TEST(SteadyRolling, TurningOnTheSpotTakesTheMomentOfAllFriction) {
+    const Rig rig{.n = 10};
+    RollingProblem problem = rig.sphere(0);
+    problem.drive.creepage = {0, 0};
+    problem.drive.spin = 200 * rig.friction / rig.radius;
+    const auto state = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
+    const double limit = rig.friction * rig.sphere_force();
+    EXPECT_NEAR(state.spin_moment / (limit * rig.half_length), 3 * std::numbers::pi / 16, .01);
+    EXPECT_NEAR(state.force[0] / limit, 0, 1e-3);
+}
+
+// Rolling on for as long again changes no more than roll_until_steady promises, 1e-5 of each of
+// the units, here over F_N and a.
+TEST(SteadyRolling, OfARelaxingSubstrateIsWhereRollingOnStays) {
+    constexpr int behind = 8, ahead = 40;
+    const Rig rig{.n = 6};
+    auto grid = contact::ContactPoints::grid(behind + ahead + 1, 1, {-behind * rig.cell(), 0},
+                                             {rig.cell(), rig.row_length()});
+    grid.line_length = rig.row_length();
+    const contact::RelaxingSubstrate substrate(
+        bem::half_space_compliance(rig.materials(), std::move(grid), 1), {{{2, .3}}});
+    RollingProblem problem = rig.row(0);
+    problem.drive.creepage = {.3 * rig.creepage(), 0};
+    problem.speed = rig.half_length / .3;
+    problem.tolerance = 1e-7;
+    rolling::TransientRolling rolling(substrate, problem);
+    const auto steady = rolling::roll_until_steady(rolling, {rolling.press()}).state;
+    RollingState later = steady;
+    for (int step = 0; step < 300; ++step) later = rolling.roll();
+    const double limit = rig.friction * steady.normal_force;
+    EXPECT_NEAR(later.force[0] / limit, steady.force[0] / limit, 2e-5);
+    EXPECT_NEAR(later.indentation / steady.indentation, 1, 2e-5);
+    EXPECT_NEAR(later.pressure_lead / rig.half_length, steady.pressure_lead / rig.half_length,
+                2e-5);
+    EXPECT_GT(steady.pressure_lead, .01 * rig.half_length);
+    // What resists is the pressure on the slope x/R.
+    EXPECT_NEAR(steady.resistance / (steady.normal_force * steady.pressure_lead / rig.radius), 1,
+                1e-9);
 }
 
 // Mirror the contact at the plane of rolling: lateral creepage, force and spin change their signs.
