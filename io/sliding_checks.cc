@@ -105,7 +105,12 @@ void check_force_of_cells(const Case& c, const HalfSpaceScales& scales, double r
 /// left of their sum on the cells must be less than friction carries.
 void check_inclined_force(const Case& c, const HalfSpaceScales& scales, double ratio,
                           const Document& document) {
-    if (c.contact.kinematics != Case::Kinematics::deformed || !c.rolling) return;
+    if (c.contact.kinematics != Case::Kinematics::deformed) return;
+    if (contact::has_conical_tip(c))
+        refuse(document, "contact.kinematics",
+               "a displaced surface meets the indenter by its slope, which a conical tip has not",
+               "take kinematics = \"linear\"");
+    if (!c.rolling) return;
     const double slope = 2 * scales.indentation / scales.contact_radius;
     const double left = slope * force_of_cells * std::pow(coarsest_cell(c, scales), 2);
     const double carried = c.friction_coefficient * (1 - ratio);
