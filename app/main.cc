@@ -9,6 +9,7 @@
 #include <new>
 #include <thread>
 
+#include "app/command_options.h"
 #include "app/commands.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
@@ -18,6 +19,9 @@
 
 namespace {
 
+using tricontact::app::add_case_arguments;
+using tricontact::app::add_no_report;
+using tricontact::app::one_of;
 using tricontact::app::RunOptions;
 
 constexpr int exit_failed = 1;
@@ -31,27 +35,6 @@ int fail(int code, const char* message) {
     else
         std::fprintf(stderr, "error: %s\n", message);
     return code;
-}
-
-void add_case_arguments(CLI::App& command, std::string& file, std::vector<std::string>& overrides) {
-    command.add_option("case", file, "Case file (TOML)")->required()->type_name("CASE.toml");
-    command
-        .add_option("--set", overrides,
-                    "Override a key of the case: section.key=value (may be repeated)")
-        ->type_name("KEY=VALUE")
-        ->take_all()
-        ->allow_extra_args(false);
-}
-
-// The words stand in the help as the name of the type, not as CLI11 shows a set.
-CLI::Validator one_of(std::vector<std::string> words) {
-    return CLI::IsMember(std::move(words)).description("");
-}
-
-// A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
-void add_no_report(CLI::App& command, bool& report, const std::string& text) {
-    command.add_flag_callback(
-        "--no-report", [&report] { report = false; }, text);
 }
 
 const CLI::App* add_limit(CLI::App& app, tricontact::app::LimitOptions& options) {
