@@ -10,6 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "io/output_folder.h"
 #include "io/result_store.h"
 
 namespace tricontact::app {
@@ -70,17 +71,8 @@ std::string command_of(const DeviationOptions& options) {
     return command + (options.runs ? "" : " --no-runs");
 }
 
-}  // namespace
-
-void deviation_command(const DeviationOptions& given) {
-    DeviationOptions options = given;
-    options.output = io::output_folder(options.output, options.case_file, "_deviation");
-    const contact::Case c = io::read_case(options.case_file, options.overrides);
-    refuse_rolling_on(c, options.case_file);
-    HalfSpaceDeviation deviation = exact_deviation(options, c);
-    io::make_output_folder(options.output);
-    if (options.runs) add_runs(options, deviation);
-
+void write(const DeviationOptions& options, const contact::Case& c,
+           const HalfSpaceDeviation& deviation) {
     const std::string version = TRICONTACT_VERSION;
     io::write_file(options.output + "/deviation.csv", deviation_csv(deviation));
     io::write_file(options.output + "/deviation.json",
@@ -89,6 +81,22 @@ void deviation_command(const DeviationOptions& given) {
     document.command = command_of(options);
     document.version = version;
     io::write_file(options.output + "/report.html", document_html(document));
+}
+
+}  // namespace
+
+void deviation_command(const DeviationOptions& given) {
+    DeviationOptions options = given;
+    options.output = io::output_folder(options.output, options.case_file, "_deviation");
+    const contact::Case c = io::read_case(options.case_file, options.overrides);
+    refuse_rolling_on(c, options.case_file);
+    io::OutputFolder folder(options.output, {{"deviation.csv", "deviation.json", "report.html"},
+                                             io::result_store_files()});
+    HalfSpaceDeviation deviation = exact_deviation(options, c);
+    folder.fill([&] {
+        if (options.runs) add_runs(options, deviation);
+        write(options, c, deviation);
+    });
     std::cout << deviation_text(deviation);
     for (const auto& verdict : deviation_verdicts(deviation)) std::cout << verdict.sentence << '\n';
     if (!options.quiet)

@@ -9,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/experiment_reader.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -190,17 +191,19 @@ void experiment_command(const ExperimentOptions& given) {
     ExperimentOptions options = given;
     options.output = io::output_folder(options.output, options.data_file);
     const io::ExperimentInput input = io::read_experiment(options.data_file);
+    io::OutputFolder folder(options.output, {{"experiment.json", "report.html"}});
     ExperimentEvaluation evaluation = comparisons::evaluate_experiment(input.experiment);
-    if (input.case_file) Predictions(input, options, evaluation).add();
-
-    io::make_output_folder(options.output);
-    comparisons::Document document = comparisons::experiment_document(evaluation);
-    document.version = TRICONTACT_VERSION;
-    document.command = "tricontact experiment " + options.data_file;
-    document.files = {{"all numbers", "experiment.json"}};
-    io::write_file(options.output + "/experiment.json",
-                   comparisons::experiment_json(document.version, evaluation));
-    io::write_file(options.output + "/report.html", comparisons::document_html(document));
+    comparisons::Document document;
+    folder.fill([&] {
+        if (input.case_file) Predictions(input, options, evaluation).add();
+        document = comparisons::experiment_document(evaluation);
+        document.version = TRICONTACT_VERSION;
+        document.command = "tricontact experiment " + options.data_file;
+        document.files = {{"all numbers", "experiment.json"}};
+        io::write_file(options.output + "/experiment.json",
+                       comparisons::experiment_json(document.version, evaluation));
+        io::write_file(options.output + "/report.html", comparisons::document_html(document));
+    });
     for (const auto& verdict : document.verdicts) std::cout << verdict.sentence << '\n';
     if (!options.quiet) std::cerr << "results in " << options.output << " (open report.html)\n";
 }

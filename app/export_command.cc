@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/contact_program/sequence.h"
 #include "io/contact_program/sequence_text.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -47,6 +48,16 @@ ExportedSequence export_case(const BoundaryElementCase& read, int threads,
     return out;
 }
 
+// The case with the place of the file in what is wrong with it.
+ExportedSequence export_case(const BoundaryElementCase& read, const ExportOptions& options,
+                             const std::string& influence_name) {
+    try {
+        return export_case(read, options.threads, influence_name);
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(options.case_file + ": " + error.what());
+    }
+}
+
 }  // namespace
 
 void export_command(const ExportOptions& options) {
@@ -54,17 +65,14 @@ void export_command(const ExportOptions& options) {
     refuse_rolling_on(read.c, options.case_file);
     const std::string name = std::filesystem::path(options.case_file).stem().string();
     const std::string influence_name = name + ".influence";
-    const ExportedSequence sequence = [&] {
-        try {
-            return export_case(read, options.threads, influence_name);
-        } catch (const contact::InputError& error) {
-            throw contact::InputError(options.case_file + ": " + error.what());
-        }
-    }();
     const std::string folder = io::output_folder(options.output, options.case_file, "_contact");
-    io::make_output_folder(folder);
-    if (sequence.influence) io::write_file(folder + "/" + influence_name, *sequence.influence);
-    io::write_file(folder + "/" + name + ".inp", sequence.input);
+    io::OutputFolder output(folder, {{influence_name, name + ".inp"}});
+    ExportedSequence sequence;
+    output.fill([&] {
+        sequence = export_case(read, options, influence_name);
+        if (sequence.influence) io::write_file(folder + "/" + influence_name, *sequence.influence);
+        io::write_file(folder + "/" + name + ".inp", sequence.input);
+    });
     std::cout << fmt::format(
         "model                {}\n"
         "cases of CONTACT     {}\n"

@@ -17,6 +17,7 @@
 #include "contact/line_contact_scales.h"
 #include "contact/load_path.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 #include "io/result_store.h"
 #include "io/study_reader.h"
 
@@ -151,6 +152,18 @@ std::vector<std::pair<std::string, std::string>> settings_of(const io::Study& st
             {"level of confidence", fmt::format("{}", options.confidence)}};
 }
 
+// `line_factor`: of line contacts, which have no fits.
+void write(const comparisons::StudyFit& fit, std::optional<double> line_factor,
+           const std::string& folder) {
+    io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
+    io::write_file(folder + "/points.csv", comparisons::points_csv(fit));
+    if (!line_factor) io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
+    io::write_file(
+        folder + "/fit.html",
+        comparisons::document_html(line_factor ? comparisons::line_fit_document(fit, *line_factor)
+                                               : comparisons::fit_document(fit)));
+}
+
 }  // namespace
 
 void fit_command(const FitOptions& options) {
@@ -163,6 +176,7 @@ void fit_command(const FitOptions& options) {
     const std::vector<SweepPoint> points = sweep_points(study);
     for (const SweepPoint& point : points) require_constant_rolling(study, point);
 
+    io::OutputFolder output(folder, {{"fit.json", "points.csv", "fits.csv", "fit.html"}});
     comparisons::StudyFit fit;
     fit.title = study.title.empty() ? study.name : study.title;
     fit.command = command_of(options);
@@ -174,15 +188,10 @@ void fit_command(const FitOptions& options) {
         points, [](const SweepPoint& point) { return point.c.relaxation.has_value(); });
     if (relaxes) fit.caveat = comparisons::relaxing_caveat();
     const auto line_factor = line_shift_factor(study, points);
-    if (!line_factor) comparisons::evaluate(fit);
-
-    io::write_file(folder + "/fit.json", comparisons::fit_json(fit));
-    io::write_file(folder + "/points.csv", comparisons::points_csv(fit));
-    if (!line_factor) io::write_file(folder + "/fits.csv", comparisons::fits_csv(fit));
-    io::write_file(
-        folder + "/fit.html",
-        comparisons::document_html(line_factor ? comparisons::line_fit_document(fit, *line_factor)
-                                               : comparisons::fit_document(fit)));
+    output.fill([&] {
+        if (!line_factor) comparisons::evaluate(fit);
+        write(fit, line_factor, folder);
+    });
     if (relaxes && !options.quiet) std::cerr << fit.caveat << '\n';
     if (!options.quiet)
         std::cerr << fmt::format("{} points of {} runs: open {}/fit.html\n", fit.points.size(),

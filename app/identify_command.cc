@@ -13,6 +13,7 @@
 #include "contact/error.h"
 #include "io/atomic_file.h"
 #include "io/identification_reader.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -210,12 +211,15 @@ void print(const IdentificationStudy& study) {
 void identify_command(const IdentifyOptions& options) {
     const io::IdentificationInput input = io::read_identification(options.file);
     const std::string folder = io::output_folder(options.output, options.file);
-    const IdentificationStudy study = study_of(input, options);
-    io::make_output_folder(folder);
-    io::write_file(folder + "/identify.json",
-                   comparisons::identification_json(study).dump(2) + '\n');
-    io::write_file(folder + "/report.html",
-                   comparisons::document_html(comparisons::identification_document(study)));
+    io::OutputFolder output(folder, {{"identify.json", "report.html"}});
+    IdentificationStudy study;
+    output.fill([&] {
+        study = study_of(input, options);
+        io::write_file(folder + "/identify.json",
+                       comparisons::identification_json(study).dump(2) + '\n');
+        io::write_file(folder + "/report.html",
+                       comparisons::document_html(comparisons::identification_document(study)));
+    });
     print(study);
 }
 

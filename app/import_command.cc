@@ -8,6 +8,7 @@
 #include "io/contact_program/case_text.h"
 #include "io/file_kind.h"
 #include "io/input_file.h"
+#include "io/output_target.h"
 
 namespace tricontact::app {
 
@@ -22,6 +23,7 @@ void import_command(const ImportOptions& options) {
     const io::ImportedCase imported = io::case_of_sequence(
         io::read_input_file(options.input_file, "input file of CONTACT", largest_input_mb),
         options.input_file, bem::is_coupled);
+    io::check_output_file(options.output, io::imported_case_beginning);
     io::write_file(options.output, imported.text);
     std::cout << fmt::format("steps                {}\n", imported.n_steps);
     if (imported.left_out > 0)

@@ -5,12 +5,15 @@
 #include "app/boundary_element_model.h"
 #include "app/commands.h"
 #include "bem/case_compliance.h"
+#include "bem/influence_title.h"
 #include "io/atomic_file.h"
+#include "io/output_target.h"
 
 namespace tricontact::app {
 
 void influence_command(const InfluenceOptions& options) {
     const auto read = read_boundary_elements(options.case_file, options.overrides, options.model);
+    io::check_output_file(options.output, bem::influence_file_title);
     const auto table = bem::case_influence(
         read.c, options.threads, read.is_layer() ? bem::Body::layer : bem::Body::half_space);
     io::write_file(options.output, bem::influence_text(table));

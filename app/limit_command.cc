@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -68,16 +69,7 @@ void write(const LimitStudy& study, const LimitOptions& options, const std::stri
     io::write_file(folder + "/report.html", comparisons::document_html(document));
 }
 
-}  // namespace
-
-void limit_command(const LimitOptions& given) {
-    LimitOptions options = given;
-    const Case c = io::read_case(options.case_file, options.overrides, options.models);
-    check(options, c);
-    bem::check_influence_file(c);
-    options.output = io::output_folder(options.output, options.case_file, "_limit");
-    io::make_output_folder(options.output);
-
+void find_limits(const Case& c, const LimitOptions& options) {
     const Say say = [&](const std::string& line) {
         if (!options.quiet) std::cerr << line << '\n';
     };
@@ -93,6 +85,19 @@ void limit_command(const LimitOptions& given) {
     write(study, options, command);
     std::cout << comparisons::limit_text(study);
     say("results in " + options.output + " (open report.html)");
+}
+
+}  // namespace
+
+void limit_command(const LimitOptions& given) {
+    LimitOptions options = given;
+    const Case c = io::read_case(options.case_file, options.overrides, options.models);
+    check(options, c);
+    bem::check_influence_file(c);
+    options.output = io::output_folder(options.output, options.case_file, "_limit");
+    io::OutputFolder folder(options.output,
+                            {{resolved_case_name, "limit.json", "limit.csv", "report.html"}});
+    folder.fill([&] { find_limits(c, options); });
 }
 
 }  // namespace tricontact::app

@@ -1,12 +1,15 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <map>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "app/command_options.h"
@@ -16,6 +19,7 @@
 #endif
 #include "app/unknown_command.h"
 #include "contact/error.h"
+#include "io/messages.h"
 
 namespace {
 
@@ -33,7 +37,7 @@ int fail(int code, const char* message) {
     if (told_by_another)  // mpirun ends all as soon as one has failed: it has time to tell
         std::this_thread::sleep_for(std::chrono::seconds(2));
     else
-        std::fprintf(stderr, "error: %s\n", message);
+        std::fprintf(stderr, "error: %s\n", tricontact::io::one_line(message).c_str());
     return code;
 }
 
@@ -192,6 +196,18 @@ const CLI::App* add_fit(CLI::App& app, tricontact::app::FitOptions& options) {
         ->check(CLI::Range(0.5, 0.9999));
     fit->add_flag("--quiet", options.quiet, "No closing line");
     return fit;
+}
+
+// What has been printed is part of the answer: a full disk behind standard output is a failure.
+int flushed(int code) {
+    errno = 0;
+    std::cout.flush();
+    const bool flushed = std::fflush(stdout) == 0;
+    const int error = errno;
+    if (flushed && std::ferror(stdout) == 0 && std::cout) return code;
+    const std::string reason = std::generic_category().message(error);
+    fail(code, ("standard output cannot be written (" + reason + ")").c_str());
+    return std::max(code, exit_failed);
 }
 
 int run_program(int argc, char** argv) {
@@ -366,7 +382,7 @@ int main(int argc, char** argv) {
     // A file size limit is then an error like a full disk, with a message, instead of a signal.
     std::signal(SIGXFSZ, SIG_IGN);
     try {
-        return run_program(argc, argv);
+        return flushed(run_program(argc, argv));
     } catch (const tricontact::contact::InputError& e) {
         return fail(exit_bad_input, e.what());
     } catch (const std::bad_alloc&) {

@@ -9,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/mesh_vtu.h"
+#include "io/output_folder.h"
 #include "meshes/mesh_file.h"
 #include "meshes/mesh_quality.h"
 
@@ -61,26 +62,34 @@ void print_quality(const meshes::HexMesh& mesh) {
         q.largest_aspect_ratio);
 }
 
+// `geometry` stays empty where the mesh is the user's.
+void make_mesh(const contact::Case& c, meshes::HexMesh& mesh, std::string& geometry) {
+    const fem::Say say = [](const std::string& line) { std::cerr << line << '\n'; };
+    if (c.fem.mesh) {
+        mesh = fem::make_mesh(c, say);
+        return;
+    }
+    const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say);
+    mesh = make_layer_mesh(spec);
+    geometry = layer_geometry(spec);
+}
+
 }  // namespace
 
 void mesh_command(const MeshOptions& options) {
     const contact::Case c = io::read_case(options.case_file, options.overrides);
     const std::string output = io::output_folder(options.output, options.case_file);
-    const fem::Say say = [](const std::string& line) { std::cerr << line << '\n'; };
+    io::OutputFolder folder(output, {{"mesh.msh", "mesh.geo", "mesh.vtu"}});
     std::string geometry;
     meshes::HexMesh mesh;
-    if (c.fem.mesh) {
-        mesh = fem::make_mesh(c, say);
-    } else {
-        const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say);
-        mesh = make_layer_mesh(spec);
-        geometry = layer_geometry(spec);
-    }
-    io::make_output_folder(output);
-    write_mesh(mesh, output + "/mesh.msh");
-    if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
-    write_view(mesh, output + "/mesh.vtu",
-               "tricontact mesh " + std::filesystem::path(options.case_file).filename().string());
+    folder.fill([&] {
+        make_mesh(c, mesh, geometry);
+        write_mesh(mesh, output + "/mesh.msh");
+        if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
+        write_view(
+            mesh, output + "/mesh.vtu",
+            "tricontact mesh " + std::filesystem::path(options.case_file).filename().string());
+    });
     print_quality(mesh);
     std::cout << "written              " << output << "/mesh.msh, mesh.vtu"
               << (geometry.empty() ? "" : ", mesh.geo") << '\n';

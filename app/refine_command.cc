@@ -17,6 +17,7 @@
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -26,6 +27,8 @@ using comparisons::LevelValues;
 using json = nlohmann::ordered_json;
 
 const std::string version = TRICONTACT_VERSION;
+const std::vector<std::string> results{resolved_case_name, "report.html", "refinement.csv",
+                                       "refinement.json"};
 
 /// The numbers of a finished level.
 struct Finished {
@@ -66,6 +69,10 @@ class Levels {
     contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
         say(fmt::format("{}: {}", level.name, level.what));
         io::make_output_folder(folder(level));
+        // Those of an earlier call must not seem to be of this one while it is unfinished.
+        io::remove_old_results(options_.output, results);
+        io::remove_old_results(folder(level), {"level.json"});
+        io::remove_old_results(folder(level) + '/' + options_.model, model_results);
         RunOptions options;
         options.output = folder(level);
         options.threads = options_.threads;
@@ -167,6 +174,15 @@ comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
     return *extras.refinement;
 }
 
+// Results stay until a level has to be computed (Levels::run).
+io::OutputNames names_of(const RefinementPlan& plan) {
+    io::OutputNames names{{}, results};
+    names.kept.push_back("plots/");
+    for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
+    if (plan.wide) names.kept.push_back(plan.wide->name + '/');
+    return names;
+}
+
 }  // namespace
 
 void refine_command(const RefineOptions& given) {
@@ -175,14 +191,16 @@ void refine_command(const RefineOptions& given) {
     const Levels levels(options);
     const RefinementPlan plan =
         plan_refinement(options, [&](const std::string& line) { levels.say(line); });
-    io::make_output_folder(options.output);
+    io::OutputFolder folder(options.output, names_of(plan));
 
     comparisons::RefinedLevels refined = start_of(plan, options);
-    for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
-        add(plan.levels[k], levels.finish(plan.levels[k]), refined);
-    if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
-    const comparisons::Refinement result =
-        finish_last(plan.levels.back(), levels, refined, options.output);
+    comparisons::Refinement result;
+    folder.fill([&] {
+        for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
+            add(plan.levels[k], levels.finish(plan.levels[k]), refined);
+        if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
+        result = finish_last(plan.levels.back(), levels, refined, options.output);
+    });
 
     std::cout << refinement_text(result);
     for (const std::string& sentence : refinement_sentences(result)) std::cout << sentence << '\n';

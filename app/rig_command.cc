@@ -9,6 +9,7 @@
 #include "app/rig_static_shift.h"
 #include "app/rig_text.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 #include "io/rig_reader.h"
 #include "rig/rolling.h"
 #include "rig/walking.h"
@@ -56,11 +57,15 @@ void print(const rig::RigReport& report) {
 void rig_command(const RigOptions& options) {
     const std::string stem = std::filesystem::path(options.rig_file).stem().string();
     const std::string folder = io::output_folder(options.output, options.rig_file);
-    const rig::RigReport report = std::visit(Check{}, io::read_rig(options.rig_file));
-    io::make_output_folder(folder);
-    io::write_file(folder + "/rig.json", rig_json(report));
-    io::write_file(folder + "/report.html", comparisons::document_html(rig_document(
-                                                report, "tricontact rig " + stem + ".toml")));
+    const auto given = io::read_rig(options.rig_file);
+    io::OutputFolder output(folder, {{"rig.json", "report.html"}});
+    rig::RigReport report;
+    output.fill([&] {
+        report = std::visit(Check{}, given);
+        io::write_file(folder + "/rig.json", rig_json(report));
+        io::write_file(folder + "/report.html", comparisons::document_html(rig_document(
+                                                    report, "tricontact rig " + stem + ".toml")));
+    });
     print(report);
 }
 

@@ -17,6 +17,7 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "io/output_folder.h"
 #include "io/paraview_macro.h"
 #include "io/progress.h"
 #include "io/vtk_series.h"
@@ -38,11 +39,12 @@ Case read(const RollOptions& options) {
     return c;
 }
 
-std::vector<std::string> results_of(const std::vector<std::string>& models) {
-    std::vector<std::string> names{"summary.json", "creep.csv", "report.html"};
+io::OutputNames names_of(const std::vector<std::string>& models) {
+    io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
+                          {io::paraview_macro_name}};
     for (const std::string& model : models)
         for (const char* name : {"/history.csv", "/surface.pvd", "/steady.pvd"})
-            names.push_back(model + name);
+            names.results.push_back(model + name);
     return names;
 }
 
@@ -126,6 +128,16 @@ void write(const RollingReport& report, const std::string& resolved, const RollO
                        comparisons::document_html(comparisons::tractive::rolling_document(report)));
 }
 
+void roll_models(const Case& c, const RollOptions& options) {
+    const std::string resolved = io::write_case(c);
+    io::write_file(options.output + "/" + resolved_case_name, resolved);
+    RollingReport report{
+        .c = c, .runs = {}, .files = files_of(c), .command = command, .version = version};
+    for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
+    write(report, resolved, options);
+    std::cout << table_of(report);
+}
+
 }  // namespace
 
 void refuse_rolling_on(const Case& c, const std::string& case_file) {
@@ -147,16 +159,8 @@ void roll_command(const RollOptions& given) {
     const Case c = read(options);
     bem::check_influence_file(c);  // before anything is written
     options.output = io::output_folder(options.output, options.case_file);
-    io::make_output_folder(options.output);
-    io::remove_old_results(options.output, results_of(c.models));
-    const std::string resolved = io::write_case(c);
-    io::write_file(options.output + "/" + resolved_case_name, resolved);
-
-    RollingReport report{
-        .c = c, .runs = {}, .files = files_of(c), .command = command, .version = version};
-    for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
-    write(report, resolved, options);
-    std::cout << table_of(report);
+    io::OutputFolder folder(options.output, names_of(c.models));
+    folder.fill([&] { roll_models(c, options); });
     if (!options.quiet)
         std::cerr << "results in " << options.output
                   << (options.report ? " (open report.html)" : "") << '\n';

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 
 #include "app/case_run.h"
 #include "app/commands.h"
@@ -10,37 +11,28 @@
 #include "io/atomic_file.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
+#include "io/output_folder.h"
 #include "io/paraview_macro.h"
 
 namespace tricontact::app {
 
 namespace {
 
-std::vector<std::string> results_of(const std::vector<std::string>& models) {
-    std::vector<std::string> names{"summary.json", "report.html"};
+io::OutputNames names_of(const std::vector<std::string>& models) {
+    io::OutputNames names{{resolved_case_name, "summary.json", "report.html"},
+                          {io::paraview_macro_name, "plots/"}};
     for (const std::string& model : models)
-        for (const char* name : {"/history.csv", "/surface.pvd", "/volume.pvd"})
-            names.push_back(model + name);
+        for (const std::string& name : model_results) names.results.push_back(model + '/' + name);
     return names;
 }
 
-}  // namespace
-
-void run_command(const RunOptions& given) {
-    RunOptions options = given;
-    const contact::Case c = io::read_case(options.case_file, options.overrides, options.models);
-    refuse_rolling_on(c, options.case_file);
-    bem::check_influence_file(c);  // before anything is written
-    options.output = io::output_folder(options.output, options.case_file);
-    io::make_output_folder(options.output);
-    io::remove_old_results(options.output, results_of(c.models));
-
+CaseRun compute(const contact::Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_case_name, resolved);
     const Say say = [&](const std::string& line) {
         if (!options.quiet) std::cerr << line << '\n';
     };
-    const CaseRun run =
+    CaseRun run =
         run_models(c, options, say, [&](const std::string& name, comparisons::LoadingStudy* study) {
             return run_model(name, c, resolved, options, study);
         });
@@ -53,6 +45,21 @@ void run_command(const RunOptions& given) {
              comparisons::make_report(c, resolved, TRICONTACT_VERSION, run.histories, run.extras))
             io::write_file(options.output + "/" + file.name, file.content);
     }
+    return run;
+}
+
+}  // namespace
+
+void run_command(const RunOptions& given) {
+    RunOptions options = given;
+    const contact::Case c = io::read_case(options.case_file, options.overrides, options.models);
+    refuse_rolling_on(c, options.case_file);
+    bem::check_influence_file(c);  // before anything is written
+    options.output = io::output_folder(options.output, options.case_file);
+    io::OutputFolder folder(options.output, names_of(c.models));
+    std::optional<CaseRun> done;
+    folder.fill([&] { done.emplace(compute(c, options)); });
+    const CaseRun& run = *done;
     if (!options.quiet)
         std::cout << run_text(run) << (options.report ? "report: " : "results: ") << options.output
                   << (options.report ? "/report.html\n" : "\n");

@@ -81,7 +81,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     io::JournalledModel* journal = nullptr;
     if (name == "fem") {
         auto journalled = std::make_unique<io::JournalledModel>(
-            std::move(made), folder + "/steps.journal",
+            std::move(made), folder + '/' + io::journal_name,
             program_identity() + '\n' + name + '\n' + resolved + file_digests(c), say);
         journal = journalled.get();
         made = std::move(journalled);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "comparisons/loading_study.h"
@@ -11,6 +12,9 @@ namespace tricontact::app {
 
 /// Name of the resolved case beside its results.
 inline constexpr const char* resolved_case_name = "case.toml";
+
+/// What run_model writes into the folder of the model, beside the files that the collections name.
+inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "volume.pvd"};
 
 /// One model of a case: its steps with progress, its history and its ParaView files in a folder of
 /// its own. A finite element run that was killed goes on from its last finished step. `resolved` is

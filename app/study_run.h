@@ -13,6 +13,9 @@
 
 namespace tricontact::app {
 
+/// Name of the page that the report of walking machines over two axes has beside it.
+inline constexpr const char* map_page_name = "map.html";
+
 /// What becomes of a study's points. One per kind of case; the command knows no kind.
 class StudyRun {
   public:

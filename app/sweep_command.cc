@@ -11,6 +11,7 @@
 #include "comparisons/document.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 #include "io/result_store.h"
 #include "io/study_reader.h"
 
@@ -59,6 +60,19 @@ std::string report_of(const StudyRun& run, const io::Study& study, const io::Res
     return comparisons::document_html(document);
 }
 
+void merge(const std::string& from, io::ResultStore& store, const std::string& output) {
+    const io::ResultStore shard(from + '/' + io::result_store_name, io::ResultStore::Mode::read);
+    const auto merged = store.merge(shard);
+    std::cout << fmt::format("{}: {} points, {} failures\n", from, merged.points, merged.failures);
+    if (merged.different > 0)
+        std::cout << fmt::format(
+            "{}: {} points have other results than in {}, which keeps its own\n", from,
+            merged.different, output + '/' + io::result_store_name);
+    if (merged.damaged > 0)
+        std::cout << fmt::format("{}: {} damaged rows left out: their sweep computes them again\n",
+                                 from, merged.damaged);
+}
+
 }  // namespace
 
 void sweep_command(const SweepOptions& options) {
@@ -68,51 +82,46 @@ void sweep_command(const SweepOptions& options) {
         (study.walks ? walking_study : contact_study)(study, shard_of(options.shard), options);
     const std::vector<std::string> keys = run->keys();
 
-    io::make_output_folder(folder);
-    io::ResultStore store = open_results(folder);
-    const std::string table = folder + '/' + table_name, report = folder + '/' + report_name;
-    // Those of an earlier sweep must not seem to be of this one while it is unfinished.
-    io::remove_old_results(folder, {table_name, report_name});
-    run->compute(store, folder);
-    io::write_file(table, run->table(store));
-    if (options.report)
-        io::write_file(report, report_of(*run, study, store, folder, options.shard));
+    io::OutputNames names{{table_name, report_name, map_page_name}, io::result_store_files()};
+    names.kept.push_back("points/");
+    io::OutputFolder output(folder, names);
+    std::size_t n_failed = 0;
+    output.fill([&] {
+        io::ResultStore store = open_results(folder);
+        run->compute(store, folder);
+        io::write_file(folder + '/' + table_name, run->table(store));
+        if (options.report)
+            io::write_file(folder + '/' + report_name,
+                           report_of(*run, study, store, folder, options.shard));
+        n_failed = n_without_result(keys, store);
+    });
+    const std::string table = folder + '/' + table_name;
     if (!options.quiet)
         std::cerr << fmt::format("{} points in {}{}\n", keys.size(), table,
                                  options.report ? " (open report.html)" : "");
-    if (const std::size_t n = n_without_result(keys, store))
+    if (n_failed > 0)
         throw std::runtime_error(
             fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "
                         "them again",
-                        n, keys.size(), table));
+                        n_failed, keys.size(), table));
 }
 
 void merge_command(const MergeOptions& options) {
-    for (const std::string& from : options.inputs)
-        if (!std::filesystem::exists(from + '/' + io::result_store_name))
-            throw contact::InputError(from + ": holds no " + io::result_store_name +
-                                      "; name the folder of a sweep");
-    io::make_output_folder(options.output);
-    const std::string path = options.output + '/' + io::result_store_name;
-    io::ResultStore store = open_results(options.output);
     for (const std::string& from : options.inputs) {
         std::error_code ignored;
         if (std::filesystem::equivalent(from, options.output, ignored))
             throw contact::InputError(from + ": is the output folder too; name it once");
-        const io::ResultStore shard(from + '/' + io::result_store_name,
-                                    io::ResultStore::Mode::read);
-        const auto merged = store.merge(shard);
-        std::cout << fmt::format("{}: {} points, {} failures\n", from, merged.points,
-                                 merged.failures);
-        if (merged.different > 0)
-            std::cout << fmt::format(
-                "{}: {} points have other results than in {}, which keeps its own\n", from,
-                merged.different, path);
-        if (merged.damaged > 0)
-            std::cout << fmt::format(
-                "{}: {} damaged rows left out: their sweep computes them again\n", from,
-                merged.damaged);
+        if (!std::filesystem::exists(from + '/' + io::result_store_name))
+            throw contact::InputError(from + ": holds no " + io::result_store_name +
+                                      "; name the folder of a sweep");
+        const io::ResultStore readable(from + '/' + io::result_store_name,
+                                       io::ResultStore::Mode::read);
     }
+    io::OutputFolder output(options.output, {{}, io::result_store_files()});
+    output.fill([&] {
+        io::ResultStore store = open_results(options.output);
+        for (const std::string& from : options.inputs) merge(from, store, options.output);
+    });
 }
 
 }  // namespace tricontact::app

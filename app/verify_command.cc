@@ -5,6 +5,7 @@
 #include "app/models.h"
 #include "app/verification_problems.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 
 namespace tricontact::app {
 
@@ -36,15 +37,21 @@ bool verify_command(const VerifyOptions& options) {
     const Say say = [&](const std::string& line) {
         if (!options.quiet) std::cerr << line << '\n';
     };
-    if (!options.output.empty()) io::make_output_folder(options.output);
-    const Verification result = verify(options.brief, say);
-    const std::string text = comparisons::verification_markdown(result);
-    std::cout << text;
-    if (!options.output.empty()) {
+    if (options.output.empty()) {
+        const Verification result = verify(options.brief, say);
+        std::cout << comparisons::verification_markdown(result);
+        return result.passed();
+    }
+    io::OutputFolder folder(options.output, {{"verification.md", "verification.json"}});
+    Verification result;
+    folder.fill([&] {
+        result = verify(options.brief, say);
+        const std::string text = comparisons::verification_markdown(result);
+        std::cout << text;
         io::write_file(options.output + "/verification.md", text);
         io::write_file(options.output + "/verification.json",
                        comparisons::verification_json(version, result).dump(2) + "\n");
-    }
+    });
     return result.passed();
 }
 

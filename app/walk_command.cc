@@ -10,6 +10,7 @@
 #include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_document.h"
 #include "io/atomic_file.h"
+#include "io/output_folder.h"
 #include "io/walk_animation.h"
 #include "io/walk_reader.h"
 #include "io/walk_writer.h"
@@ -69,18 +70,19 @@ void write_report(const std::string& output, const WalkCase& walk_case, const Wa
 void walk_command(const WalkOptions& options) {
     const WalkCase walk_case = io::read_walk_case(options.case_file, options.overrides);
     const std::string output = io::output_folder(options.output, options.case_file);
-    io::make_output_folder(output);
-    io::remove_old_results(output, {"summary.json", "report.html", "windows.csv", "motion.csv",
-                                    "animation/machine.pvd"});
     const std::string resolved = io::write_walk_case(walk_case);
-    io::write_file(output + "/" + resolved_case_name, resolved);
-
-    const Walk walk = dynamics::walk(walk_case, report_recording);
-    io::write_file(output + "/summary.json", walk_summary(walk_case, resolved, walk));
-    io::write_file(output + "/windows.csv", comparisons::walking::windows_csv(walk_case, walk));
-    io::write_file(output + "/motion.csv", comparisons::walking::motion_csv(walk_case, walk));
-    write_animation(output, walk_case, walk);
-    if (options.report) write_report(output, walk_case, walk);
+    io::OutputFolder folder(output, {{resolved_case_name, "summary.json", "report.html",
+                                      "windows.csv", "motion.csv", "animation/machine.pvd"}});
+    Walk walk;
+    folder.fill([&] {
+        io::write_file(output + "/" + resolved_case_name, resolved);
+        walk = dynamics::walk(walk_case, report_recording);
+        io::write_file(output + "/summary.json", walk_summary(walk_case, resolved, walk));
+        io::write_file(output + "/windows.csv", comparisons::walking::windows_csv(walk_case, walk));
+        io::write_file(output + "/motion.csv", comparisons::walking::motion_csv(walk_case, walk));
+        write_animation(output, walk_case, walk);
+        if (options.report) write_report(output, walk_case, walk);
+    });
     if (options.quiet) return;
     std::cout << walk_text(walk_case, walk);
     std::cerr << "results in " << output << (options.report ? " (open report.html)" : "") << '\n';

@@ -17,8 +17,6 @@ namespace {
 
 namespace walking = comparisons::walking;
 
-constexpr const char* map_page_name = "map.html";
-
 class WalkingStudy : public StudyRun {
   public:
     WalkingStudy(io::Study study, const Shard& shard, const SweepOptions& options)

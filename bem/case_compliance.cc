@@ -9,6 +9,7 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/grid_coverage.h"
+#include "bem/grid_memory.h"
 #include "bem/periodic_compliance.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -178,6 +179,7 @@ MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
     if (c.bem.influence)
         table = std::make_shared<const InfluenceTable>(read_influence(*c.bem.influence));
     return [=](contact::ContactPoints grid) {
+        require_memory(grid, predicted_bytes(c, body, Surroundings::free, grid));
         return grid_compliance(c, body, table.get(), std::move(grid), n_threads);
     };
 }
@@ -188,6 +190,7 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
                               int n_threads) {
     const int n = whole.n_x;
     const double h = whole.spacing[0], period = *c.bem.period;
+    require_memory(whole, influence_bytes(whole));
     const auto table = std::make_shared<const InfluenceTable>(
         PeriodicCompliance(theory::layers_of("bem-layer", c), whole, n_threads).influence());
     return [=](contact::ContactPoints grid) {
@@ -196,6 +199,7 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
                 "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
                 "neighbouring contacts would merge; enlarge bem.period or reduce the load",
                 period));
+        require_memory(grid, predicted_bytes(c, Body::layer, Surroundings::free, grid));
         return std::make_unique<GridCompliance>(
             [table, n, h](double x, double y) {
                 return table->at(static_cast<int>(std::lround(x / h)) % n,
@@ -210,6 +214,7 @@ std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, doub
                                                     int n_threads, Body body) {
     if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body));
     auto grid = period_grid(*c.bem.period, spacing, false);
+    require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
     if (body == Body::half_space)
         return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
     return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), std::move(grid),

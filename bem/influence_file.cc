@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "bem/influence_title.h"
 #include "contact/error.h"
 #include "files/line_reader.h"
 
@@ -17,7 +18,7 @@ namespace tricontact::bem {
 
 namespace {
 
-constexpr std::string_view title = "tricontact influence coefficients, version ";
+constexpr std::string_view title = influence_file_title;
 constexpr int version = 1;
 constexpr std::string_view components = "xx xy xz yx yy yz zx zy zz";
 constexpr int most_positions = 8193;  // of the largest grid, zero-padded

@@ -2,11 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
+#include <string_view>
 
 namespace tricontact::comparisons {
 
-std::string csv_field(const std::string& text) {
+namespace {
+
+// Spreadsheets compute what begins so, and hide an apostrophe before it.
+bool looks_like_formula(const std::string& text) {
+    constexpr std::string_view begins = "=+-@\t\r'";
+    if (text.empty() || begins.find(text.front()) == begins.npos) return false;
+    double number = 0;
+    const std::size_t sign = text.front() == '+' ? 1 : 0;
+    const char* const end = text.data() + text.size();
+    return std::from_chars(text.data() + sign, end, number).ptr != end;
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& given) {
+    const std::string text = looks_like_formula(given) ? '\'' + given : given;
     if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);

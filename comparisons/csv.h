@@ -6,7 +6,9 @@
 
 namespace tricontact::comparisons {
 
-/// RFC 4180: quotes around what holds commas, quotes or line ends; quotes doubled.
+/// RFC 4180: quotes around what holds commas, quotes or line ends; quotes doubled. A text that a
+/// spreadsheet would compute (it begins with = + - @ or a tab and is no number), or that begins
+/// with an apostrophe, has an apostrophe before it: without that one it is the text again.
 std::string csv_field(const std::string& text);
 
 /// The shortest number that reads back the same; nothing where undefined or infinite.

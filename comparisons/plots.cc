@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <system_error>
 #include <thread>
 
 #include "comparisons/resample.h"
@@ -54,8 +55,12 @@ std::vector<Drawing> draw_all(const std::vector<Plot>& plots) {
         }
     };
     std::vector<std::future<void>> workers;
-    for (unsigned i = 0; i < std::max(1u, std::thread::hardware_concurrency()); ++i)
-        workers.push_back(std::async(std::launch::async, work));
+    try {
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+            workers.push_back(std::async(std::launch::async, work));
+    } catch (const std::system_error&) {  // no further thread is to be had: those there are do it
+    }
+    work();
     for (auto& worker : workers) worker.get();
     return drawings;
 }

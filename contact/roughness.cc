@@ -10,6 +10,7 @@
 #include <random>
 
 #include "contact/error.h"
+#include "contact/memory.h"
 
 namespace tricontact::contact {
 
@@ -143,6 +144,8 @@ HeightMap make_roughness(const Roughness& roughness, int n) {
             "roughness: {} nodes in a period of {:.6g} m do not resolve waves of {:.6g} m; take "
             "more than {}",
             n, roughness.long_wavelength, roughness.short_wavelength, 2 * waves));
+    require_memory(fmt::format("roughness of {} x {} nodes", n, n), 2. * sizeof(double) * n * n,
+                   "enlarge indenter.roughness.short_wavelength");
     const double height = scale(roughness);
     std::mt19937_64 bits(static_cast<std::uint64_t>(roughness.seed));
     Spectrum spectrum(n);

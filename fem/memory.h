@@ -1,10 +1,10 @@
 #pragma once
 
+#include "contact/memory.h"
+
 namespace tricontact::fem {
 
-/// Memory that this process may still take [bytes]: the system's, the limits of the process
-/// (ulimit -v, -d) and of its control group, whichever is least.
-double available_bytes();
+using contact::available_bytes;
 
 /// Address space [bytes] that OpenBLAS takes for its threads at the first product, hardly any of it
 /// used. It must be known to be there: where it is not to be had OpenBLAS tries for ever.

@@ -6,22 +6,13 @@
 
 #include "files/partial_file.h"
 #include "io/messages.h"
+#include "io/output_target.h"
 
 namespace tricontact::io {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const std::string& path, const char* what, int error) {
-    const char* remedy = "choose another output folder";
-    if (error == ENOSPC || error == EDQUOT || error == EFBIG)
-        remedy = "free space on the disk, or choose another output folder";
-    if (error == EACCES || error == EPERM || error == EROFS)
-        remedy = "choose an output folder in which you may write";
-    if (error == ENOENT) remedy = "make the folder first";
-    fail(path, "", std::string(what) + " (" + std::generic_category().message(error) + ")", remedy);
-}
 
 // Writes the file; `blamed` and `what` begin the message of any failure: "<blamed>: <what> (Disk
 // full)".
@@ -32,7 +23,7 @@ void write_or_refuse(const std::string& path, std::string_view bytes, const std:
         file.write(bytes);
         if (keep) file.move_to_target();
     } catch (const std::system_error& error) {
-        refuse(blamed, what, error.code().value());
+        refuse_output(blamed, what, error.code().value());
     }
 }
 
@@ -41,16 +32,15 @@ void write_or_refuse(const std::string& path, std::string_view bytes, const std:
 void write_file(const std::string& path, std::string_view bytes) {
     if (fs::path(path).filename().empty())
         fail(path, "", "names no file to write", "add a file name");
+    check_replaceable(path);
     write_or_refuse(path, bytes, path, "cannot be written", true);
 }
 
 void make_output_folder(const std::string& path) {
-    if (path.empty()) fail("output folder", "", "has no name", "name a folder");
+    check_output_place(path);
     std::error_code error;
-    if (fs::exists(path, error) && !fs::is_directory(path, error))
-        fail(path, "", "is a file, not an output folder", "name a folder, or remove the file");
     fs::create_directories(path, error);
-    if (error) refuse(path, "the output folder cannot be made", error.value());
+    if (error) refuse_output(path, "the output folder cannot be made", error.value());
     files::remove_left_partial_files(path);
     // Proves the right to write, and leaves nothing behind.
     write_or_refuse((fs::path(path) / "probe").string(), "probe", path,

@@ -6,8 +6,9 @@
 
 namespace tricontact::io {
 
-/// Writes `bytes` to `path` at once or not at all: a temporary beside it, fsync, rename.
-/// Throws contact::InputError naming the path, the system's reason and a remedy.
+/// Writes `bytes` to `path` at once or not at all: a temporary beside it, fsync, rename. Refuses
+/// what check_replaceable (output_target.h) does. Throws contact::InputError naming the path, the
+/// system's reason and a remedy.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Makes the folder (with parents) if it is missing and proves that a file can be written there.

@@ -62,6 +62,8 @@ void make_paths_absolute(Case& c, const Document& document) {
             absolute_path(*c.indenter.file, *document.find("indenter.file"), document);
     if (auto& dma = c.relaxation_input.dma)
         dma = absolute_path(*dma, *document.find("substrate.relaxation.dma"), document);
+    for (const auto* file : {&c.fem.mesh, &c.bem.influence})  // the models read them
+        if (*file) note_input_file(**file);
 }
 
 Case resolve(const Document& document) {

@@ -66,6 +66,8 @@ double number_in(std::string_view cell, const std::string& column, const std::st
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
     const std::string subject = column + " = " + shortened(cell, 40);
+    if (error == std::errc::result_out_of_range)
+        fail(place, subject, "is too large or too small for double precision", "correct the row");
     if (error != std::errc() || end != cell.data() + cell.size())
         fail(place, subject, "must be a number", "write for example 0.21, with a point");
     if (!std::isfinite(value))
@@ -130,7 +132,13 @@ std::vector<double> CsvTable::values(std::string_view column, Dimension dimensio
         // 1.1 mm is 1.1 / 1000, the double nearest to 0.0011; 1.1 * 0.001 need not be.
         const double divisor = std::round(1 / factor);
         const bool divide = factor < 1 && 1 / divisor == factor;
-        for (double& value : values) value = divide ? value / divisor : value * factor;
+        for (std::size_t row = 0; row < values.size(); ++row) {
+            const double given =
+                std::exchange(values[row], divide ? values[row] / divisor : values[row] * factor);
+            if (!std::isfinite(values[row]) || (values[row] == 0 && given != 0))
+                refuse_value(row, found, "leaves the range of double precision in SI units",
+                             "correct the row");
+        }
     } catch (const QuantityError& error) {
         refuse_header(error.rule);
     }

@@ -1,6 +1,7 @@
 // Height maps as a matrix of numbers.
 
 #include <cmath>
+#include <optional>
 
 #include "io/height_map_file.h"
 #include "io/messages.h"
@@ -16,8 +17,7 @@ std::string place(const std::string& name, std::size_t line) {
 
 /// An empty cell between two commas is a missing value: the divider is one of these alone, blanks
 /// are not counted.
-char divider_of(std::string_view text) {
-    const std::string_view line = text.substr(0, text.find('\n'));
+char divider_of(std::string_view line) {
     for (const char c : {';', ',', '\t'})
         if (line.find(c) != line.npos) return c;
     return ' ';
@@ -50,14 +50,16 @@ std::vector<double> row_in(std::string_view line, char divider, const std::strin
 contact::HeightMap parse_height_matrix(std::string_view text, const std::string& name,
                                        const HeightMapScale& scale) {
     contact::HeightMap map{0, 0, {scale.spacing, scale.spacing}, {}};
-    const char divider = divider_of(text);
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
+    std::optional<char> divider;                                  // as the first row has it
     std::size_t line = 0;
     for (std::size_t first = 0; first < text.size(); ++line) {
         const std::size_t end = std::min(text.find('\n', first), text.size());
         const std::string_view content = trimmed(text.substr(first, end - first));
         first = end + 1;
         if (content.empty() || content.front() == '#') continue;
-        const std::vector<double> row = row_in(content, divider, place(name, line + 1));
+        if (!divider) divider = divider_of(content);
+        const std::vector<double> row = row_in(content, *divider, place(name, line + 1));
         if (map.n_y > 0 && row.size() != static_cast<std::size_t>(map.n_x))
             fail(place(name, line + 1), "",
                  "has " + std::to_string(row.size()) + " heights, but the rows above have " +
@@ -65,7 +67,11 @@ contact::HeightMap parse_height_matrix(std::string_view text, const std::string&
                  "make all rows alike");
         map.n_x = static_cast<int>(row.size());
         ++map.n_y;
-        for (const double height : row) map.height.push_back(height * scale.unit);
+        if (static_cast<double>(map.n_x) * map.n_y > most_height_nodes)
+            fail(place(name, line + 1), "", "more than 4096 x 4096 heights",
+                 "thin the surface out, or save a part of it");
+        for (const double height : row)
+            map.height.push_back(scaled(height, scale.unit, place(name, line + 1)));
     }
     if (map.n_x < 2 || map.n_y < 2)
         fail(name, "",

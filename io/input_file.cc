@@ -1,6 +1,10 @@
 #include "io/input_file.h"
 
 #include <cerrno>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <system_error>
 
 #include "files/regular_file.h"
 #include "io/messages.h"
@@ -10,6 +14,16 @@ namespace tricontact::io {
 namespace {
 
 constexpr std::size_t megabyte = 1'000'000;
+
+struct InputFiles {
+    std::mutex mutex;
+    std::set<std::string> paths;  // canonical
+};
+
+InputFiles& inputs_of_process() {
+    static InputFiles inputs;
+    return inputs;
+}
 
 std::string with_article(const std::string& kind) {
     constexpr std::string_view vowels = "aeiou";
@@ -33,9 +47,24 @@ std::string with_article(const std::string& kind) {
 
 }  // namespace
 
+void note_input_file(const std::string& path) {
+    std::error_code ignored;
+    const std::string real = std::filesystem::canonical(path, ignored).string();
+    const std::scoped_lock lock(inputs_of_process().mutex);
+    if (!real.empty()) inputs_of_process().paths.insert(real);
+}
+
+bool is_input_file(const std::string& path) {
+    std::error_code ignored;
+    const std::string real = std::filesystem::canonical(path, ignored).string();
+    const std::scoped_lock lock(inputs_of_process().mutex);
+    return !real.empty() && inputs_of_process().paths.contains(real);
+}
+
 std::string read_input_file(const std::string& path, std::string_view what, std::size_t most_mb) {
     const std::string kind(what);
     try {
+        note_input_file(path);
         return files::RegularFile(path).content(most_mb * megabyte);
     } catch (const files::Unreadable& why) {
         refuse(path, why, kind);

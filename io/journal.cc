@@ -102,7 +102,9 @@ JournalledModel::JournalledModel(std::unique_ptr<contact::Model> model, const st
         for (std::size_t i = 0; i < file_->size(); ++i)
             n_found_ += file_->read_front(i, advance_call.size()) == advance_call;
     } catch (const std::system_error& error) {
-        give_up("the journal cannot be opened", error.code().message().c_str());
+        const bool used = error.code() == std::errc::resource_unavailable_try_again;
+        give_up("the journal cannot be opened",
+                used ? "another run has it open" : error.code().message().c_str());
     }
 }
 

@@ -25,7 +25,8 @@ class JournalledModel final : public contact::Model {
     using Warning = std::function<void(const std::string&)>;
 
     /// `path` [file]; its folder must exist. `key`: everything that the steps depend on, such as
-    /// the resolved case, the program's version and the model's name.
+    /// the resolved case, the program's version and the model's name. Throws contact::InputError
+    /// where something other than a journal stands there.
     JournalledModel(std::unique_ptr<contact::Model> model, const std::string& path,
                     std::string_view key, Warning warn);
 

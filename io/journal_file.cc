@@ -6,9 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <system_error>
+
+#include "io/messages.h"
+#include "io/output_target.h"
 
 namespace tricontact::io {
 
@@ -85,8 +90,9 @@ std::uint64_t size_of(int fd, const std::string& path) {
 
 }  // namespace
 
-JournalFile::JournalFile(const std::string& path, std::string_view key)
-    : path_(path), fd_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(path) {
+    refuse_other_file(path);
+    fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (fd_ < 0) fail(errno, path_);
     try {
         if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail(errno, path_);
@@ -98,6 +104,19 @@ JournalFile::JournalFile(const std::string& path, std::string_view key)
         ::close(fd_);
         throw;
     }
+}
+
+void JournalFile::refuse_other_file(const std::string& path) {
+    check_replaceable(path);
+    std::array<char, magic.size()> head{};
+    std::ifstream file(path, std::ios::binary);
+    file.read(head.data(), head.size());
+    const auto n = static_cast<std::size_t>(file.gcount());
+    std::size_t n_equal = 0;
+    for (std::size_t i = 0; i < n; ++i) n_equal += head[i] == magic[i] || head[i] == 0;
+    if (2 * n_equal < n)  // more than damage; zeros are what a power cut leaves
+        io::fail(path, "", "is no journal of steps, for which its name is kept",
+                 "move it away, or choose another output folder");
 }
 
 JournalFile::~JournalFile() {

@@ -7,19 +7,25 @@
 
 namespace tricontact::io {
 
+/// Name of the journal in the folder of a model's results.
+inline constexpr const char* journal_name = "steps.journal";
+
 /// A file of entries that are only ever appended, each with a checksum over everything before it:
 /// of a file whose writer was killed, or whose end is damaged, the whole entries at the beginning
 /// are left. One process at a time. All members but the destructor throw std::system_error where
 /// the system refuses.
 class JournalFile {
   public:
-    /// Opens the file, or makes it. A file with another key, or that is no journal, is begun anew;
-    /// what follows the last whole entry is cut off. Throws std::system_error also when another
-    /// process has the file open.
+    /// Opens the file, or makes it. A journal with another key, or damaged from its first bytes on,
+    /// is begun anew; what follows the last whole entry is cut off. Throws std::system_error also
+    /// when another process has the file open, contact::InputError as refuse_other_file.
     JournalFile(const std::string& path, std::string_view key);
     ~JournalFile();
     JournalFile(const JournalFile&) = delete;
     JournalFile& operator=(const JournalFile&) = delete;
+
+    /// Refuses a path at which something other than a journal stands (contact::InputError).
+    static void refuse_other_file(const std::string& path);
 
     std::size_t size() const { return entries_.size(); }  ///< entries
     std::uint64_t bytes() const { return end_; }          ///< of the file

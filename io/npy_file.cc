@@ -11,6 +11,7 @@
 
 #include "io/height_map_file.h"
 #include "io/messages.h"
+#include "io/number_text.h"
 
 namespace tricontact::io {
 
@@ -170,7 +171,7 @@ contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
                 header.columns_first ? i * header.n_rows + j : j * header.n_columns + i;
             const double value = number_at(data, k, header.item);
             if (!std::isfinite(value)) refuse_missing(name, j, i);
-            map.height.push_back(value * scale.unit);
+            map.height.push_back(scaled(value, scale.unit, name));
         }
     return map;
 }

@@ -1,5 +1,7 @@
 #include "io/result_store.h"
 
+#include <array>
+#include <fstream>
 #include <vector>
 
 #include "files/digest.h"
@@ -223,6 +225,23 @@ ResultStore::Merged ResultStore::merge(const ResultStore& other) {
     }
     transaction.commit();
     return merged;
+}
+
+bool is_result_store(const std::string& path) {
+    // SQLite's file format, section 1.3: the application's number, big-endian, from byte 68.
+    constexpr std::string_view magic("SQLite format 3\0", 16);
+    constexpr std::size_t start = 68;
+    std::array<char, start + 4> head{};
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(head.data(), head.size())) return false;
+    std::int64_t number = 0;
+    for (std::size_t i = start; i < head.size(); ++i)
+        number = 256 * number + static_cast<unsigned char>(head[i]);
+    return std::string_view(head.data(), magic.size()) == magic && number == application_id;
+}
+
+std::vector<std::string> result_store_files() {
+    return {result_store_name, std::string(result_store_name) + "-journal"};
 }
 
 }  // namespace tricontact::io

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/sqlite_file.h"
 
@@ -66,5 +67,11 @@ class ResultStore {
 
 /// Name of the store in the folder of a sweep.
 inline constexpr const char* result_store_name = "results.sqlite";
+
+/// Whether a file is such a store, by its first bytes.
+bool is_result_store(const std::string& path);
+
+/// The names that a store takes in its folder: its own, and that of SQLite's journal.
+std::vector<std::string> result_store_files();
 
 }  // namespace tricontact::io

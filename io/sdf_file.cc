@@ -91,7 +91,7 @@ void read_heights(Reading& file, double unit, contact::HeightMap& map) {
                 fail(file.place(), toml_string(shortened(word, 40)),
                      "is no finite number: missing values are not filled in",
                      "interpolate them first");
-            map.height.push_back(*value * unit);
+            map.height.push_back(scaled(*value, unit, file.place()));
             if (map.height.size() > n)
                 fail(file.place(), "",
                      "more heights than NumPoints x NumProfiles = " + std::to_string(n),

@@ -12,6 +12,7 @@
 #include "io/file_kind.h"
 #include "io/messages.h"
 #include "io/nesting.h"
+#include "io/number_text.h"
 
 namespace tricontact::io {
 
@@ -70,10 +71,19 @@ std::string path_of(const std::string& prefix, std::string_view key) {
     return prefix + (bare ? std::string(key) : toml_string(key));
 }
 
+constexpr std::string_view too_small = "a number too small for double precision";
+
+bool has_zero(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) return *number == 0;
+    const auto* list = std::get_if<std::vector<double>>(&value);
+    return list && std::ranges::count(*list, 0.) > 0;
+}
+
 struct Positioned {
     toml::source_position at;
     Entry entry;
     const toml::table* table;  // null: the entry is none
+    toml::source_position source;
 };
 
 using Items = std::vector<Positioned>;
@@ -92,7 +102,8 @@ Items items_of(const toml::table& table, const std::string& prefix, const std::s
                         .value = value_of(node, disguise),
                         .place = place(name, node.source().begin),
                         .key_place = place(name, at)},
-                       node.as_table()});
+                       node.as_table(),
+                       node.source().begin});
     }
     sort(out);
     return out;
@@ -260,7 +271,12 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
     Items keys;
     flatten(root, "", is_nested, disguise, document, keys);
     sort(keys);
-    for (auto& item : keys) document.entries.push_back(std::move(item.entry));
+    for (auto& item : keys) {
+        if (has_zero(item.entry.value) &&
+            underflows(source_at(text, item.source.line, item.source.column)))
+            item.entry.value = OtherValue{too_small};
+        document.entries.push_back(std::move(item.entry));
+    }
     return document;
 }
 
@@ -274,7 +290,9 @@ Value parse_value(const std::string& text) {
         Disguise disguise;
         const toml::table table = toml::parse(disguise.put_on("v = " + text));
         const toml::node* node = table.get("v");
-        if (table.size() == 1 && node) return value_of(*node, disguise);
+        if (table.size() != 1 || !node) return text;
+        const Value value = value_of(*node, disguise);
+        return has_zero(value) && underflows(text) ? Value(OtherValue{too_small}) : value;
     } catch (const toml::parse_error&) {
         return text;
     }

@@ -220,6 +220,8 @@ double parse_quantity(std::string_view text, Dimension dimension) {
 
     const double value = in_si(number, rest, dimension);
     if (!std::isfinite(value)) refuse("the quantity is too large for double precision", dimension);
+    if (value == 0 && number != 0)
+        refuse("the quantity is too small for double precision", dimension);
     return value;
 }
 

@@ -6,6 +6,7 @@
 
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/memory.h"
 #include "contact/normal_solver.h"
 #include "contact/relaxing_case.h"
 #include "mdr/bed_data.h"
@@ -39,6 +40,11 @@ std::shared_ptr<const LayerSprings> springs_of(const contact::Case& c, double ha
             "mdr-layer: the bed would have {:.0f} elements, more than {}; shorten the rolling path "
             "or take bem-layer",
             2 * beside + 1, 2 * most_elements_beside + 1));
+    // Matrices of 3 x 3 components: of all elements, and of those in contact.
+    const double n = 2 * beside + 1;
+    contact::require_memory(fmt::format("mdr-layer: a bed of {:.0f} elements", n),
+                            2 * 9 * sizeof(double) * n * n,
+                            "shorten the rolling path or take bem-layer");
     return std::make_shared<LayerSprings>(held_layers_of(c), c.indenter.material,
                                           static_cast<int>(beside), spacing);
 }

@@ -1,8 +1,11 @@
 #include "mdr/model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "contact/memory.h"
 #include "contact/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/spring_bed.h"
@@ -27,9 +30,20 @@ double amplitude(const contact::Case& c, const PlaneProfile& profile) {
         of_model ? half_width(c, profile, 1) : contact::half_space_scales(c).contact_radius);
 }
 
+// Numbers per spring as measured: about 5 and 22 in pressing, more where the limit is followed.
+void check_memory(const contact::Case& c) {
+    constexpr double elastic = 10, relaxing = 26, branch = 2;
+    const double numbers =
+        c.relaxation ? relaxing + branch * static_cast<double>(c.relaxation->branches.size())
+                     : elastic;
+    contact::require_memory(fmt::format("mdr: a bed of {} springs", c.mdr.springs),
+                            sizeof(double) * numbers * c.mdr.springs, "reduce mdr.springs");
+}
+
 }  // namespace
 
 std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
+    check_memory(c);
     // A table of the profile over twice the half-space's radius, which grows at most with the load
     // (a cone's does with d); a flatter indenter meets the rim.
     const double peak_factor = 1 + std::abs(c.load.normal_amplitude_ratio);

@@ -3,10 +3,14 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "contact/material.h"
 
 namespace tricontact::io {
+
+/// How the text of an imported case begins.
+inline constexpr std::string_view imported_case_beginning = "title = \"Sequence of CONTACT, ";
 
 /// What an input file of CONTACT's module 3 becomes.
 struct ImportedCase {

@@ -136,7 +136,7 @@ refused "missing: holds no results.sqlite" merge out missing
 refused "is the output folder too" merge ../whole ../whole
 echo "no database at all, but long enough to be taken for one" >results/results.sqlite
 refused "is no file of results" merge ../whole ../results
-refused "is no file of results" sweep ../a.toml --output ../results
+refused "results.sqlite: is there already, and tricontact did not write it" sweep ../a.toml --output ../results
 
 # 7. The example of docs/sweeps.md is refused by nothing but its size.
 "$program" sweep "$source_dir/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||

@@ -63,6 +63,18 @@ TEST(CsvTable, BadTextsAreRefused) {
     EXPECT_EQ(refusal("a [m],a [s]\n"), "run.csv:1: the column \"a [s]\" stands twice" + remedy);
     EXPECT_EQ(refusal("a,b\n1,nan\n"),
               "run.csv:2: b = nan: must be a finite number; correct or remove the row");
+    for (const std::string number : {"1e-999999999", "1e999", "-1e-400"})
+        EXPECT_EQ(refusal("a,b\n1," + number + "\n"),
+                  "run.csv:2: b = " + number +
+                      ": is too large or too small for double precision; correct the row");
+    for (const std::string number : {"1e308", "1e-320"})
+        EXPECT_NE(
+            message_of([&] {
+                const std::string unit = number[2] == '3' ? "km" : "nm";
+                table_of("a [" + unit + "]\n1\n" + number + "\n").values("a", Dimension::length);
+            }).find(": leaves the range of double precision in SI units; correct the row"),
+            std::string::npos)
+            << number;
     EXPECT_EQ(refusal("a,b\n1,2 um\n"),
               "run.csv:2: b = 2 um: must be a number; write for example 0.21, with a point");
     EXPECT_EQ(refusal("a\n1\n2\n3\n4\n5\n"),

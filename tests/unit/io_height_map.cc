@@ -36,8 +36,12 @@ void expect_small_map(const HeightMap& map, double unit) {
 }
 
 TEST(HeightMatrix, RowsRunAlongX) {
-    for (const char* text : {"1,2,3\n4,5,6\n", "1;2;3\r\n4;5;+6e0\r\n",
-                             "# a comment\n1\t2\t3\n4\t5\t6", "  1 2  3\n\n 4 5 6 \n"}) {
+    for (const char* text :
+         {"1,2,3\n4,5,6\n", "1;2;3\r\n4;5;+6e0\r\n", "# a comment\n1\t2\t3\n4\t5\t6",
+          "  1 2  3\n\n 4 5 6 \n", "# heights, in nm; rows along x\n1 2 3\n4 5 6\n",
+          "\xEF\xBB\xBF"
+          "1,2,3\n4,5,6\n",
+          "\n\n1;2;3\n4;5;6\n", "\xEF\xBB\xBF# a\tb\r\n\r\n1, 2, 3\r\n4, 5, 6\r\n"}) {
         const HeightMap map = io::parse_height_matrix(text, "a.csv", scale);
         expect_small_map(map, 1e-9);
         EXPECT_EQ(map.spacing[0], 2e-6);
@@ -59,6 +63,19 @@ TEST(HeightMatrix, RefusesWhatIsMissing) {
               "a.csv:2: has 3 heights, but the rows above have 2; make all rows alike");
     EXPECT_EQ(said("1 2 3\n"), "a.csv: holds 1 x 3 heights; give 2 x 2 at least");
     EXPECT_EQ(said(""), "a.csv: holds 0 x 0 heights; give 2 x 2 at least");
+    const std::string range =
+        ": leaves the range of double precision in its unit; correct the number or the unit";
+    EXPECT_EQ(said("1 2\n3 1e-320\n"), "a.csv:2: 1e-320" + range);
+    EXPECT_NE(said("1 2\n3 1e-999999999\n").find("is no finite number"), std::string::npos);
+}
+
+TEST(HeightMatrix, HasAsManyHeightsAsOtherFormatsAtMost) {
+    std::string row, text;
+    for (int i = 0; i < 4097; ++i) row += "0 ";
+    for (int j = 0; j < 4096; ++j) text += row + '\n';
+    EXPECT_EQ(message([&] { return io::parse_height_matrix(text, "a.csv", scale); }),
+              "a.csv:4096: more than 4096 x 4096 heights; thin the surface out, or save a part of "
+              "it");
 }
 
 /// The bytes of numpy.save, format 1.0 unless `version` is 2.
@@ -180,6 +197,9 @@ TEST(SdfFile, RefusesWhatIsIncomplete) {
         said(sdf_header + "1 2 3\n4 BAD 6\n*\n"),
         "a.sdf:14: \"BAD\": is no finite number: missing values are not filled in; interpolate "
         "them first");
+    EXPECT_EQ(said(sdf_header + "1 2 3\n4 1e-320 6\n*\n"),
+              "a.sdf:14: 1e-320: leaves the range of double precision in its unit; correct the "
+              "number or the unit");
     EXPECT_EQ(said(sdf_header + "1 2 3\n4 5\n*\n"),
               "a.sdf:15: ends after 5 of 6 heights; export the surface anew");
     EXPECT_EQ(said(sdf_header + "1 2 3\n4 5 6 7\n*\n"),

@@ -220,11 +220,24 @@ TEST_F(Journal, AnotherKeyBeginsAnew) {
     EXPECT_EQ(model.n_found(), n_steps) << "the last key's journal is there";
 }
 
-TEST_F(Journal, AFileThatIsNoJournalBeginsAnew) {
-    for (const std::string& text : {std::string("precious"), std::string(5000, '\0')}) {
+TEST_F(Journal, ZerosOfAPowerCutBeginAnew) {
+    put(std::string(5000, '\0'));
+    expect_goes_on(0, "zeros");
+}
+
+TEST_F(Journal, AFileThatIsNoJournalIsLeftAlone) {
+    for (const std::string text : {"p", "precious", "tricycle journal of a whole life\n"}) {
         put(text);
-        expect_goes_on(0, "no journal");
+        EXPECT_THROW(journalled(), contact::InputError) << text;
+        EXPECT_EQ(content(), text);
     }
+}
+
+TEST_F(Journal, NothingIsWrittenThroughALink) {
+    std::ofstream(folder_ / "target") << "";
+    fs::create_symlink(folder_ / "target", path_);
+    EXPECT_THROW(journalled(), contact::InputError);
+    EXPECT_TRUE(fs::is_symlink(path_) && fs::is_empty(folder_ / "target"));
 }
 
 TEST_F(Journal, OtherCallsThanTheRecordedAreComputed) {
