@@ -58,6 +58,17 @@ TEST(FactorialEffects, RecoversTheParts) {
         EXPECT_NEAR(effect.value, 0, 1e-14);
 }
 
+// Two values leave one degree of freedom, t = 12.706; 1 and 3 have the mean 2 with a standard error
+// of 1, 5 and 11 the mean 8 with 3.
+TEST(FactorialEffects, ErrorsOfMeansAreStudents) {
+    const auto effect =
+        main_effects({.factors = {{"a", {0, 1}}, {"b", {0, 1}}}, .response = {1, 3, 5, 11}}).at(0);
+    EXPECT_NEAR(effect.means[0].value, 2, 1e-14);
+    EXPECT_NEAR(effect.means[0].error, 12.7062, 1e-4);
+    EXPECT_NEAR(effect.means[1].value, 8, 1e-14);
+    EXPECT_NEAR(effect.means[1].error, 3 * 12.7062, 3e-4);
+}
+
 /// Sums of squares of orthogonal parts over the 18 combinations.
 TEST(FactorialEffects, SharesAreThoseOfTheSumsOfSquares) {
     const FactorialDesign design =
