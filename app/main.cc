@@ -1,5 +1,7 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <chrono>
@@ -203,8 +205,10 @@ int flushed(int code) {
     errno = 0;
     std::cout.flush();
     const bool flushed = std::fflush(stdout) == 0;
-    const int error = errno;
+    int error = errno;
     if (flushed && std::ferror(stdout) == 0 && std::cout) return code;
+    // Where an earlier write failed its reason is lost; one more tells it.
+    if (error == 0) error = ::write(STDOUT_FILENO, "\n", 1) < 0 ? errno : EIO;
     const std::string reason = std::generic_category().message(error);
     fail(code, ("standard output cannot be written (" + reason + ")").c_str());
     return std::max(code, exit_failed);
