@@ -131,7 +131,7 @@ refused "the file cannot be read" sweep missing.toml
 refused "--shard 4/3: must be i/n" sweep ../a.toml --shard 4/3
 refused "--shard 0/3: must be i/n" sweep ../a.toml --shard 0/3
 refused "--shard 1of3: must be i/n" sweep ../a.toml --shard 1of3
-refused "unknown section [indenter]" sweep "$source_dir/cases/rig_sphere_parallel.toml"
+refused "this is a contact case, not a study" sweep "$source_dir/cases/rig_sphere_parallel.toml"
 refused "missing: holds no results.sqlite" merge out missing
 refused "is the output folder too" merge ../whole ../whole
 echo "no database at all, but long enough to be taken for one" >results/results.sqlite
