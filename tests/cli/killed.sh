@@ -22,6 +22,7 @@ whole() {
         *.vti | *.vtp | *.vtu | *.pvd) ends_with "$1" '</VTKFile>' ;;
         *.csv) whole_csv "$1" ;;
         *.toml) "$program" check "$1" >/dev/null || complain "cannot be read: $1" ;;
+        */.tricontact) ends_with "$1" 'summary.json' ;;
         *) complain "unexpected file: $1" ;;
     esac
 }
