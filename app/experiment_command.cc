@@ -171,7 +171,7 @@ class Predictions {
     }
 
     void add_states(const std::string& name) {
-        comparisons::ModelLimit limit{name, {}};
+        comparisons::PredictedLimit limit{name, {}};
         for (const auto& stage : evaluation_.runs.front().stages) {
             say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
             const Case c = case_with(stage.amplitude, stage.period, enough_periods, false);

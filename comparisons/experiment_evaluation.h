@@ -83,7 +83,7 @@ struct RolledAs {
 };
 
 /// Verdicts of a model over the amplitudes of a limit run.
-struct ModelLimit {
+struct PredictedLimit {
     std::string model;
     std::vector<contact::State> states;  ///< one per stage of the first run
 };
@@ -122,7 +122,7 @@ struct ExperimentEvaluation {
     std::optional<NormalisedResults> normalised;  ///< with a case
     std::vector<ModelPrediction> predictions;
     std::vector<Deviation> deviations;
-    std::vector<ModelLimit> model_limits;
+    std::vector<PredictedLimit> model_limits;
 };
 
 /// Evaluates all records and puts the runs together. Throws contact::InputError, also if the

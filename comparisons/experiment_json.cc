@@ -136,7 +136,7 @@ json models_json(const ExperimentEvaluation& e) {
              {"pivot_height_m", e.wobble ? uncertain(pivot_height(e, p.wobble)) : json()},
              {"deviations", deviations}});
     }
-    for (const ModelLimit& limit : e.model_limits) {
+    for (const PredictedLimit& limit : e.model_limits) {
         json states = json::array();
         for (const contact::State state : limit.states) states.push_back(contact::name_of(state));
         models.push_back({{"model", limit.model}, {"state_per_stage", states}});

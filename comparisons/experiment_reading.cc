@@ -198,7 +198,7 @@ Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
                         found, level(verdict_confidence))};
 }
 
-Verdict model_limit_verdict(const ExperimentEvaluation& e, const ModelLimit& limit) {
+Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit& limit) {
     const auto& stages = e.runs.front().stages;
     double low = 0, high = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < stages.size() && !std::isfinite(high); ++k) {
@@ -261,7 +261,7 @@ std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
     std::vector<Verdict> verdicts;
     if (e.kind == Experiment::Kind::limit) {
         verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
-        for (const ModelLimit& limit : e.model_limits)
+        for (const PredictedLimit& limit : e.model_limits)
             verdicts.push_back(model_limit_verdict(e, limit));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {

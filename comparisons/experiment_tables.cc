@@ -195,11 +195,11 @@ DocumentTable model_stages_table(const ExperimentEvaluation& e) {
                         .note = "Amplitudes of the first run; each rolled from rest.",
                         .columns = {{"W [mm]"}},
                         .rows = {}};
-    for (const ModelLimit& limit : e.model_limits)
+    for (const PredictedLimit& limit : e.model_limits)
         table.columns.push_back({display_name(limit.model)});
     for (std::size_t k = 0; k < e.runs.front().stages.size(); ++k) {
         table.rows.push_back({mm * e.runs.front().stages[k].amplitude});
-        for (const ModelLimit& limit : e.model_limits)
+        for (const PredictedLimit& limit : e.model_limits)
             table.rows.back().push_back(word(limit.states[k]));
     }
     return table;
