@@ -56,7 +56,7 @@ std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
 
 }  // namespace
 
-Interval ModelLimit::limit() const {
+BracketedValue ModelLimit::limit() const {
     return {bracket.centre(), bracket.last_shakedown, bracket.first_ratcheting};
 }
 
@@ -64,12 +64,12 @@ double ModelLimit::resolution_error() const {
     return exact ? std::abs(by_pressures - *exact) : 0;
 }
 
-std::optional<Interval> ModelLimit::shift_ratio() const {
+std::optional<BracketedValue> ModelLimit::shift_ratio() const {
     const LimitRun* below = run_at(*this, bracket.last_shakedown);
     const LimitRun* above = run_at(*this, bracket.first_ratcheting);
     if (!below || !above) return {};
     const double u = above->slowest_shift_ratio, low = below->final_shift_ratio;
-    return Interval{u, std::min(low, u), u + std::abs(u - low)};
+    return BracketedValue{u, std::min(low, u), u + std::abs(u - low)};
 }
 
 std::optional<double> exact_limit(const Case& c, LimitVariable variable, const std::string& model) {

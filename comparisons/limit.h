@@ -24,7 +24,7 @@ struct LimitRun {
 };
 
 /// A value between two others.
-struct Interval {
+struct BracketedValue {
     double value = 0, low = 0, high = 0;
 };
 
@@ -44,12 +44,12 @@ struct ModelLimit {
     std::optional<double> exact;
 
     /// Middle and ends of the bracket.
-    Interval limit() const;
+    BracketedValue limit() const;
     /// What the resolution is known to do to the limit, as far as it is: |by_pressures - exact|.
     double resolution_error() const;
     /// Final shift over U_max at the limit: low, after the last shakedown; value, where the first
     /// ratcheting was slowest; high, as far above it. Empty if either was not run.
-    std::optional<Interval> shift_ratio() const;
+    std::optional<BracketedValue> shift_ratio() const;
 };
 
 /// The limits of a case's models.
