@@ -52,7 +52,8 @@ TEST(ErrorBars, OfALimitBecomeThoseOfTheAmplitudeAndOfEta) {
     const Computed limit = *amplitude_limit(limits, f);
     const double slope = 1.5 * (1 - limit.value * limit.value);
     EXPECT_NEAR(limit.error, error / slope, 1e-3 * error);
-    for (const RatchetingPoint& p : ratcheting_fits(points, 0.95).at(0).points) {
+    const auto groups = ratcheting_fits(points, 0.95);
+    for (const RatchetingPoint& p : groups.at(0).points) {
         const double a = p.at.amplitude_ratio;
         const auto eta = [&](double du, double at) { return du / (a - at); };
         const double by_limit = eta(0.3 * a, limit.value + 1e-6) - eta(0.3 * a, limit.value - 1e-6);

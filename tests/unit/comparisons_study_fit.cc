@@ -58,7 +58,8 @@ TEST(MappingFit, ThesisConstantBelongsToItsDirection) {
 TEST(MappingFit, NumericalErrorOfTheShiftBecomesThatOfKappa) {
     auto points = settled_points(1.);
     for (RollingPoint& p : points) p.settled_shift->error = 1e-6;
-    for (const MappingPoint& p : mapping_fits(points, 0.95).at(0).points) {
+    const auto groups = mapping_fits(points, 0.95);
+    for (const MappingPoint& p : groups.at(0).points) {
         const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
         const double u = p.at.settled_shift->value;
         const double change =
