@@ -21,10 +21,10 @@ double scatter(double p, int n = n_sets) {
 
 std::vector<double> shift_of(double transient, double q, double walk, double noise, int periods,
                              std::mt19937_64& random) {
-    std::normal_distribution<double> gauss(0, noise);
+    std::normal_distribution<double> gauss;
     std::vector<double> shift;
     for (int n = 0; n <= periods; ++n)
-        shift.push_back(100 - transient * std::pow(q, n) + walk * n + gauss(random));
+        shift.push_back(100 - transient * std::pow(q, n) + walk * n + noise * gauss(random));
     return shift;
 }
 

@@ -190,7 +190,8 @@ TEST(TractiveReport, ClosedFormsDoNotStandBesideSpin) {
     report.c.tractive_rolling->spin = 3;
     EXPECT_TRUE(rolling_json(report).at("theories").empty());
     EXPECT_EQ(steady_section(report).tables.size(), 1U);
-    for (const Curve& curve : creep_section(report).figures[0].curves) EXPECT_FALSE(curve.theory);
+    const DocumentSection creep = creep_section(report);
+    for (const Curve& curve : creep.figures.at(0).curves) EXPECT_FALSE(curve.theory);
 }
 
 TEST(CreepTheories, OfACylinderAreCarters) {
