@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dynamics/forces.h"
+#include "dynamics/stationarity.h"
 
 namespace tricontact::dynamics {
 namespace {
@@ -57,27 +58,31 @@ double swing_error(std::span<const WalkWindow> windows) {
     return (greatest - least) / mean.time;
 }
 
-/// Whether nothing damps the swings.
-bool slips_neutrally(const Machine& machine, std::span<const WalkWindow> windows) {
-    if (machine.model == Machine::Model::prism) return false;
-    StretchSums sums;
-    for (const WalkWindow& window : windows) sums.add(window.sums);
-    return std::ranges::all_of(sums.spots, [&](const SpotSums& spot) {
-        return static_cast<double>(spot.sticking) <= instants * static_cast<double>(sums.steps);
-    });
+/// What sticking takes from the force of sliding. The spots carry the weight together, and those
+/// that slip do so with friction mu times their part of it: all that is missing of the force of
+/// sliding is missing where a spot sticks. In the prism slip turns on the flanks, and in a bed
+/// springs stick while others slip, so that this does not tell.
+double lost_to_sticking(const Machine& machine, double mean) {
+    return machine.model == Machine::Model::prism || machine.bed
+               ? std::numeric_limits<double>::infinity()
+               : std::abs(sliding_force(machine) - mean);
 }
 
 /// Whether first and last third have the same mean force but for swings: those of their windows,
 /// and what the momentum of the body can make of the difference.
 bool thirds_agree(const Machine& machine, std::span<const WalkWindow> windows) {
-    const std::size_t third = windows.size() / 3;
-    if (third < 1) return false;
-    const auto before = windows.first(third), after = windows.last(third);
-    const MeanForce first = mean_of(before), last = mean_of(after);
-    const double swings = swing_error(before) + swing_error(after) +
-                          momentum_bound(machine, before) / first.time +
-                          momentum_bound(machine, after) / last.time;
+    const Thirds<WalkWindow> thirds(windows);
+    if (thirds.first.empty()) return false;
+    const MeanForce first = mean_of(thirds.first), last = mean_of(thirds.last);
+    const double swings = swing_error(thirds.first) + swing_error(thirds.last) +
+                          momentum_bound(machine, thirds.first) / first.time +
+                          momentum_bound(machine, thirds.last) / last.time;
     return std::abs(last.force - first.force) <= swings + rounding * sliding_force(machine);
+}
+
+/// Velocity of a spot over that of the base, less 1.
+double lead_of(const Machine& machine, const StretchSums& sums, std::size_t spot) {
+    return sums.spots[spot].velocity / static_cast<double>(sums.steps) / machine.kappas.kappa6 - 1;
 }
 
 }  // namespace
@@ -109,11 +114,12 @@ std::size_t first_loaded(const Machine& machine, std::span<const WalkWindow> win
 
 double mean_error(const Machine& machine, std::span<const WalkWindow> windows) {
     const double swings = std::max(swing_error(windows), resolution * sliding_force(machine));
-    const std::size_t third = windows.size() / 3;
-    if (third == 0 || slips_neutrally(machine, windows)) return swings;
-    const double mean = mean_of(windows).force, end = mean_of(windows.last(third)).force,
-                 before = mean_of(windows.last(2 * third).first(third)).force;
-    return std::max(swings, std::abs(end - mean) + 2 * std::abs(end - before));
+    const Thirds<WalkWindow> thirds(windows);
+    if (thirds.last.empty()) return swings;
+    const double mean = mean_of(windows).force, end = mean_of(thirds.last).force,
+                 before = mean_of(thirds.second).force;
+    const double to_come = std::abs(end - mean) + 2 * std::abs(end - before);
+    return std::max(swings, std::min(to_come, lost_to_sticking(machine, mean)));
 }
 
 bool is_evenly_pulled(const Machine& machine, std::span<const WalkWindow> windows) {
@@ -121,12 +127,25 @@ bool is_evenly_pulled(const Machine& machine, std::span<const WalkWindow> window
     return thirds_agree(machine, windows) && thirds_agree(machine, windows.subspan(half));
 }
 
-bool moves_with_base(const Machine& machine, const StretchSums& sums) {
-    constexpr double near = 0.01;
-    const double base = machine.kappas.kappa6, steps = static_cast<double>(sums.steps);
-    return !(base > 0) || std::ranges::all_of(sums.spots, [&](const SpotSums& spot) {
-        return std::abs(spot.velocity / steps - base) <= near * base;
-    });
+bool moves_with_base(const Machine& machine, std::span<const WalkWindow> windows) {
+    if (!(machine.kappas.kappa6 > 0)) return true;
+    const double time = mean_of(windows).time;
+    const double least = std::max(rounding, resolution * loading_time(machine) / time);
+    for (std::size_t spot = 0; spot < windows.front().sums.spots.size(); ++spot) {
+        const auto lead = [&](const WalkWindow& window) {
+            return lead_of(machine, window.sums, spot) * duration(window) / time;
+        };
+        double all = 0, passed = 0, sum = 0, deviation = 0;
+        for (const WalkWindow& window : windows) all += lead(window);
+        for (const WalkWindow& window : windows) {
+            passed += duration(window) / time;
+            sum += lead(window);
+            deviation = std::max(deviation, std::abs(sum - passed * all));
+        }
+        const double error = 2 * deviation;
+        if (std::abs(all) > error + least || 1 + all <= error) return false;
+    }
+    return true;
 }
 
 double loading_time(const Machine& machine) {

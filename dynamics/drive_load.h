@@ -8,10 +8,6 @@
 
 namespace tricontact::dynamics {
 
-/// Share of time up to which spots stick but for instants, in which a swing that the start left
-/// comes to rest: sliding then, which does not damp it.
-inline constexpr double instants = 0.02;
-
 /// Mean spring force of a window, in units of k_x b.
 double mean_force(const WalkWindow& window);
 
@@ -28,7 +24,8 @@ std::size_t first_loaded(const Machine& machine, std::span<const WalkWindow> win
 /// swings go on undamped: the range of the force's integral about its mean, over the time. Where a
 /// spot sticks, and in the prism, a mean may still approach its end: then not less than the way
 /// from it to that of the last third, and on by twice what that differs from the third before,
-/// which is all that is to come if each third comes nearer by a third or more.
+/// which is all that is to come if each third comes nearer by a third or more; nor more than what
+/// sticking takes from the force of sliding, as swings that do not grow let no more stick.
 double mean_error(const Machine& machine, std::span<const WalkWindow> windows);
 
 /// Whether the mean spring force has no trend: the last third of the windows, and of their second
@@ -36,9 +33,14 @@ double mean_error(const Machine& machine, std::span<const WalkWindow> windows);
 /// of the body can make of the difference. False for fewer than six windows.
 bool is_evenly_pulled(const Machine& machine, std::span<const WalkWindow> windows);
 
-/// Whether the spots slide as far as the base moves, to 1 %. What they do not, the spring takes up.
-/// True for a base that rests.
-bool moves_with_base(const Machine& machine, const StretchSums& sums);
+/// Whether the spots slide as far as the base moves but for swings; at least one window. What they
+/// do not, the spring takes up. Each comes as far ahead of the base or behind as the spring, the
+/// spot and the rotation give way, swings of which leave both ends of the way off by what lies
+/// between them: twice the greatest deviation from an even way. The way has to be as long as the
+/// base's within this, and longer than this, or nothing tells sliding from swinging on the spot. A
+/// lag that loads the spring by less than is told of a mean does not count. True for a base that
+/// rests.
+bool moves_with_base(const Machine& machine, std::span<const WalkWindow> windows);
 
 /// Time in which the base loads the spring to the force of sliding, the spots sticking and the body
 /// not turning, so that it takes no less; infinite for a base that rests.

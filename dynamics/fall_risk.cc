@@ -18,10 +18,10 @@ double mean_of(std::span<const double> values) {
 /// Where the mean of the values is after so many times their number more, if it goes on as from
 /// their first to their last third.
 double continued(std::span<const double> values, double times) {
-    const std::size_t third = values.size() / 3;
-    const double last = mean_of(values.last(third)), first = mean_of(values.first(third));
-    const double thirds_apart =
-        static_cast<double>(values.size() - third) / static_cast<double>(values.size());
+    const Thirds<double> thirds(values);
+    const double last = mean_of(thirds.last), first = mean_of(thirds.first);
+    const double thirds_apart = static_cast<double>(values.size() - thirds.last.size()) /
+                                static_cast<double>(values.size());
     return last + times * (last - first) / thirds_apart;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/forces.h"
+#include "dynamics/stationarity.h"
 
 namespace tricontact::dynamics {
 namespace {
@@ -17,6 +18,27 @@ StretchSums total(std::span<const SectionReturn> returns) {
     StretchSums sums;
     for (const SectionReturn& r : returns) sums.add(r.sums);
     return sums;
+}
+
+/// Adds a motion to a point; points of such are as far from each other as `distance` says.
+void append_motion(const Machine& machine, const Motion& motion, std::vector<double>& point) {
+    const double rotational = std::sqrt(machine.kappas.kappa7) / machine.kappas.kappa3;
+    point.insert(point.end(),
+                 {motion.x - motion.base, motion.z, rotational * motion.phi, motion.x_velocity,
+                  motion.z_velocity, rotational * motion.phi_velocity});
+    for (const SpotDeflection& spot : motion.spots)
+        point.insert(point.end(), {spot.tangential, spot.flank});
+}
+
+/// Periods of so many returns, counted from the end, each as a point.
+std::vector<std::vector<double>> periods_of(const Machine& machine,
+                                            std::span<const SectionReturn> returns,
+                                            std::size_t points) {
+    std::vector<std::vector<double>> periods(returns.size() / points);
+    const auto whole = returns.last(periods.size() * points);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        append_motion(machine, whole[i].motion, periods[i / points]);
+    return periods;
 }
 
 /// Greatest distance of returns from the one `points` earlier.
@@ -40,18 +62,12 @@ double mean_spring_force(const Machine& machine, std::span<const SectionReturn> 
     return (sums.spring_force + missed * spring_force(machine, begin)) / steps;
 }
 
-/// Whether the returns have come to the cycle. A motion that creeps along a line repeats itself
-/// from return to return, and not after many: it goes as far in the second half of their time as in
-/// the first, in the same direction. What the integration scatters does not add up.
-bool is_settled(const Machine& machine, std::span<const SectionReturn> returns, std::size_t points,
-                double error) {
-    const std::size_t half = (returns.size() - 1) / points / 2 * points;
-    const auto whole = returns.last(2 * half + 1);
-    const Motion &first = whole.front().motion, &middle = whole[half].motion,
-                 &last = whole.back().motion;
-    const double before = distance(machine, first, middle), after = distance(machine, middle, last);
-    const bool straight = distance(machine, first, last) > 0.9 * (before + after);
-    return !straight || after <= std::max({error, before / 2, repetition(machine, whole, points)});
+/// Whether each spot slides farther in a period than the returns miss.
+bool slides(const Machine& machine, const LimitCycle& cycle, double miss) {
+    return !(machine.kappas.kappa6 > 0) ||
+           std::ranges::all_of(cycle.sums.spots, [&](const SpotSums& spot) {
+               return spot.velocity / static_cast<double>(cycle.sums.steps) * cycle.period > miss;
+           });
 }
 
 double mean_period(std::span<const SectionReturn> returns, std::size_t points) {
@@ -62,17 +78,10 @@ double mean_period(std::span<const SectionReturn> returns, std::size_t points) {
 }  // namespace
 
 double distance(const Machine& machine, const Motion& a, const Motion& b) {
-    const double kappa3 = machine.kappas.kappa3;
-    const double rotational = machine.kappas.kappa7 / (kappa3 * kappa3);
-    const auto squared = [](double difference) { return difference * difference; };
-    double sum = squared((a.x - a.base) - (b.x - b.base)) + squared(a.z - b.z) +
-                 rotational * squared(a.phi - b.phi) + squared(a.x_velocity - b.x_velocity) +
-                 squared(a.z_velocity - b.z_velocity) +
-                 rotational * squared(a.phi_velocity - b.phi_velocity);
-    for (std::size_t i = 0; i < a.spots.size(); ++i)
-        sum += squared(a.spots[i].tangential - b.spots[i].tangential) +
-               squared(a.spots[i].flank - b.spots[i].flank);
-    return std::sqrt(sum);
+    std::vector<double> from, to;
+    append_motion(machine, a, from);
+    append_motion(machine, b, to);
+    return distance(from, to);
 }
 
 LimitCycle mean_cycle(const Machine& machine, std::span<const SectionReturn> returns, int points,
@@ -103,9 +112,12 @@ std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
     // Coarse steps may not make anything look alike: above 0.01 a motion does not repeat.
     const double tolerance = std::clamp(100 * step * step, 1e-9, 0.01) * size;
     for (std::size_t points = 1; points <= std::min(longest, end.size() / 3); ++points)
-        if (repetition(machine, end, points) <= tolerance) {
+        if (const double miss = repetition(machine, end, points); miss <= tolerance) {
             LimitCycle cycle = mean_cycle(machine, end, static_cast<int>(points), step);
-            cycle.settled = is_settled(machine, end, points, tolerance / 100);
+            cycle.slides = slides(machine, cycle, miss);
+            // What the integration scatters, step^2 in each return of a period.
+            const double error = tolerance / 100 * std::sqrt(static_cast<double>(points));
+            cycle.settled = !creeps(periods_of(machine, end, points), error);
             return cycle;
         }
     return std::nullopt;

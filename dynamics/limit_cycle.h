@@ -18,6 +18,7 @@ struct LimitCycle {
     double period_drift = 0;        ///< how much the means of both halves of the time differ:
     double spring_force_drift = 0;  ///< what is left of the way to the cycle, or less than a step
     StretchSums sums;               ///< over all periods
+    bool slides = false;            ///< spots farther in a period than returns miss each other
     bool settled = false;  ///< no longer on the way to it, or at half the pace in half the time
 };
 

@@ -1,11 +1,32 @@
 #include "dynamics/stationarity.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "dynamics/block_bootstrap.h"
 
 namespace tricontact::dynamics {
+namespace {
+
+using Point = std::vector<double>;
+
+Point centre_of(std::span<const Point> points) {
+    Point centre(points.front().size());
+    for (const Point& point : points)
+        for (std::size_t i = 0; i < centre.size(); ++i)
+            centre[i] += point[i] / static_cast<double>(points.size());
+    return centre;
+}
+
+/// Greatest distance of the points from their centre.
+double scatter(std::span<const Point> points, const Point& centre) {
+    double greatest = 0;
+    for (const Point& point : points) greatest = std::max(greatest, distance(point, centre));
+    return greatest;
+}
+
+}  // namespace
 
 std::size_t transient_values(std::span<const double> values) {
     std::size_t best = 0;
@@ -23,11 +44,27 @@ std::size_t transient_values(std::span<const double> values) {
 }
 
 bool stationary(std::span<const double> values) {
-    const std::size_t third = values.size() / 3;
-    if (third < 2) return false;
-    const Mean before = block_bootstrap_mean(values.first(third)),
-               after = block_bootstrap_mean(values.last(third));
+    const Thirds<double> thirds(values);
+    if (thirds.first.size() < 2) return false;
+    const Mean before = block_bootstrap_mean(thirds.first),
+               after = block_bootstrap_mean(thirds.last);
     return std::abs(after.value - before.value) <= 1.5 * std::hypot(before.error, after.error);
+}
+
+double distance(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(sum);
+}
+
+bool creeps(std::span<const Point> points, double error) {
+    const Thirds<Point> thirds(points);
+    if (thirds.first.size() < 2) return false;
+    const Point first = centre_of(thirds.first), second = centre_of(thirds.second),
+                last = centre_of(thirds.last);
+    const double slower = std::pow(3, -2. / 3);
+    return distance(first, last) > scatter(thirds.first, first) + scatter(thirds.last, last) &&
+           distance(second, last) > std::max(error, slower * distance(first, second));
 }
 
 }  // namespace tricontact::dynamics

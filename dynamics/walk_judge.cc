@@ -132,8 +132,7 @@ WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> wind
     const auto rest = windows.subspan(first);
     WalkResult result = judge_windows(machine, windows, Regime::steady, first);
     result.mu_e_error = rest.size() > 1 ? mean_error(machine, rest) / unit_force(machine) : nothing;
-    const bool pulled =
-        enough && is_evenly_pulled(machine, rest) && moves_with_base(machine, total(rest));
+    const bool pulled = enough && is_evenly_pulled(machine, rest) && moves_with_base(machine, rest);
     // What rises has mu_e = 1, all spots sliding, ahead.
     if (!pulled) result.mu_e_error = std::max(result.mu_e_error, std::abs(1 - result.mu_e));
     result.transient_over = pulled && !grows(machine, rest);
@@ -155,40 +154,21 @@ std::size_t first_on_cycle(std::span<const WalkWindow> windows, const StretchSum
         windows, [&](const WalkWindow& window) { return same_extremes(window.sums, cycle); });
 }
 
-/// Whether an extreme of the windows creeps along: its ranges in their first and last third are
-/// apart, and from the second third to the last one it moves more than half as far as from the
-/// first to the second. `error`: what the integration may make of it.
-bool creeps(std::span<const WalkWindow> windows, double StretchSums::*extreme, double error) {
-    const std::size_t third = windows.size() / 3;
-    if (third < 4) return false;
-    struct Part {
-        double least, greatest, mean;
-    };
-    const auto part = [&](std::size_t first) {
-        constexpr double far = std::numeric_limits<double>::infinity();
-        Part all{far, -far, 0};
-        for (const WalkWindow& window : windows.subspan(first, third)) {
-            const double value = window.sums.*extreme;
-            all.least = std::min(all.least, value);
-            all.greatest = std::max(all.greatest, value);
-            all.mean += value / static_cast<double>(third);
-        }
-        return all;
-    };
-    const Part a = part(0), b = part(third), c = part(windows.size() - third);
-    const double before = std::abs(b.mean - a.mean), after = std::abs(c.mean - b.mean);
-    return (c.least > a.greatest || c.greatest < a.least) && after > std::max(before / 2, error);
-}
-
-/// Whether the motion of these windows is on its way: returns repeat to the error of the
-/// integration, which hides what is slower.
-bool creeps(std::span<const WalkWindow> windows) {
-    constexpr double near = 1e-6;  // step^2
+/// Whether an extreme of the windows is on its way: returns repeat to the error of the integration,
+/// which hides what is slower.
+bool extremes_creep(std::span<const WalkWindow> windows) {
+    constexpr std::size_t fewest = 12;  // thirds of fewer are apart by chance
+    if (windows.size() < fewest) return false;
     const StretchSums& sums = windows.back().sums;
-    const double z = near * (sums.z_max - sums.z_min), phi = near * (sums.phi_max - sums.phi_min);
-    return creeps(windows, &StretchSums::z_min, z) || creeps(windows, &StretchSums::z_max, z) ||
-           creeps(windows, &StretchSums::phi_min, phi) ||
-           creeps(windows, &StretchSums::phi_max, phi);
+    const double z = sums.z_max - sums.z_min, phi = sums.phi_max - sums.phi_min;
+    const auto moves = [&](double StretchSums::*extreme, double range) {
+        constexpr double error = 1e-6;  // step^2
+        std::vector<std::vector<double>> values;
+        for (const WalkWindow& window : windows) values.push_back({window.sums.*extreme});
+        return creeps(values, error * range);
+    };
+    return moves(&StretchSums::z_min, z) || moves(&StretchSums::z_max, z) ||
+           moves(&StretchSums::phi_min, phi) || moves(&StretchSums::phi_max, phi);
 }
 
 WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windows,
@@ -204,7 +184,7 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
     result.transient =
         first < windows.size() ? std::min(windows[first].begin, cycle.begin) : cycle.begin;
     result.observed = cycle.n_periods * cycle.period;
-    result.transient_over = cycle.settled && !creeps(windows.subspan(first));
+    result.transient_over = cycle.settled && !extremes_creep(windows.subspan(first));
     if (!result.transient_over)
         result.mu_e_error = std::max(result.mu_e_error, std::abs(1 - result.mu_e));
     return result;
@@ -218,7 +198,7 @@ WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windo
     const auto rest = std::span(forces).subspan(first);
     result.transient_over =
         2 * first < forces.size() && result.observed >= sustained && stationary(rest) &&
-        moves_with_base(machine, total(windows.subspan(first))) &&
+        moves_with_base(machine, windows.subspan(first)) &&
         expected_falls(machine, windows.subspan(first), runs_ahead) < likely_fall;
     if (result.transient_over) {
         result.mu_e_error = block_bootstrap_mean(rest).error / unit_force(machine);
@@ -284,8 +264,7 @@ WalkResult judge(const Machine& machine, const WalkEvidence& evidence) {
     if (const auto first = first_steady(machine, evidence.windows))
         return judge_steady(machine, evidence.windows, *first);
     const auto cycle = find_limit_cycle(machine, evidence.returns, evidence.step);
-    if (cycle && moves_with_base(machine, cycle->sums))
-        return judge_cycle(machine, evidence.windows, *cycle);
+    if (cycle && cycle->slides) return judge_cycle(machine, evidence.windows, *cycle);
     return judge_chaos(machine, evidence.windows);
 }
 

@@ -30,6 +30,16 @@ std::string friction(const WalkResult& result) {
     return fmt::format("μ_e = {}", with_error(result.mu_e, result.mu_e_error));
 }
 
+/// Share of time of the spot that sticks most; 0 where sticking takes nothing from the force of
+/// sliding that the error of the mean would not hide: in instants in which a swing comes to rest.
+double longest_sticking(const WalkResult& result) {
+    double longest = 0;
+    if (std::abs(1 - result.mu_e) > result.mu_e_error)
+        for (const WalkResult::Spot& spot : result.spots)
+            longest = std::max(longest, spot.stick_time);
+    return longest;
+}
+
 /// How much friction vibration takes away, where that is more than the error.
 std::string reduction(const WalkResult& result) {
     const double saved = 1 - result.mu_e;
@@ -118,12 +128,10 @@ Verdict steady(const WalkReport& report) {
             fmt::format("The base rests: a mean spring force of {} of that of steady sliding "
                         "holds the body from t = {} on.",
                         with_error(result.mu_e, result.mu_e_error), significant(result.transient))};
-    double sticking = 0;
-    for (const WalkResult::Spot& spot : result.spots)
-        sticking = std::max(sticking, spot.stick_time);
-    const std::string ways = sticking > dynamics::instants ? "Slides, a spot sticking for up to " +
-                                                                 percents(sticking) + " of the time"
-                                                           : "Slides steadily";
+    const double sticking = longest_sticking(result);
+    const std::string ways =
+        sticking > 0 ? "Slides, a spot sticking for up to " + percents(sticking) + " of the time"
+                     : "Slides steadily";
     return {Standing::finding,
             fmt::format("{}: {}. From t = {} on the height does not vibrate by itself and the mean "
                         "spring force has no trend.",
@@ -219,9 +227,7 @@ std::optional<Verdict> predictable(const WalkResult& result) {
 
 /// Spots that do not stick, and whose sliding small disturbances neither leave nor come back to.
 bool slides_neutrally(const WalkReport& report) {
-    const auto& spots = report.walk.result.spots;
-    return std::ranges::all_of(
-               spots, [](const auto& spot) { return spot.stick_time <= dynamics::instants; }) &&
+    return longest_sticking(report.walk.result) == 0 &&
            is_neutral(sliding_stability(report.walk_case.machine));
 }
 

@@ -90,7 +90,11 @@ TEST(WalkSentences, SlidesSteadilyOnlyWhatSlides) {
     report.walk.result.spots = {{.stick_time = 0}, {.stick_time = 0}};
     EXPECT_TRUE(says(first_sentence(report), "Slides steadily"));
     EXPECT_TRUE(says(first_sentence(report), "mean spring force has no trend"));
+    // What sticks takes from the force of sliding, or it sticks for instants only.
     report.walk.result.spots[1].stick_time = 0.3;
+    report.walk.result.mu_e = 0.998, report.walk.result.mu_e_error = 0.003;
+    EXPECT_TRUE(says(first_sentence(report), "Slides steadily"));
+    report.walk.result.mu_e_error = 0.001;
     EXPECT_FALSE(says(first_sentence(report), "steadily"));
     EXPECT_TRUE(says(first_sentence(report), "sticking for up to 30.0 % of the time"));
     report.walk.result.transient_over = false;

@@ -63,6 +63,24 @@ TEST(LimitCycle, DoesNotTakeACreepingMotionForACycle) {
     EXPECT_TRUE(settled([](double i) { return 1e-8 * i; }));  // the error of the integration
 }
 
+// A body that bounces while its spots stick, or swing on the spot, repeats itself within the
+// tolerance if the base is slow enough. One that is dragged goes farther than its returns miss.
+TEST(LimitCycle, SlidesFartherThanItsReturnsMiss) {
+    const Machine machine{.kappas = set_b()};
+    const auto slides = [&](double velocity) {
+        auto returns = logistic_returns(2.8, 48);
+        for (std::size_t i = 0; i < returns.size(); ++i) {
+            returns[i].motion.z += i % 2 ? 1e-5 : 0;
+            returns[i].sums.spots.assign(2, {.velocity = 1000 * velocity});
+        }
+        const auto cycle = find_limit_cycle(machine, returns, step);
+        return cycle && cycle->slides;
+    };
+    EXPECT_FALSE(slides(0));
+    EXPECT_FALSE(slides(0.9e-5));
+    EXPECT_TRUE(slides(1.1e-5));
+}
+
 TEST(LimitCycle, CountsWholePeriodsFromTheEnd) {
     const Machine machine{.kappas = set_b()};
     const auto returns = logistic_returns(3.2, 30);

@@ -67,5 +67,41 @@ TEST(Stationarity, IsFalseOfAStep) {
     }
 }
 
+template <class Course>
+std::vector<std::vector<double>> series(int length, Course course) {
+    std::vector<std::vector<double>> points;
+    for (int i = 0; i < length; ++i) points.push_back(course(i));
+    return points;
+}
+
+// A way that shortens by a factor r in each third: up to 0.48 the means of its halves differ by
+// more than the mean of the whole is off its end, and it does not creep; beyond they do not.
+TEST(Stationarity, WhatCreepsHasAnEndThatItsHalvesDoNotTell) {
+    constexpr int length = 3000;
+    for (const double r : {0.2, 0.45, 0.5, 0.8}) {
+        const auto way =
+            series(length, [=](int i) { return std::vector{std::pow(r, 3. * i / length)}; });
+        double first = 0, last = 0;
+        for (int i = 0; i < length; ++i)
+            (2 * i < length ? first : last) += 2 * way[static_cast<std::size_t>(i)][0] / length;
+        EXPECT_EQ(creeps(way, 0), (first + last) / 2 > first - last) << r;
+        EXPECT_EQ(creeps(way, 0), r > 0.48) << r;
+    }
+}
+
+TEST(Stationarity, WhatScattersDoesNotCreep) {
+    std::mt19937_64 generator(20261122);
+    std::normal_distribution<double> normal;
+    const auto noise = [&](int) { return std::vector{normal(generator), normal(generator)}; };
+    int n_creeping = 0;
+    for (int i = 0; i < 200; ++i) n_creeping += creeps(series(48, noise), 0);
+    EXPECT_EQ(n_creeping, 0);
+    // Along a line, as far as the integration errs and farther: by 16 a third.
+    const auto line = series(48, [](int i) { return std::vector{3. * i, 4. * i}; });
+    EXPECT_TRUE(creeps(line, 5 * 15.9));
+    EXPECT_FALSE(creeps(line, 5 * 16.1));
+    EXPECT_FALSE(creeps(std::span(line).first(5), 0));
+}
+
 }  // namespace
 }  // namespace tricontact::dynamics
