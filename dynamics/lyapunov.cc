@@ -93,7 +93,7 @@ std::vector<double> separation_rates(const Machine& machine, const Motion& start
 }
 
 Mean lyapunov_exponent(const Machine& machine, const Motion& start, const Separation& separation) {
-    return block_bootstrap_mean(separation_rates(machine, start, separation));
+    return initial_sequence_mean(separation_rates(machine, start, separation));
 }
 
 }  // namespace tricontact::dynamics

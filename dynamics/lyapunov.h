@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dynamics/block_bootstrap.h"
+#include "dynamics/initial_sequence.h"
 #include "dynamics/machine.h"
 #include "dynamics/motion.h"
 

@@ -4,10 +4,26 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/block_bootstrap.h"
+#include "dynamics/initial_sequence.h"
 
 namespace tricontact::dynamics {
 namespace {
+
+/// Mean with the error of what a straight line leaves of the values: a trend, which is what is
+/// looked for, would pass for scatter.
+Mean mean_beside_trend(std::span<const double> values) {
+    const double n = static_cast<double>(values.size()), middle = (n - 1) / 2;
+    double sum = 0, moment = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        sum += values[i];
+        moment += (static_cast<double>(i) - middle) * values[i];
+    }
+    const double slope = 12 * moment / (n * (n * n - 1));
+    std::vector<double> rest(values.begin(), values.end());
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] -= slope * (static_cast<double>(i) - middle);
+    return {sum / n, initial_sequence_mean(rest).error};
+}
 
 using Point = std::vector<double>;
 
@@ -45,9 +61,8 @@ std::size_t transient_values(std::span<const double> values) {
 
 bool stationary(std::span<const double> values) {
     const Thirds<double> thirds(values);
-    if (thirds.first.size() < 2) return false;
-    const Mean before = block_bootstrap_mean(thirds.first),
-               after = block_bootstrap_mean(thirds.last);
+    if (thirds.first.size() < 3) return false;
+    const Mean before = mean_beside_trend(thirds.first), after = mean_beside_trend(thirds.last);
     return std::abs(after.value - before.value) <= 1.5 * std::hypot(before.error, after.error);
 }
 

@@ -26,7 +26,8 @@ std::size_t transient_values(std::span<const double> values);
 
 /// Whether the first and the last third of the values have the same mean within their intervals,
 /// after Geweke (1992): they differ by less than 1.5 times the 95 % interval of their difference,
-/// which chance exceeds 3 times in 1000. False for fewer than six values.
+/// which chance exceeds 3 times in 1000. Errors are of what a straight line leaves of a third.
+/// False for fewer than nine values.
 bool stationary(std::span<const double> values);
 
 /// Euclidean distance of two points of one dimension.

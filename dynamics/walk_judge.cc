@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "dynamics/block_bootstrap.h"
 #include "dynamics/drive_load.h"
 #include "dynamics/fall_risk.h"
+#include "dynamics/initial_sequence.h"
 #include "dynamics/limit_cycle.h"
 #include "dynamics/stationarity.h"
 
@@ -201,7 +201,7 @@ WalkResult judge_chaos(const Machine& machine, std::span<const WalkWindow> windo
         moves_with_base(machine, windows.subspan(first)) &&
         expected_falls(machine, windows.subspan(first), runs_ahead) < likely_fall;
     if (result.transient_over) {
-        result.mu_e_error = block_bootstrap_mean(rest).error / unit_force(machine);
+        result.mu_e_error = initial_sequence_mean(rest).error / unit_force(machine);
         return result;
     }
     // What it ends in may be like any stretch of it.

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dynamics/block_bootstrap.h"
+#include "dynamics/initial_sequence.h"
 
 namespace tricontact::dynamics {
 

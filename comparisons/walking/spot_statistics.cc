@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/block_bootstrap.h"
+#include "dynamics/initial_sequence.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -24,7 +24,7 @@ double error_of(const dynamics::Walk& walk, std::size_t spot, Value value) {
         const double each = value(window.sums.spots[spot], window.sums.steps);
         if (std::isfinite(each)) values.push_back(each);  // else the spot never touched
     }
-    return values.size() > 1 ? dynamics::block_bootstrap_mean(values).error : nan;
+    return values.size() > 1 ? dynamics::initial_sequence_mean(values).error : nan;
 }
 
 }  // namespace

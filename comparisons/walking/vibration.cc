@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "comparisons/walking/motion_series.h"
-#include "dynamics/block_bootstrap.h"
+#include "dynamics/initial_sequence.h"
 #include "dynamics/running_variance.h"
 
 namespace tricontact::comparisons::walking {
@@ -51,7 +51,7 @@ std::optional<Vibration> vibration_of(const dynamics::Machine& machine,
 
 double instability_error(const Vibration& vibration) {
     const std::vector<double> places = above(vibration.variances);
-    return places.size() < 2 ? std::nan("") : dynamics::block_bootstrap_mean(places).error;
+    return places.size() < 2 ? std::nan("") : dynamics::initial_sequence_mean(places).error;
 }
 
 }  // namespace tricontact::comparisons::walking

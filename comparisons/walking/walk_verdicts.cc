@@ -154,13 +154,14 @@ Verdict outcome(const WalkReport& report) {
                             reduction(result), significant(result.transient))};
     if (result.regime == Regime::steady) return steady(report);
     // Without an end in a time T the mean life is T/3 or more, with a probability of 1 - exp(-3).
-    return {Standing::finding,
-            fmt::format("Chaotic to the end: {}{}; 95 % interval by block bootstrap over the last "
-                        "{}. It is that of this chaos, whose mean life is above {} (95 %); whether "
-                        "it ends later no run tells. Single numbers of a chaotic motion mean "
-                        "nothing.",
-                        friction(result), reduction(result), significant(result.observed),
-                        significant(result.observed / 3, 2))};
+    return {
+        Standing::finding,
+        fmt::format("Chaotic to the end: {}{}; 95 % interval by its autocorrelation over the last "
+                    "{}. It is that of this chaos, whose mean life is above {} (95 %); whether "
+                    "it ends later no run tells. Single numbers of a chaotic motion mean "
+                    "nothing.",
+                    friction(result), reduction(result), significant(result.observed),
+                    significant(result.observed / 3, 2))};
 }
 
 Verdict jump(const WalkReport& report) {
