@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Commands that are killed at any time: the next call makes the same files as one that was not, and
-# nothing else is left behind.
+# nothing else is left behind. A kill that comes too late is repeated until KILLS have met a command at work.
 # usage: kills.sh PROGRAM SOURCE_DIR [KILLS [SEED]]
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 kills=${3:-7}
@@ -9,6 +9,10 @@ child=
 trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
 export OPENBLAS_NUM_THREADS=1
 
+# The commands run here, alone with their files; what this script keeps stands above.
+mkdir calls temporary
+cd calls || exit 1
+export TMPDIR=$work/temporary
 cat >study.toml <<EOF
 case = "$source_dir/cases/rig_sphere_parallel.toml"
 models = ["mdr"]
@@ -47,74 +51,91 @@ milliseconds() { date +%s%3N; }
 # start NAME: in the background, not by way of a shell that would be killed in its place.
 start() {
     local -n arguments=$1
-    "$program" "${arguments[@]}" >out.txt 2>err.txt &
+    "$program" "${arguments[@]}" >../out.txt 2>../err.txt &
     child=$!
 }
 # Its files with what they hold, but for those that differ between two calls that nobody disturbs: in
 # times. Of these only the names.
 contents() {
     (cd "$1" && find . -type f | LC_ALL=C sort | while read -r file; do
-        if grep -qxF "$file" "../$2" 2>/dev/null; then echo "$file"; else sha256sum "$file"; fi
+        if grep -qxF "$file" "../../$1.times"; then echo "$file"; else sha256sum "$file"; fi
     done)
 }
 # Processes, other than this script, that were started in this folder.
 processes() {
     for process in /proc/[0-9]*; do
-        [ "$(readlink "$process/cwd")" = "$work" ] && [ "$(readlink "$process/exe")" = "$program" ] &&
+        [ "$(readlink "$process/cwd")" = "$work/calls" ] && [ "$(readlink "$process/exe")" = "$program" ] &&
             echo "${process#/proc/}"
     done 2>/dev/null
 }
 
-took=()
-for name in "${commands[@]}"; do
-    start "$name"
-    wait "$child" || complain "$name: $(tail -n 1 err.txt)"
-    mv "$name" "$name.first"
+# timed NAME: a call that nobody disturbs; sets its milliseconds.
+timed() {
+    local began
     began=$(milliseconds)
-    start "$name"
-    wait "$child"
-    took[${#took[@]}]=$(($(milliseconds) - began))
+    start "$1"
+    wait "$child" || complain "$1: $(tail -n 1 ../err.txt)"
+    milliseconds=$(($(milliseconds) - began))
+}
+
+# How long each takes into an empty folder, and into one in which all is done.
+declare -A into_empty into_whole
+for name in "${commands[@]}"; do
+    timed "$name"
+    mv "$name" "../$name.first"
+    timed "$name"
+    into_empty[$name]=$milliseconds
     comm -3 <(cd "$name" && find . -type f -exec sha256sum {} + | sort) \
-        <(cd "$name.first" && find . -type f -exec sha256sum {} + | sort) |
-        awk '{ print $NF }' | sort -u >"$name.times"
-    contents "$name" "$name.times" >"$name.due"
-    mv "$name" "$name.second"
+        <(cd "../$name.first" && find . -type f -exec sha256sum {} + | sort) |
+        awk '{ print $NF }' | sort -u >"../$name.times"
+    contents "$name" >"../$name.due"
+    cp -r "$name" "../$name.whole"
+    timed "$name"
+    into_whole[$name]=$milliseconds
 done
 
-n_met=0
-for ((k = 0; k < kills; ++k)); do
-    i=$((k % ${#commands[@]}))
-    name=${commands[i]}
-    # Into an empty folder, one of a call that was killed before, or a whole one.
-    case $((RANDOM % 3)) in
-        0) rm -rf "$name" ;;
-        1) [ -e "$name" ] || cp -r "$name.second" "$name" ;;
-        2) ;;
-    esac
-    start "$name"
-    delay=$((RANDOM * took[i] / 10 * 9 / 32768))
+# killed NAME MILLISECONDS: the call, killed at any moment of these; fails where it was over before.
+killed() {
+    delay=$((RANDOM * $2 / 32768))
+    start "$1"
     sleep "$(printf '%d.%03d' $((delay / 1000)) $((delay % 1000)))"
-    kill -9 "$child" 2>/dev/null && n_met=$((n_met + 1))
+    kill -9 "$child" 2>/dev/null
     { wait "$child"; } 2>/dev/null
-    # Every third one is killed once more before it may go on.
-    if [ $((RANDOM % 3)) -eq 0 ]; then
-        start "$name"
-        sleep "0.$((RANDOM % 900 + 100))"
-        kill -9 "$child" 2>/dev/null
-        { wait "$child"; } 2>/dev/null
+    [ $? -eq 137 ]
+}
+
+n_met=0 n_late=0
+while [ "$n_met" -lt "$kills" ]; do
+    name=${commands[n_met % ${#commands[@]}]}
+    rm -rf "$name"
+    milliseconds=${into_empty[$name]}
+    if [ $((RANDOM % 2)) -eq 0 ]; then
+        cp -r "../$name.whole" "$name"
+        milliseconds=${into_whole[$name]}
     fi
+    if ! killed "$name" "$milliseconds"; then
+        n_late=$((n_late + 1))
+        [ "$n_late" -lt $((10 * kills)) ] && continue
+        complain "$n_late kills came too late"
+        break
+    fi
+    n_met=$((n_met + 1))
+    delays=$delay
+    # Every third one is killed once more before it may go on.
+    if [ $((RANDOM % 3)) -eq 0 ] && killed "$name" "$milliseconds"; then delays="$delays and $delay"; fi
     for _ in $(seq 1 50); do
         [ -n "$(processes)" ] || break
         sleep 0.02
     done
-    [ -z "$(processes)" ] || complain "$name, killed after $delay ms: processes outlive it"
+    [ -z "$(processes)" ] || complain "$name, killed after $delays ms: processes outlive it"
     start "$name"
-    wait "$child" || complain "$name, killed after $delay ms: the next call: $(tail -n 1 err.txt)"
-    contents "$name" "$name.times" >"$name.now"
-    diff "$name.due" "$name.now" >difference.txt ||
-        complain "$name, killed after $delay ms: $(head -n 6 difference.txt)"
+    wait "$child" || complain "$name, killed after $delays ms: the next call: $(tail -n 1 ../err.txt)"
+    contents "$name" >../now
+    diff "../$name.due" ../now >../difference.txt ||
+        complain "$name, killed after $delays ms: $(head -n 6 ../difference.txt)"
 done
-printf '%d of %d kills met a command at work\n' "$n_met" "$kills"
-[ "$n_met" -ge $((kills / 4)) ] || complain "only $n_met of $kills kills met a command"
+printf '%d kills met a command at work, %d came too late and were repeated\n' "$n_met" "$n_late"
+left=$(ls -A "$TMPDIR"; ls -A | grep -vxF "$(printf '%s\n' "${commands[@]}" study.toml static.toml)")
+[ -z "$left" ] || complain "left beside the results: $left"
 
 finish
