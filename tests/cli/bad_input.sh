@@ -1,68 +1,31 @@
 #!/usr/bin/env bash
 # Bad input from the shell: exit code 2, one line "error: ...", nothing written.
 # usage: bad_input.sh PROGRAM SOURCE_DIR
-set -u
-program=$(realpath "$1")
-source_dir=$(realpath "$2")
-case_file=$source_dir/cases/rig_sphere_parallel.toml
-work=$(mktemp -d)
+source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 trap 'chmod -R u+rwx "$work" 2>/dev/null; rm -rf "$work"' EXIT
-failures=0
-n=0
-
-complain() {
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n' "$*"
-}
-
-# refused EXPECTED ARGUMENTS...: run in an empty folder; EXPECTED is part of the message.
-refused() {
-    local expected=$1 code
-    shift
-    n=$((n + 1))
-    mkdir "$work/empty"
-    message=$(cd "$work/empty" && "$program" "$@" 2>&1 >"$work/stdout")
-    code=$?
-    [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
-    case $message in
-        *"$expected"*) ;;
-        *) complain "$*"$'\n'"  expected: $expected"$'\n'"       got: $message" ;;
-    esac
-    case $message in
-        *$'\n'*) complain "more than one line: $*"$'\n'"$message" ;;
-        "error: "*) ;;
-        *) complain "does not begin with 'error: ': $message" ;;
-    esac
-    [ -s "$work/stdout" ] && complain "output in spite of the error: $*"
-    [ -n "$(ls -A "$work/empty")" ] && complain "files left behind: $*: $(ls -A "$work/empty")"
-    rm -rf "$work/empty"
-}
+case_file=$source_dir/cases/rig_sphere_parallel.toml
 
 # A message of the option parser may have more than one line; the code and the silence count.
 refused_option() {
     local expected=$1 code message
     shift
-    n=$((n + 1))
     message=$("$program" "$@" 2>&1 >/dev/null)
     code=$?
     [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
-    case $message in
-        *"$expected"*) ;;
-        *) complain "$*"$'\n'"  expected: $expected"$'\n'"       got: $message" ;;
-    esac
+    [[ $message == *"$expected"* ]] || complain "$*: expected $expected, got $message"
 }
 
 # 1. Every bad case states its message in its first line, from line and column on (" ... " stands for a
-#    path); run refuses it before it makes a folder.
+#    path); run refuses it before it makes a folder. Their messages by check: tests/unit/io_bad_cases.cc.
 for file in "$source_dir"/tests/cli/bad/*.toml; do
-    expected=$(head -n 1 "$file" | sed 's/^# expect: //')
-    refused "$file${expected%% ... *}" check "$file"
-    [[ $message == *"${expected##* ... }"* ]] || complain "$file: $message"
+    read -r expected <"$file"
+    expected=${expected#'# expect: '}
     refused "$file${expected%% ... *}" run "$file" --output out
+    [[ $message == *"${expected##* ... }"* ]] || complain "$file: $message"
 done
 for file in "$source_dir"/tests/cli/bad_walk/*.toml; do
-    expected=$(head -n 1 "$file" | sed 's/^# expect: //')
-    refused "$file$expected" check "$file"
+    read -r expected <"$file"
+    refused "$file${expected#'# expect: '}" check "$file"
 done
 
 # 2. Files that are no case.
@@ -113,7 +76,6 @@ full=$work/full
 message=$(cd "$work" && ulimit -f 1 && "$program" run "$case_file" --output "$full" --models mdr \
     --no-report --quiet 2>&1)
 code=$?
-n=$((n + 1))
 [ "$code" -eq 2 ] || complain "exit code $code instead of 2 on a full disk"
 case $message in
     "error: $full"*"cannot be written (File too large); free space on the disk"*) ;;
@@ -131,5 +93,4 @@ refused_option "" check
 refused_option "--threads" run "$case_file" --threads many
 refused_option "ben" run "$case_file" --models mdr,ben
 
-printf '%d runs, %d failures\n' "$n" "$failures"
-[ "$failures" -eq 0 ]
+finish

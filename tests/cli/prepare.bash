@@ -18,16 +18,15 @@ complain() {
 
 # refused EXPECTED ARGUMENTS...: exit code 2, an error of one line that holds EXPECTED, nothing written.
 refused() {
-    local expected=$1 message code
+    local expected=$1 code
     shift
-    mkdir empty
-    message=$(cd empty && "$program" "$@" 2>&1)
+    mkdir "$work/empty"
+    message=$(cd "$work/empty" && "$program" "$@" 2>&1)
     code=$?
     [ "$code" -eq 2 ] || complain "exit code $code instead of 2: $*"
     [[ $message == "error: "*"$expected"* && $message != *$'\n'* ]] ||
         complain "$*: expected $expected, got $message"
-    [ -z "$(ls -A empty)" ] || complain "files left behind: $*"
-    rm -rf empty
+    rmdir "$work/empty" || { complain "files left behind: $*"; rm -rf "$work/empty"; }
 }
 
 # rows FOLDER: how many points the table of a sweep has.

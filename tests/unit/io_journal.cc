@@ -122,8 +122,10 @@ class Journal : public testing::Test {
         out << std::ifstream(path_, std::ios::binary).rdbuf();
         return out.str();
     }
+    // A new file: some file systems write one that was emptied to the disk when it is closed.
     void put(const std::string& bytes) const {
-        std::ofstream(path_, std::ios::binary | std::ios::trunc) << bytes;
+        fs::remove(path_);
+        std::ofstream(path_, std::ios::binary) << bytes;
     }
     // File of a run that was killed after n calls.
     std::string content_after(int n) {
