@@ -33,7 +33,7 @@ double predicted_bytes(const contact::Case& c, Body body, Surroundings surroundi
                        const contact::ContactPoints& grid) {
     // Fields beside, counted by what runs take of 100 to 650 cells along a side. Steady rolling
     // keeps a direction of search per iteration.
-    constexpr double elastic = 72, coupling = 6, relaxing = 9, branch = 6, steady = 400;
+    constexpr double elastic = 72, coupling = 18, relaxing = 9, branch = 6, steady = 400;
     const bool coupled = c.contact.coupling && (body == Body::layer || is_coupled(c.materials()));
     double fields = elastic + (coupled ? coupling : 0);
     if (c.tractive_rolling) fields += steady;

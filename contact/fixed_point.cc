@@ -6,8 +6,8 @@
 namespace tricontact::contact {
 
 namespace {
-constexpr std::size_t depth = 6;  // iterates remembered
-constexpr double much_grown = 4;  // over the least residual so far
+constexpr std::size_t depth = 12;  // iterates remembered
+constexpr double much_grown = 4;   // over the least residual so far
 constexpr double least_damping = .05;
 }  // namespace
 
@@ -38,8 +38,9 @@ std::vector<double> FixedPoint::next(const std::vector<double>& x, const std::ve
         const auto m = static_cast<Eigen::Index>(changes_.size());
         Eigen::MatrixXd residuals(n, m);
         for (Eigen::Index k = 0; k < m; ++k) residuals.col(k) = changes_[k].residual;
-        // Of less than full rank when the last steps went the same way.
-        const Eigen::VectorXd gamma = residuals.completeOrthogonalDecomposition().solve(r);
+        // Of less than full rank when the last steps went the same way. Decomposed in its place.
+        const Eigen::CompleteOrthogonalDecomposition<Eigen::Ref<Eigen::MatrixXd>> qr(residuals);
+        const Eigen::VectorXd gamma = qr.solve(r);
         for (Eigen::Index k = 0; k < m; ++k)
             step -= gamma[k] * (changes_[k].image - (1 - damping_) * changes_[k].residual);
     }

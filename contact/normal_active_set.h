@@ -17,16 +17,20 @@ class NormalActiveSet {
 
   private:
     struct Factor;
-    struct Closed;  // pressures and depth that close the gap
-    Closed close_gap(const std::vector<double>& height, const NormalControl& control);
-    void update_contact(std::vector<std::uint8_t> contact);
+    struct Increment;  // of forces and depth
+    Increment close_gap(const std::vector<double>& gap, const NormalControl& control,
+                        const NormalSolution& solution) const;
+    bool update_contact(std::vector<std::uint8_t> contact);
+    void forget();
+    double rounding_of(const NormalSolution& solution) const;
+    const double* normal_block() const;
     std::vector<std::uint8_t> first_contact(const std::vector<double>& height,
                                             const NormalControl& control,
                                             const std::vector<double>& start) const;
 
     const Compliance& compliance_;
     std::vector<std::uint8_t> contact_;  // the factor's
-    std::shared_ptr<const Factor> factor_;
+    std::shared_ptr<Factor> factor_;
 };
 
 }  // namespace tricontact::contact

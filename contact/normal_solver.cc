@@ -109,13 +109,15 @@ class Iteration {
     void update_gap() {
         const auto& u = solution_.displacement;
         solution_.indentation = force_controlled() ? indentation_of_contact() : control_.value;
-        double worst = 0, inside = 0, square = 0;
+        double worst = 0, inside = 0, square = 0, work = 0, force = 0;
         n_contact_ = 0;
         for (std::size_t i = 0; i < gap_.size(); ++i) {
             const double gap = gap_[i] = u[i] + height_[i] - solution_.indentation;
             if (in_contact(i)) {
                 inside = larger(inside, std::abs(gap));
                 square += area(i) * gap * gap;
+                work += area(i) * solution_.pressure[i] * u[i];
+                force += area(i) * solution_.pressure[i];
                 ++n_contact_;
             } else {
                 worst = larger(worst, -gap);
@@ -124,7 +126,8 @@ class Iteration {
         norm_ = square;
         worst = larger(worst, inside);
         is_balanced_ = inside <= rounding * worst;
-        solution_.residual = worst / solution_.indentation;
+        solution_.length = larger(solution_.indentation, work / force);
+        solution_.residual = worst / solution_.length;
     }
 
     /// Points in balance, such as a single one that bears the whole force, tell no direction: those
@@ -222,7 +225,8 @@ class Iteration {
 NormalSolution out_of_contact(std::size_t n, double indentation) {
     return {.pressure = std::vector<double>(n),
             .displacement = std::vector<double>(n),
-            .indentation = indentation};
+            .indentation = indentation,
+            .length = indentation};
 }
 
 }  // namespace
@@ -241,7 +245,7 @@ NormalSolution NormalSolver::solve(const std::vector<double>& height, const Norm
         std::ranges::none_of(height, [&](double h) { return h < control.value; }))
         return out_of_contact(height.size(), control.value);
     if (active_set_ && active_set_->solve(height, control, start, solution) &&
-        solution.residual <= tolerance_)
+        solution.residual <= std::max(tolerance_, solution.rounding))
         return solution;
     return Iteration(compliance_, height, control, start).run(tolerance_);
 }

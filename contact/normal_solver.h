@@ -14,10 +14,14 @@ struct NormalSolution {
     std::vector<double> pressure;      ///< p [Pa], >= 0
     std::vector<double> displacement;  ///< u_z [m], into the substrate
     double indentation = 0;            ///< d [m]
-    double force = 0;                  ///< F_N [N]
+    /// What errors of displacements are compared with [m]: d, or the mean displacement under the
+    /// pressures where that is more, since strong friction may lift the indenter.
+    double length = 0;
+    double force = 0;  ///< F_N [N]
     int iterations = 0;
-    /// Largest |gap| where p > 0 and largest penetration elsewhere, over d [-].
+    /// Largest |gap| where p > 0 and largest penetration elsewhere, over `length` [-].
     double residual = 0;
+    double rounding = 0;  ///< what the rounding of displacements may leave of it [-]
 };
 
 class NormalActiveSet;
@@ -26,7 +30,7 @@ class NormalActiveSet;
 /// Wear 231, 206-219; where the compliance exposes its matrix, NormalActiveSet first.
 class NormalSolver {
   public:
-    /// `tolerance`: on NormalSolution::residual.
+    /// `tolerance`: on NormalSolution::residual, or its rounding where that is more.
     NormalSolver(const Compliance& compliance, double tolerance);
 
     /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of

@@ -17,7 +17,6 @@ namespace {
 // Normal solutions are kept while they fit: a period comes back to the same offsets again and
 // again.
 constexpr std::size_t normal_cache_bytes = std::size_t{1} << 28;
-constexpr int max_turns = 100;
 }  // namespace
 
 SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
@@ -41,7 +40,9 @@ SurfaceModel::SurfaceModel(std::string name, std::shared_ptr<const Compliance> c
 
 void SurfaceModel::make_solvers() {
     normal_solver_.emplace(substrate_->compliance(), 0.1 * tolerance_);
-    tangential_solver_.emplace(substrate_->compliance(), tolerance_);
+    // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
+    const double finer = coupling_.absent() ? 1 : std::min(1., .1 / friction_coefficient_);
+    tangential_solver_.emplace(substrate_->compliance(), finer * tolerance_);
 }
 
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
@@ -148,7 +149,7 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
     };
     std::vector<double> height = height_now();
     FixedPoint turns;
-    for (int turn = 1; turn <= max_turns; ++turn) {
+    for (int turn = 1; turn <= FixedPoint::max_turns; ++turn) {
         NormalControl control = step.normal;
         if (control.kind == NormalControl::Kind::force)
             control.value -= coupling_.normal_force(tangential_.traction);
@@ -165,14 +166,14 @@ void SurfaceModel::solve_coupled(const LoadStep& step, const Before& before) {
         double change = 0;
         for (std::size_t i = 0; i < height.size(); ++i)
             if (normal_->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
-        gap_residual_ = change / (substrate_->stiffness() * normal_->indentation);
+        gap_residual_ = change / (substrate_->stiffness() * normal_->length);
         if (gap_residual_ <= tolerance_) return;
         height = turns.next(height, now, gap_residual_);
     }
     throw NotConverged(fmt::format(
         "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
         "{:.2e} of the indentation after {} turns (tolerance {:.1e})",
-        name_, step.phase, gap_residual_, max_turns, tolerance_));
+        name_, step.phase, gap_residual_, FixedPoint::max_turns, tolerance_));
 }
 
 void SurfaceModel::reuse_or_solve_normal(const LoadStep& step) {
@@ -211,6 +212,7 @@ void SurfaceModel::solve_normal(NormalControl control, const std::vector<double>
     NormalSolution solution =
         normal_solver_->solve(height, control, warm ? normal_->pressure : std::vector<double>{});
     solution.indentation /= substrate_->stiffness();
+    solution.length /= substrate_->stiffness();
     normal_ = std::make_shared<const NormalSolution>(std::move(solution));
     normal_iterations_ += normal_->iterations;
 }
@@ -254,7 +256,7 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
     }
     if (shift_factor_ == 0) find_shift_factor();
     const double contact_compliance =
-        shift_factor_ * stiffness * normal_->indentation * contact_area / normal_->force;
+        shift_factor_ * stiffness * normal_->length * contact_area / normal_->force;
     for (double& increment : tangential_.shift_increment) increment *= stiffness;
     tangential_solver_->solve({bound_, relative, control, contact_compliance}, tangential_);
     tangential_iterations_ += tangential_.iterations;
@@ -278,7 +280,7 @@ void SurfaceModel::find_shift_factor() {
         force += points().area[i] * bound_[i];
     }
     const double mean = work / force;
-    const double across = friction_coefficient_ * substrate_->stiffness() * normal_->indentation;
+    const double across = friction_coefficient_ * substrate_->stiffness() * normal_->length;
     shift_factor_ = mean > much_softer * across ? mean / across : 1;
 }
 
@@ -319,7 +321,7 @@ void SurfaceModel::update_totals() {
 }
 
 void SurfaceModel::update_slip(const Before& before) {
-    const double unit = std::max(shift_factor_, 1.) * friction_coefficient_ * normal_->indentation;
+    const double unit = std::max(shift_factor_, 1.) * friction_coefficient_ * normal_->length;
     const Vector2 moved = {shift_[0] - before.shift[0], shift_[1] - before.shift[1]};
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};

@@ -65,7 +65,8 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
     const double force_allowed = coupling_.deformed() ? 10 * tolerance_ : exact_force;
     NormalControl normal = step.normal;
     if (normal.kind == NormalControl::Kind::force) normal.value -= coupling_.normal_force(t);
-    audit_normal(*normal_, normal, points.area, tolerance_, audit_, force_allowed);
+    audit_normal(*normal_, normal, points.area, std::max(tolerance_, normal_->rounding), audit_,
+                 force_allowed);
     if (is_coupled()) audit_.record("normal_and_tangential_agree", gap_residual_, tolerance_);
     const SurfaceField all = tractions();
     const auto missing = substrate_->compliance().missing_reaction(all.down, all.in_surface);
@@ -85,7 +86,7 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
                           .slip = slip_,
                           .contact_state = contact_state_,
                           .control = tangential,
-                          .length = shift_factor_ * friction_coefficient_ * normal_->indentation,
+                          .length = shift_factor_ * friction_coefficient_ * normal_->length,
                           .inclined_force = coupling_.inclined_force(p)},
                          tolerance_, audit_, force_allowed);
     }
@@ -93,11 +94,11 @@ void SurfaceModel::audit_step(const LoadStep& step, bool carried) {
     if (carried && substrate_->relaxes()) return;
     // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
     // Rounding goes with all that is turned over, F d under whatever friction: a product of the
-    // compliance adds up a thousand terms, each to half an epsilon.
+    // compliance adds up a thousand terms, each to half an epsilon, or more where they cancel.
     // A displaced surface meets the indenter to the tolerance of the turns, over d.
     const double factor = friction_coefficient_ * friction_coefficient_ + coupling_.deformed();
-    const double by_friction = factor * normal_->force * normal_->indentation;
-    const double by_rounding = product_rounding * energy.magnitude;
+    const double by_friction = factor * normal_->force * normal_->length;
+    const double by_rounding = std::max(product_rounding, normal_->rounding) * energy.magnitude;
     audit_.record("energy_balance",
                   std::abs(energy.missing) / (by_friction + by_rounding / force_allowed),
                   force_allowed);

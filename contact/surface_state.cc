@@ -82,9 +82,9 @@ std::string SurfaceModel::write_state() const {
           &displacement_.x, &displacement_.y, &displacement_z_, &slip_.x, &slip_.y,
           &least_pressure_})
         out.add(*field);
-    for (const double value :
-         {phase_, normal_->indentation, normal_->force, normal_->residual, tangential_.residual,
-          tangential_.force_residual, gap_residual_, least_pressure_force_, energy_, shift_factor_})
+    for (const double value : {phase_, normal_->indentation, normal_->length, normal_->force,
+                               normal_->residual, tangential_.residual, tangential_.force_residual,
+                               gap_residual_, least_pressure_force_, energy_, shift_factor_})
         out.add(value);
     out.add(contact_state_);
     substrate_->write(out);
@@ -106,9 +106,9 @@ void SurfaceModel::read_state(std::string_view bytes) {
                         &tangential_.displacement.y, &displacement_.x, &displacement_.y,
                         &displacement_z_, &slip_.x, &slip_.y, &least_pressure_})
         in.get(*field);
-    for (double* value : {&phase_, &normal.indentation, &normal.force, &normal.residual,
-                          &tangential_.residual, &tangential_.force_residual, &gap_residual_,
-                          &least_pressure_force_, &energy_, &shift_factor_})
+    for (double* value : {&phase_, &normal.indentation, &normal.length, &normal.force,
+                          &normal.residual, &tangential_.residual, &tangential_.force_residual,
+                          &gap_residual_, &least_pressure_force_, &energy_, &shift_factor_})
         in.get(*value);
     in.get(contact_state_);
     substrate_->read(in);

@@ -17,8 +17,8 @@ namespace tricontact::contact {
 namespace {
 
 constexpr int max_newton_steps = 200;
-constexpr int patience = 8;  // Newton steps without progress before gradients take over
-constexpr int gradient_iterations = 60;
+constexpr int patience = 8;              // Newton steps without progress before gradients take over
+constexpr int gradient_iterations = 60;  // at first, twice as many each time
 constexpr int cg_iterations = 300;
 constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
 
@@ -55,8 +55,9 @@ class Newton {
                     compliance_.tangential(traction(), solution_.displacement);
                 return;
             }
-            without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
-            best = std::min(best, solution_.residual);
+            const double error = larger(solution_.residual, solution_.force_residual);
+            without_progress_ = error < 0.9 * best ? 0 : without_progress_ + 1;
+            best = std::min(best, error);
             if (without_progress_ >= patience || !solve_linear_system()) {
                 take_gradient_steps();
                 without_progress_ = 0;
@@ -235,8 +236,17 @@ class Newton {
         }
     }
 
+    /// On from where the last ones ended, for Newton's steps since then led nowhere: gradients
+    /// alone descend without end.
     void take_gradient_steps() {
-        projected_gradient(compliance_, active_, problem_, gradient_iterations, solution_);
+        if (gradient_iterations_ > gradient_iterations) {
+            traction() = descended_.traction;
+            solution_.shift_increment = descended_.shift_increment;
+        }
+        projected_gradient(compliance_, active_, problem_, gradient_iterations_, solution_);
+        gradient_iterations_ *= 2;
+        descended_.traction = traction();
+        descended_.shift_increment = solution_.shift_increment;
         update_slip();
     }
 
@@ -254,7 +264,9 @@ class Newton {
     std::optional<TangentialSystem> system_;
     Vector2 missing_force_{};
     int without_progress_ = 0;  // Newton steps
-    bool on_bound_ = false;     // all that slip are
+    int gradient_iterations_ = gradient_iterations;
+    TangentialSolution descended_;  // by gradients
+    bool on_bound_ = false;         // all that slip are
     bool shift_is_given_ = false;
     double total_bound_ = 0, active_area_ = 0, mean_bound_ = 0;
 };

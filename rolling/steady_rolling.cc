@@ -24,8 +24,6 @@ namespace {
 
 using contact::TangentialField;
 
-constexpr int max_turns = 100;
-
 class Turns {
   public:
     Turns(const contact::Compliance& compliance, const RollingProblem& problem)
@@ -44,7 +42,7 @@ class Turns {
     void run() {
         std::vector<double> height = coupling_.bare_height();
         contact::FixedPoint turns;
-        for (int turn = 1; turn <= max_turns; ++turn) {
+        for (int turn = 1; turn <= contact::FixedPoint::max_turns; ++turn) {
             solve_normal(height);
             solve_tangential();
             if (coupling_.absent()) return;
@@ -55,14 +53,14 @@ class Turns {
             for (std::size_t i = 0; i < now.size(); ++i)
                 if (normal_.pressure[i] > 0)
                     change = contact::larger(change, std::abs(now[i] - height[i]));
-            gap_residual_ = change / normal_.indentation;
+            gap_residual_ = change / normal_.length;
             if (gap_residual_ <= problem_.tolerance) return;
             height = turns.next(height, now, gap_residual_);
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: normal and tangential contact do not agree: the gap still changes by "
             "{:.2e} of the indentation after {} turns (tolerance {:.1e})",
-            gap_residual_, max_turns, problem_.tolerance));
+            gap_residual_, contact::FixedPoint::max_turns, problem_.tolerance));
     }
 
     contact::Surface surface() const {
@@ -150,7 +148,7 @@ class Turns {
 
     /// mu d over the half length [-]: about the creepage of full sliding.
     double sliding_creepage(double half_length) const {
-        return problem_.friction_coefficient * normal_.indentation / half_length;
+        return problem_.friction_coefficient * normal_.length / half_length;
     }
 
     /// Dissipation and zones, from tractions and slip.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <boost/math/quadrature/ooura_fourier_integrals.hpp>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "contact/error.h"
+#include "contact/normal_solver.h"
 #include "mdr/layer_kernel.h"
 #include "mdr/layer_springs.h"
 
@@ -152,6 +154,23 @@ TEST(MdrLayerSprings, RefusesWhatItCannotDo) {
     EXPECT_EQ(message([&] { gliding.tangential(t, u); }),
               "mdr-layer: nothing holds a layer on a frictionless base against a tangential force; "
               "take base = \"bonded\" or another model");
+}
+
+// A thin incompressible layer keeps its volume: it touches a paraboloid twice as far out as springs
+// do, a = 2 sqrt(R d) but for the layer's own thickness. Gaps are left of terms (a/b)^2 times as
+// large, to what rounding makes of those.
+TEST(MdrLayerSprings, ContactSpreadsOnAThinIncompressibleLayer) {
+    constexpr double b = 1e-3, radius = 1, reach = 80 * b, depth = reach * reach / radius;
+    const LayerStack stack{{{{5.2e6, .5}, b}}, LayerBase::bonded, {}};
+    const LayerSprings springs(stack, {}, 740, b / 4);
+    std::vector<double> height;
+    for (const double x : springs.points().x) height.push_back(x * x / radius);
+    const auto s = contact::NormalSolver(springs, 1e-10)
+                       .solve(height, {contact::NormalControl::Kind::indentation, depth});
+    EXPECT_LE(s.residual, std::max(1e-10, s.rounding));
+    EXPECT_LT(s.rounding, 1e-8);
+    const auto touching = std::ranges::count_if(s.pressure, [](double p) { return p > 0; });
+    EXPECT_NEAR(static_cast<double>(touching) * b / 8, 2 * reach, 2 * b);
 }
 
 }  // namespace
