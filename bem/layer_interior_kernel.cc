@@ -82,7 +82,7 @@ std::vector<InsideWave> waves_of(const LayerStack& stack, const std::vector<doub
         const double factor = weight * k / (2 * std::numbers::pi);
         const auto layers = theory::interior_waves(stack, k, depths),
                    plain = theory::interior_waves(half_space, k, depths);
-        InsideWave& wave = waves.emplace_back(k, std::vector<Values>{});
+        InsideWave& wave = waves.emplace_back(InsideWave{k, {}});
         for (std::size_t d = 0; d < depths.size(); ++d) {
             Values of = amplitudes(layers[d]);
             const Values less = amplitudes(plain[d]);

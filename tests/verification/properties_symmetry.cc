@@ -169,12 +169,16 @@ double shift_moved_by(const Case& c, double x, double y) {
 RC_GTEST_PROP(PropertiesGrid, WhereTheCellsLieHardlyMatters, ()) {
     Case c = random_case();
     c.load.tangential_ratio = drawn(.05, .8);
-    c.bem.cells_per_radius = 12;
+    const int cells = *rc::gen::element(8, 12, 16, 20);
+    c.bem.cells_per_radius = cells;
     const double here = shift_moved_by(c, 0, 0);
     const double there = shift_moved_by(c, drawn(-.5, .5), drawn(-.5, .5));
-    // Second order in the cell, (1/12)^2 = 7e-3, of the shift; ratcheting adds it up per step.
-    RC_LOG() << here << ' ' << there << '\n';
-    RC_ASSERT(std::abs(there - here) <= 7e-3 * std::max(1., here));
+    // Second order in the cell, whatever its size: what stepped edges do to a pressure that
+    // vanishes there. Ratcheting adds it up per step. The factor of (h/a)^2 was 0.1 in the mean of
+    // 180 random contacts and 1.2 at most, the same for 8 and 20 cells.
+    const double h = 1. / cells;
+    RC_LOG() << cells << ' ' << here << ' ' << there << '\n';
+    RC_ASSERT(std::abs(there - here) <= 2 * h * h * std::max(1., here));
     RC_ASSERT(there != here);  // it has been moved
 }
 
