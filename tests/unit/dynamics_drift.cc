@@ -40,6 +40,14 @@ TEST(Drift, NamesWhatAnExcitedMachineDoes) {
     }
 }
 
+// An even drift but for one period of the judged 20, off by 0.1. Were both ends off by as much, the
+// drift would be by 2 * 0.1/20.
+TEST(Drift, ErrorIsThatOfBothEnds) {
+    const auto drift = *judged([](int i) { return 0.3 * i + (i == 30 ? 0.1 : 0); }).drift;
+    EXPECT_NEAR(drift.per_period, 0.3, 1e-12);
+    EXPECT_NEAR(drift.error, 0.01, 1e-12);
+}
+
 TEST(Drift, IsNotJudgedFromAFewPeriods) {
     WalkResult result;
     judge_drift({.kappas = set_b()}, {{1e-5}, {2e-5}, {3e-5}, {4e-5}, {5e-5}}, result);

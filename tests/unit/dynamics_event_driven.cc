@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numbers>
 
 #include "contact/error.h"
 #include "dynamics/event_driven.h"
@@ -31,6 +32,19 @@ TEST(EventDriven, FliesAndLandsAsClosedFormsDo) {
     const double stretch = -0.3 * rest * std::cos(omega * t) + k6 / omega * std::sin(omega * t);
     EXPECT_NEAR((motion.base - motion.x) / rest, stretch / rest, accuracy);
     EXPECT_NEAR(motion.z_velocity / k6, (k4 * t - lift) / k6, accuracy);
+}
+
+// z = z_stat (1 - a cos(omega t)) with a just above 1: the spots leave the ground for a share of
+// sqrt(2 (a - 1))/pi of the period, far shorter than a step.
+TEST(EventDriven, SeesALiftOffWithinAStep) {
+    Machine machine{.kappas = set_b(), .mechanisms = {.rotation = false}};
+    machine.kappas.kappa6 = 0;
+    const double period = 2 * std::numbers::pi / std::sqrt(2 * machine.kappas.kappa2);
+    for (const double above : {-1e-6, 1e-6, 1e-5}) {
+        EventDriven run(machine, motion_at_start(machine, {.z = 2 + above}), tolerance);
+        run.advance_to(0.99 * period);                          // highest in the middle of it
+        EXPECT_EQ(run.n_events(), above > 0 ? 4 : 0) << above;  // two spots lift off and land
+    }
 }
 
 // One block on two spots: sticks until its springs reach their bound, then slides about the

@@ -109,6 +109,16 @@ TEST(LimitCycle, TellsWhatIsLeftOfTheWay) {
     EXPECT_NEAR(cycle->spring_force, 1, 2 * cycle->spring_force_drift);
 }
 
+// Periods of 1 in the first half of the time and of 1.001 in the second: they differ by 0.001.
+TEST(LimitCycle, DriftOfThePeriodIsThatOfTheHalves) {
+    auto returns = logistic_returns(2.8, 21);
+    for (std::size_t i = 11; i < returns.size(); ++i)
+        returns[i].motion.time = returns[i - 1].motion.time + 1.001;
+    const LimitCycle cycle = mean_cycle({.kappas = set_b()}, returns, 1, step);
+    EXPECT_NEAR(cycle.period, 1.0005, 1e-12);
+    EXPECT_NEAR(cycle.period_drift, 0.001, 1e-12);
+}
+
 TEST(LimitCycle, OfTooFewReturnsIsNone) {
     const auto returns = logistic_returns(2.8, 11);
     EXPECT_FALSE(find_limit_cycle({.kappas = set_b()}, returns, step).has_value());

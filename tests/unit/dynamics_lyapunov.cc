@@ -78,6 +78,21 @@ TEST(Lyapunov, IsZeroWhereVibrationsPersist) {
     EXPECT_LT(found.error, 0.02);
 }
 
+// Gronwall: while spots slip, a distance changes no faster than its rate, the norm of the equations
+// of motion, some ten, and what a spot moves beside a neighbour that sticks, kappa6 over the
+// distance, 240. A neighbour put off its friction bound is first brought back to it; that counted
+// as growth would be a tenth in a single step, a rate of 10^4.
+TEST(Lyapunov, RatesOfAnIntervalAsShortAsAStepAreThoseOfTheMotion) {
+    const Machine machine{.kappas = set_b()};
+    const auto steady = steady_sliding(machine);
+    ASSERT_TRUE(steady);
+    const auto rates = separation_rates(
+        machine, *steady,
+        {.step = 1e-5, .interval = 1e-5, .alignment = 0, .duration = 5e-5, .distance = 0.01});
+    ASSERT_EQ(rates.size(), 5u);
+    for (const double rate : rates) EXPECT_LT(std::abs(rate), 1000);
+}
+
 TEST(Lyapunov, RefusesTimesThatAreNone) {
     const Machine machine{.kappas = set_a()};
     const Motion start = motion_at_start(machine);

@@ -105,6 +105,16 @@ TEST(CharacteristicFrequency, IntervalCoversTheTruthAsOftenAsItClaims) {
     EXPECT_LE(covered, 197);
 }
 
+// Two values have the standard error |a - b|/2, and Student's t of one degree of freedom is 12.7062
+// (Abramowitz and Stegun 1964, table 26.10). Both sines lie on lines of the spectrum.
+TEST(CharacteristicFrequency, IntervalOfTwoPartsIsStudents) {
+    auto values = sine(500, 0.02, 2.5, 3, 7);
+    for (const double value : sine(500, 0.02, 2.9, 3, 7)) values.push_back(value);
+    const auto [found, error] = characteristic_frequency(values, 0.02, 2);
+    EXPECT_NEAR(found, 2.7, 1e-12);
+    EXPECT_NEAR(error, 12.7062 * 0.4 / 2, 1e-5);
+}
+
 // Wetter (2016), set 5: the estimate to three digits.
 TEST(CharacteristicFrequency, OfFreeFlightIsThatOfTheSpringOnTheBody) {
     const Kappas set_5{2, 1.33, 1.51, 2e-4, 0.75, 1.6e-3, 1.77, -0.47};

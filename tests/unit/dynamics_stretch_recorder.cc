@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "dynamics/stretch_recorder.h"
+#include "dynamics/walk_recorder.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::dynamics {
@@ -53,6 +54,20 @@ TEST(StretchRecorder, CorrelatesVelocityAndNormalDeflection) {
         const StretchSums sums = sums_of_a_period(lag, 1000);
         EXPECT_NEAR(correlation(sums.spots[0], sums.steps), std::cos(lag), 1e-9) << lag;
     }
+}
+
+// Two windows of 100 steps; the 50 that are left over lengthen the second one.
+TEST(WalkRecorder, WindowsGoOnToTheEndOfTheRun) {
+    const auto at = [](int i) { return swaying(0.1 * i, 0); };
+    WalkRecorder recorder({.kappas = set_b()}, at(0), 0.1, 100);
+    for (int i = 1; i <= 250; ++i) recorder.add(at(i), {{.sticks = true}});
+    const std::vector<WalkWindow> windows = recorder.windows();
+    ASSERT_EQ(windows.size(), 2u);
+    EXPECT_EQ(windows[0].sums.steps, 100);
+    EXPECT_EQ(windows[1].sums.steps, 150);
+    EXPECT_EQ(windows[1].begin, windows[0].end);
+    EXPECT_NEAR(windows[1].begin, 10, 1e-12);
+    EXPECT_NEAR(windows[1].end, 25, 1e-12);
 }
 
 }  // namespace

@@ -166,6 +166,44 @@ TEST(WalkJudge, ExpectsTheFallsOfAnExponentialTail) {
     EXPECT_LT(expected_falls(machine, drifting, 1), 1);
 }
 
+// By hand, with rotations of either sign: the median of 8 windows is 0.2 of the limit, the mean of
+// the four above it 0.35. 4 exp(-(1 - 0.2)/0.15) falls in the time of the windows.
+TEST(WalkJudge, FallsToEitherSideAreExpectedAlike) {
+    std::vector<WalkWindow> windows;
+    int side = 1;
+    for (const double rotation : {0.1, 0.5, 0.2, 0.1, 0.1, 0.4, 0.3, 0.1}) {
+        WalkWindow& window = windows.emplace_back();
+        window.sums.phi_min = window.sums.phi_max = 0;
+        (side > 0 ? window.sums.phi_max : window.sums.phi_min) =
+            side * rotation * tilting_limit(machine);
+        side = -side;
+    }
+    EXPECT_NEAR(expected_falls(machine, windows, 10) / (40 * std::exp(-0.8 / 0.15)), 1, 1e-12);
+}
+
+// A body that swings freely at v takes up to 2 v of momentum from the spring in a stretch, and
+// gives it back in another: mean forces of the first and the last third differ by 4 v over their
+// time, and no trend is in it. Ten times that is one.
+TEST(WalkJudge, WhatASwingCarriesIsNoTrend) {
+    const double v = 5 * machine.kappas.kappa6, length = 20;
+    const auto evenly = [&](double momentum) {
+        std::vector<WalkWindow> windows;
+        for (const int side : {1, 1, 0, 0, -1, -1}) {
+            WalkWindow& window = windows.emplace_back();
+            window.end = (window.begin = length * static_cast<double>(windows.size())) + length;
+            window.sums.steps = 1000;
+            window.sums.spring_force = 1000 * (sliding_force(machine) + side * momentum / length);
+            // x' = kappa6 + v sin(omega t)
+            window.sums.kinetic_energy =
+                1000 * (std::pow(machine.kappas.kappa6, 2) + v * v / 2) / 2;
+            window.sums.spots.resize(2);
+        }
+        return is_evenly_pulled(machine, windows);
+    };
+    EXPECT_TRUE(evenly(v));  // 2 v in the two windows of a third
+    EXPECT_FALSE(evenly(10 * v));
+}
+
 TEST(WalkJudge, ChaosCountsWhenItHasLastedLong) {
     std::mt19937_64 generator(1);
     const auto noise = autoregressive(0, 200, generator);
@@ -182,6 +220,12 @@ TEST(WalkJudge, ChaosCountsWhenItHasLastedLong) {
     EXPECT_TRUE(result.transient_over);
     // One series tells its own error to some 15 %: its variance, its correlation, its resamples.
     EXPECT_NEAR(result.mu_e_error / (1.96 * 0.1 / std::sqrt(200)), 1, 0.3);
+    // A start under another force is left out, of the mean and of its error.
+    Windows late;
+    for (int i = 0; i < 20; ++i) late.add(-3, 4, 2, 100);
+    for (const double value : noise) late.add(-3, 4, 0.5 + 0.1 * value, 100);
+    EXPECT_EQ(late.judged().transient, 2000);
+    EXPECT_EQ(late.judged().mu_e_error, result.mu_e_error);
 }
 
 TEST(WalkJudge, ChaosThatChangesItsWaysIsNotOver) {

@@ -112,6 +112,7 @@ TEST(WalkRun, SetBWalksOnItsLimitCycle) {
     ASSERT_EQ(result.regime, Regime::limit_cycle);
     EXPECT_TRUE(result.transient_over);
     EXPECT_EQ(result.section_points, 1);
+    EXPECT_NEAR(result.transient, 600, 2 * 25);  // to its windows of 25
     EXPECT_NEAR(result.period.value(), 4.2930, 5e-5);
     EXPECT_NEAR(result.mu_e, 0.0440, 5e-5);
     EXPECT_LT(result.mu_e_error, 5e-5);
