@@ -84,6 +84,17 @@ TEST(MapJson, BlanksMachinesThatFellOver) {
     EXPECT_TRUE(json["cells"][3]["mean"].is_null());
 }
 
+// Colours end at a jump of three static displacements, whatever the highest one is.
+TEST(MapJson, HighJumpsDoNotStretchTheColours) {
+    WalkMap high = map();
+    high.cells[1].result.z_min_ratio = -200;
+    const auto json = map_json(high);
+    const auto& heights = json["quantities"][1];
+    EXPECT_EQ(heights["values"][1], -200);
+    EXPECT_EQ(heights["low"], -3);
+    EXPECT_EQ(heights["high"], -0.4289);
+}
+
 TEST(MapJson, DoesNotCallChaosWhatIsNotOver) {
     WalkMap young = map();
     young.cells[0].result.transient_over = false;

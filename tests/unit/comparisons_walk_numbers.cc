@@ -83,7 +83,47 @@ TEST(WalkJson, DimensionalNumbersAreTheOthersInSiUnits) {
     EXPECT_DOUBLE_EQ(json["frequency_Hz"], 1 / (4 * tau));
     // A quarter of the friction of steady sliding, mu m g.
     EXPECT_DOUBLE_EQ(json["mean_spring_force_N"], 0.25 * 0.68 * 0.5 * 9.81);
+    // kappa4 b/(2 kappa2)
+    EXPECT_DOUBLE_EQ(json["static_displacement_m"], 1e-4 * 0.02 / 2.4);
     EXPECT_TRUE(walk_json(set_b(1), walk)["dimensional"].is_null());
+}
+
+// From the turning point on.
+TEST(WalkJson, PhasesHaveTheirNames) {
+    dynamics::Walk walk;
+    walk.phases = dynamics::WalkPhases{.period = 4,
+                                       .sticking = 50,
+                                       .turning_point = 51,
+                                       .release = 52,
+                                       .jump = 53,
+                                       .landing = 55,
+                                       .sticks = {},
+                                       .jump_height = 0.25,
+                                       .airborne = 0.5,
+                                       .airborne_advance = 0.75};
+    const auto json = walk_json(set_b(1), walk)["phases"];
+    EXPECT_EQ(json["sticking"], -1);
+    EXPECT_EQ(json["release"], 1);
+    EXPECT_EQ(json["jump"], 2);
+    EXPECT_EQ(json["landing"], 4);
+    EXPECT_EQ(json["jump_height"], 0.25);
+    EXPECT_EQ(json["airborne"], 0.5);
+    EXPECT_EQ(json["airborne_advance"], 0.75);
+}
+
+// k_x = m g/(kappa4 b): units of force k_x b and of time sqrt(m/k_x).
+TEST(WalkCsv, DimensionalColumnsAreTheOthersInSiUnits) {
+    WalkCase c = set_b(1);
+    c.dimensional = with_dimensions(c.machine.kappas, 0.5, 0.02);
+    dynamics::Walk walk;
+    walk.tail.resize(1);
+    walk.tail[0].motion = {.time = 3, .base = 2e-5, .spots = {{}, {}}};
+    walk.tail[0].spots.resize(2);
+    const Table table(motion_csv(c, walk));
+    EXPECT_DOUBLE_EQ(table.at(0, "time"), 3);
+    EXPECT_NEAR(table.at(0, "time_s"), 3 * std::sqrt(1e-4 * 0.02 / 9.81), 1e-15);
+    EXPECT_DOUBLE_EQ(table.at(0, "spring_force"), 4e-5);
+    EXPECT_NEAR(table.at(0, "spring_force_N"), 0.4 * 0.5 * 9.81, 1e-12);
 }
 
 // The base moves at kappa6, and the force is that of the spring between base and body.

@@ -49,18 +49,20 @@ TEST(WalkOutcome, SecondHalfIsThatOfTheWindows) {
     const dynamics::WalkCase walk_case = set_b_case(100);
     const dynamics::Walk walk = dynamics::walk(walk_case, {.tail = 2, .interval = 0.1});
     const WalkOutcome outcome = outcome_of(walk_case, walk);
-    double force = 0, lowest = std::numeric_limits<double>::infinity();
+    double force = 0, lowest = std::numeric_limits<double>::infinity(), deepest = -lowest;
     ASSERT_EQ(walk.windows.size() % 2, 1u);  // the one in the middle counts
     for (const auto& window : walk.windows) {
         if (window.end <= 50) continue;
         force += window.sums.spring_force;
         lowest = std::min(lowest, window.sums.z_min);
+        deepest = std::max(deepest, window.sums.z_max);
     }
     double steps = 0;
     for (const auto& window : walk.windows)
         if (window.end > 50) steps += static_cast<double>(window.sums.steps);
     EXPECT_NEAR(outcome.second_half.mu_e, force / steps / (0.68 * 1e-4), 1e-12);
     EXPECT_NEAR(outcome.second_half.z_min_ratio, lowest / (1e-4 / 2.4), 1e-12);
+    EXPECT_NEAR(outcome.second_half.z_max_ratio, deepest / (1e-4 / 2.4), 1e-12);
     EXPECT_EQ(outcome.samples.z.size(), walk.tail.size());
     EXPECT_NEAR(outcome.samples.interval, 0.1, 1e-9);
 }
@@ -112,6 +114,60 @@ TEST(WalkOutcome, ReadsBackWhatItWrites) {
     EXPECT_EQ(read.samples.displacement, outcome.samples.displacement);
     EXPECT_NEAR(read.samples.spring_force[1], 8.1235, 1e-6);  // five digits
     EXPECT_EQ(walk_results(read), written);
+}
+
+// Columns of results.csv.
+TEST(WalkOutcome, EveryNumberStandsUnderItsName) {
+    WalkOutcome outcome;
+    outcome.result = {.regime = Regime::shakedown,
+                      .mu_e = 1,
+                      .mu_e_error = 2,
+                      .period = 22,
+                      .section_points = 23,
+                      .z_min_ratio = 3,
+                      .z_max_ratio = 4,
+                      .phi_min = 10,
+                      .phi_max = 11,
+                      .kinetic_energy = 9,
+                      .spots = {{5, 7}, {100, 100}, {6, 8}},  // the first and the last
+                      .transient = 12,
+                      .observed = 13,
+                      .tilting_time = 24,
+                      .drift = dynamics::WalkResult::Drift{25, 26, 27}};
+    outcome.second_half = {14, 15, 16};
+    outcome.vibration = {17, 18, 19};
+    outcome.largest_phi = 20;
+    outcome.initial_energy = 21;
+    const auto written = walk_results(outcome);
+    int due = 0;
+    for (const char* name : {"mu_e",
+                             "mu_e_error",
+                             "z_min_ratio",
+                             "z_max_ratio",
+                             "stick_time_1",
+                             "stick_time_2",
+                             "correlation_1",
+                             "correlation_2",
+                             "kinetic_energy",
+                             "phi_min",
+                             "phi_max",
+                             "transient",
+                             "observed",
+                             "mu_e_second_half",
+                             "z_min_ratio_second_half",
+                             "z_max_ratio_second_half",
+                             "frequency",
+                             "frequency_error",
+                             "instability",
+                             "largest_phi",
+                             "initial_energy",
+                             "period",
+                             "section_points",
+                             "tilting_time",
+                             "shift_per_period",
+                             "shift_per_period_error",
+                             "airborne"})
+        EXPECT_EQ(written.at(name), ++due) << name;
 }
 
 TEST(WalkOutcome, OfATiltingMachineHasNoMeans) {

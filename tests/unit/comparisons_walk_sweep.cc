@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparisons/document_csv.h"
+#include "comparisons/walking/walk_factorial.h"
 #include "comparisons/walking/walk_grid.h"
 #include "comparisons/walking/walk_sweep_document.h"
 #include "dynamics_sets.h"
@@ -91,6 +92,42 @@ TEST(WalkSweep, GridErrorCoversTheAreaOfARegion) {
     EXPECT_GE(n_held, 0.95 * n_grids);
 }
 
+// A boundary along an axis, whichever, crosses each of n lines once, and an even distribution over
+// a cell has the variance 1/12: 1.96 sqrt(n/12) cells.
+TEST(WalkSweep, GridErrorOfABoundaryAlongAnAxis) {
+    constexpr int n = 10;
+    for (const bool along_y : {false, true}) {
+        WalkSweep sweep{.title = "Half",
+                        .settings = {},
+                        .axes = {{"machine.kappa8", ""}, {"machine.kappa5", ""}},
+                        .points = {}};
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+                sweep.points.push_back(
+                    point({double(i), double(j)}, dynamics::set_b(),
+                          (along_y ? i : j) < 4 ? Regime::tilting : Regime::steady, 1));
+        const auto groups = groups_of(sweep);
+        const Region region = regions_of(*grid_of(sweep, groups), false).front();
+        EXPECT_DOUBLE_EQ(region.share, 0.4);
+        EXPECT_NEAR(region.grid_error, 1.95996 * std::sqrt(n / 12.) / (n * n), 1e-6);
+    }
+}
+
+// Half the range of z over z_stat, at most 0.01.
+TEST(WalkSweep, ZIsConstantUpToAHundredth) {
+    WalkSweep sweep = map();
+    for (auto& each : sweep.points) {
+        const double half = std::get<double>(each.values[0]) < 0.35 ? 0.009 : 0.011;
+        each.outcome->result.z_min_ratio = 1 - half;
+        each.outcome->result.z_max_ratio = 1 + half;
+        each.outcome->result.regime = Regime::steady;
+    }
+    const auto groups = groups_of(sweep);
+    const Region region = regions_of(*grid_of(sweep, groups), false)[4];
+    EXPECT_EQ(region.name, "constant z");
+    EXPECT_DOUBLE_EQ(region.share, 0.4);
+}
+
 TEST(WalkSweep, StartsAreRepetitions) {
     WalkSweep sweep{.title = "Curves",
                     .settings = {},
@@ -144,6 +181,106 @@ TEST(WalkSweep, ListsOfFewNumbersAreAnExperiment) {
     EXPECT_NEAR(std::get<double>(rules.rows[0][2]), 0.94, 1e-14);
     EXPECT_NEAR(std::get<WithError>(rules.rows[0][3]).value, 0.02, 1e-14);
     EXPECT_NEAR(std::get<WithError>(rules.rows[0][4]).value, 0.06, 1e-14);
+    // Means over 0.03 j have the deviation 0.03, and 4.30265 is Student's t of two degrees of
+    // freedom; independent errors add in squares.
+    EXPECT_NEAR(std::get<WithError>(rules.rows[0][3]).error, 4.30265 * 0.03 * std::sqrt(2. / 3),
+                1e-6);
+}
+
+/// kappa2, kappa3, kappa8 at three, four and two levels: mu_e = 0.8 and a little scatter, 0.1 more
+/// at one pair of levels of the first two.
+WalkSweep unequal_levels(int special_i, int special_j) {
+    WalkSweep sweep{
+        .title = "Effects",
+        .settings = {},
+        .axes = {{"machine.kappa2", ""}, {"machine.kappa3", ""}, {"machine.kappa8", ""}},
+        .points = {}};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 4; ++j)
+            for (int k = 0; k < 2; ++k) {
+                const double special = i == special_i && j == special_j ? 0.1 : 0;
+                sweep.points.push_back(point({1. + i, 2. + j, 7. + k}, dynamics::set_b(),
+                                             Regime::steady,
+                                             0.8 + special + 1e-4 * ((7 * i + 5 * j + 3 * k) % 4)));
+            }
+    return sweep;
+}
+
+TEST(WalkSweep, RunsStandAtTheirLevels) {
+    const WalkSweep sweep = unequal_levels(0, 3);
+    const auto groups = groups_of(sweep);
+    const auto factorial = factorial_of(sweep, groups, machine_axes(sweep));
+    ASSERT_TRUE(factorial);
+    const FactorialDesign design = factorial->design(
+        groups, exclusion_rules().front(), [](const WalkOutcome& o) { return o.result.mu_e; });
+    for (std::size_t combination = 0; combination < design.response.size(); ++combination) {
+        const bool special = design.level(combination, 0) == 0 && design.level(combination, 1) == 3;
+        EXPECT_NEAR(design.response[combination], special ? 0.9 : 0.8, 4e-4) << combination;
+    }
+}
+
+// A departure at one pair of levels has its largest effect there: (1 - 1/3)(1 - 1/4) of it.
+TEST(WalkSweep, TheLargestEffectOfAPairIsNamedByItsLevels) {
+    const Document document = walk_sweep_document(unequal_levels(0, 3));
+    for (const DocumentTable& table : document.sections.front().tables) {
+        if (table.id != "interactions_friction") continue;
+        EXPECT_EQ(std::get<std::string>(table.rows[0][0]), "κ_2 × κ_3");
+        EXPECT_EQ(std::get<std::string>(table.rows[0][1]), "1, 5");
+        EXPECT_NEAR(std::get<WithError>(table.rows[0][2]).value, 0.1 * 2 / 3 * 3 / 4, 1e-3);
+        return;
+    }
+    FAIL() << "no table of pairs";
+}
+
+TEST(WalkSweep, CountsRunsAndThoseThatTilt) {
+    WalkSweep sweep{.title = "Curves",
+                    .settings = {},
+                    .axes = {{"start.x", ""}, {"machine.kappa8", ""}},
+                    .points = {}};
+    for (int start = 0; start < 3; ++start)
+        for (const double kappa8 : {0.1, 0.2})
+            sweep.points.push_back(point({double(start), kappa8}, dynamics::set_b(),
+                                         start == 0 ? Regime::tilting : Regime::chaotic, 0.5));
+    const Document document = walk_sweep_document(sweep);
+    const DocumentTable& groups = document.sections.front().tables.front();
+    ASSERT_EQ(groups.columns.size(), 4u);
+    EXPECT_EQ(groups.columns[2].heading, "runs");
+    EXPECT_EQ(std::get<double>(groups.rows[0][2]), 3);
+    EXPECT_EQ(groups.columns[3].heading, "tilting");
+    EXPECT_EQ(std::get<double>(groups.rows[0][3]), 1);
+}
+
+// Of two starts that disagree nothing is told; of three the two that stand.
+TEST(WalkSweep, AMachineTiltsWhereHalfOfItsStartsDo) {
+    for (const int n_starts : {2, 3}) {
+        WalkSweep sweep{.title = "Starts",
+                        .settings = {},
+                        .axes = {{"start.x", ""}, {"machine.kappa8", ""}},
+                        .points = {}};
+        for (int start = 0; start < n_starts; ++start)
+            sweep.points.push_back(point({double(start), 0.1}, dynamics::set_b(),
+                                         start == 0 ? Regime::tilting : Regime::chaotic, 0.5));
+        const auto groups = groups_of(sweep);
+        EXPECT_EQ(groups.front().tilts(), n_starts == 2);
+        EXPECT_EQ(std::isnan(groups.front().mu_e().value), n_starts == 2);
+    }
+}
+
+// Of four runs one is on its cycle at 500, two more at 1000, one never.
+TEST(WalkSweep, ArrivalsCountFromTheTimeTheyHappen) {
+    WalkSweep sweep{.title = "Starts", .settings = {}, .axes = {{"start.x", ""}}, .points = {}};
+    for (const double time : {500., 1000., 1000., 0.}) {
+        WalkSweep::Point each = point({double(sweep.points.size())}, dynamics::set_b(),
+                                      time > 0 ? Regime::limit_cycle : Regime::chaotic, 0.5);
+        each.outcome->result.transient = time;
+        each.outcome->result.period = 4;
+        sweep.points.push_back(each);
+    }
+    const Document document = walk_sweep_document(sweep);
+    const DocumentTable& arrivals = document.sections.front().tables.front();
+    EXPECT_EQ(std::get<double>(arrivals.rows[0][1]), 1);  // by 500
+    EXPECT_EQ(std::get<double>(arrivals.rows[1][1]), 3);  // by 1000
+    EXPECT_EQ(std::get<double>(arrivals.rows[8][1]), 3);
 }
 
 /// Arrivals at equal parts of an exponential law of mean life 1000, those after 3000 not awaited.
@@ -153,8 +290,8 @@ TEST(WalkSweep, StartsTellHowLongTransientsLive) {
     for (int i = 0; i < n; ++i) {
         const double time = -1000 * std::log((i + 0.5) / n);
         WalkSweep::Point each = point({double(i)}, dynamics::set_b(), Regime::chaotic, 0.5);
-        each.outcome->result.transient = 0;
-        each.outcome->result.observed = 3000;
+        each.outcome->result.transient = 1000;
+        each.outcome->result.observed = 2000;
         if (time < 3000) {
             each.outcome->result.regime = Regime::limit_cycle;
             each.outcome->result.transient = time;
