@@ -82,6 +82,8 @@ record 'NR == 3 { print "time [s],shift [um],speed [mm]"; next } 1'
 refused 'the column "speed [mm]" is none of time, shift and drive'
 record 'NR == 100 { $1 = 0 } 1'
 refused "run.csv:100: time = 0: times must increase from row to row"
+record 'NR == 99 { before = $1 } NR == 100 { $1 = before } 1'
+refused "times must increase from row to row"
 record 'NR == 100 { $2 = "nan" } 1'
 refused "run.csv:100: shift = nan: must be a finite number"
 record 'NR == 100 { print $1, $2; next } 1'

@@ -109,6 +109,25 @@ TEST(ContactProgram, RoundTripOfACylinder) {
 
 // CONTACT's own example "From Cattaneo to Carter": the force on body 1 is against the shift, and a
 // body at x0 = 0.25 mm has h = A x^2 - 2 A x0 x + A x0^2.
+// By its first corner or centre, and by a cell's size or the last corner or centre: the same cells.
+TEST(ContactProgram, ReadsCellsInEachOfFourWays) {
+    const std::string ways[] = {"1\n 90 33 -4.125 -4.125 0.25 0.25",
+                                "2\n 90 33 -4.125 -4.125 18.375 4.125", "3\n 90 33 -4 -4 0.25 0.25",
+                                "4\n 90 33 -4 -4 18.25 4"};
+    for (const std::string& way : ways) {
+        const auto cases = read_program_cases(
+            " 3 module\n 201110\n 022020\n 0001341\n 100 100 30 1 1e-7\n 0.47 -0.6 0 0\n 0.4 0.4\n"
+            " 0.28 0.28 1 1\n " +
+                way + "\n 1 1\n 0.003 0 0.003 0 0 0\n 0 MODULE\n",
+            "ways.inp");
+        ASSERT_EQ(cases.size(), 1u);
+        for (const int axis : {0, 1}) {
+            EXPECT_NEAR(cases[0].first[axis], -4e-3, 1e-15) << way;
+            EXPECT_NEAR(cases[0].spacing[axis], .25e-3, 1e-15) << way;
+        }
+    }
+}
+
 TEST(ContactProgram, ReadsAnExamplesStep) {
     const auto cases = read_program_cases(R"(% Values may be 0.5d0 or 5e-1, and go on
   3   module  % in further lines

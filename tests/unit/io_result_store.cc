@@ -162,6 +162,16 @@ TEST_F(Store, RowsThatWereChangedAreNotTaken) {
     EXPECT_EQ(merged.points, 1);
 }
 
+TEST_F(Store, AnErrorThatWasChangedIsNotTold) {
+    ResultStore(path("a")).add(failed("k", "not converged"));
+    EXPECT_EQ(ResultStore(path("a"), ResultStore::Mode::read).find("k")->error, "not converged");
+    execute(path("a"), "UPDATE points SET error = 'too stiff'");
+    EXPECT_NE(message_of([&] {
+                  ResultStore(path("a"), ResultStore::Mode::read).find("k");
+              }).find("its row is damaged"),
+              std::string::npos);
+}
+
 TEST_F(Store, DamagedRowsGiveWay) {
     ResultStore(path("a")).add(done("k", R"({"x":1})"));
     execute(path("a"), "UPDATE points SET key = 'l'");

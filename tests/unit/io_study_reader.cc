@@ -78,6 +78,18 @@ seed = 3
     EXPECT_EQ(study.sampling->seed, 3U);
 }
 
+// Twelve digits of 0.1 + 0.4/3; whole numbers next to 10 + 10/3 and 10 + 20/3.
+TEST(StudyReader, ValuesOfARangeAreRoundedToTwelveDigitsOrToTheNearestWholeNumber) {
+    const Study study = parse(head + R"([vary]
+rolling.amplitude_ratio = {from = 0.1, to = 0.5, points = 4}
+rolling.periods = {from = 10, to = 20, points = 4}
+)");
+    EXPECT_EQ(values_of(study.axes[0], {0, 1. / 3, 1}),
+              (std::vector<std::string>{"0.1", "0.233333333333", "0.5"}));
+    EXPECT_EQ(values_of(study.axes[1], {0, 1. / 3, 2. / 3, 1}),
+              (std::vector<std::string>{"10", "13", "17", "20"}));
+}
+
 TEST(StudyReader, KeepsTheEndsOfARangeWhateverTheirDigits) {
     const Study study = parse(head + R"([vary]
 rolling.amplitude_ratio = {from = 0.12345678901234567, to = 0.3, points = 2}
