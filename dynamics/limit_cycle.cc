@@ -110,13 +110,14 @@ std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
     // cycles of the map of kappa8 and mu, returns repeat to 2.5 step^2 at worst. On the way to a
     // cycle, or along what is none, they may be farther apart.
     // Coarse steps may not make anything look alike: above 0.01 a motion does not repeat.
-    const double tolerance = std::clamp(100 * step * step, 1e-9, 0.01) * size;
+    constexpr double misses = 100;
+    const double tolerance = std::clamp(misses * step * step, 1e-9, 0.01) * size;
     for (std::size_t points = 1; points <= std::min(longest, end.size() / 3); ++points)
         if (const double miss = repetition(machine, end, points); miss <= tolerance) {
             LimitCycle cycle = mean_cycle(machine, end, static_cast<int>(points), step);
             cycle.slides = slides(machine, cycle, miss);
             // What the integration scatters, step^2 in each return of a period.
-            const double error = tolerance / 100 * std::sqrt(static_cast<double>(points));
+            const double error = tolerance / misses * std::sqrt(static_cast<double>(points));
             cycle.settled = !creeps(periods_of(machine, end, points), error);
             return cycle;
         }

@@ -105,8 +105,8 @@ bool grows(const Machine& machine, std::span<const WalkWindow> windows) {
     const std::size_t half = windows.size() / 2;
     const double before = greatest_vibration(windows.first(half)),
                  after = greatest_vibration(windows.subspan(half));
-    constexpr double rounding = 1e-9;
-    return after > std::max(1.1 * before, rounding * static_displacement(machine));
+    constexpr double rounding = 1e-9, growth = 0.1;
+    return after > std::max((1 + growth) * before, rounding * static_displacement(machine));
 }
 
 /// The base moves and nothing slides: the spring takes up what the base moves. Its force is a load,
