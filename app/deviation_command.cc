@@ -21,10 +21,10 @@ using comparisons::HalfSpaceDeviation;
 using comparisons::RolledResult;
 using comparisons::RolledRun;
 
-/// The case with the place of the file in what is wrong with it.
-HalfSpaceDeviation exact_deviation(const DeviationOptions& options, const contact::Case& c) {
+/// Refuses a case without deviations, with the place of the file, before anything is removed.
+void check_contact(const DeviationOptions& options, const contact::Case& c) {
     try {
-        return comparisons::exact_deviation(c);
+        comparisons::deviation_contact(c);
     } catch (const contact::InputError& error) {
         throw contact::InputError(options.case_file + ": " + error.what());
     }
@@ -92,8 +92,10 @@ void deviation_command(const DeviationOptions& given) {
     refuse_rolling_on(c, options.case_file);
     io::OutputFolder folder(options.output, {{"deviation.csv", "deviation.json", "report.html"},
                                              io::result_store_files()});
-    HalfSpaceDeviation deviation = exact_deviation(options, c);
+    check_contact(options, c);
+    HalfSpaceDeviation deviation;
     folder.fill([&] {
+        deviation = comparisons::exact_deviation(c);
         if (options.runs) add_runs(options, deviation);
         write(options, c, deviation);
     });

@@ -101,7 +101,7 @@ std::string table_of(const RollingReport& report) {
                                    "F_y/(mu F_N)", "stick");
     for (const RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
-        text += fmt::format("{:<22} {:>12.5g} {:>12.5f} {:>12.5f} {:>8.4f}\n", run.model,
+        text += fmt::format("{:<22} {:>12.5g} {:>12.5g} {:>12.5g} {:>8.4f}\n", run.model,
                             s.creepage.longitudinal, tractive::force_ratio(s, mu),
                             s.force[1] / (mu * s.normal_force), s.stick_area / s.contact_area);
     }
@@ -109,12 +109,11 @@ std::string table_of(const RollingReport& report) {
     const auto& first = report.runs.front().history.steady;
     const double f = tractive::force_ratio(first, mu), xi = first.creepage.longitudinal;
     for (const auto& theory : tractive::creep_theories(report.c))
-        if (f >= 0 && f < 1 && xi >= 0)
-            text += tractive::by_creepage(report.c)
-                        ? fmt::format("{:<22} {:>12.5g} {:>12.5f}\n", theory.key, xi,
-                                      theory.force_ratio(xi))
-                        : fmt::format("{:<22} {:>12.5g} {:>12.5f}\n", theory.key,
-                                      theory.creepage(f), f);
+        if (tractive::by_creepage(report.c))
+            text +=
+                fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, xi, theory.force_ratio(xi));
+        else if (std::abs(f) < 1)
+            text += fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, theory.creepage(f), f);
     return text;
 }
 

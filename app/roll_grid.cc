@@ -7,6 +7,7 @@
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/surface_model.h"
@@ -20,6 +21,7 @@ namespace tricontact::app {
 namespace {
 
 using comparisons::tractive::centre_line;
+using comparisons::tractive::drive_sign;
 using comparisons::tractive::RollingRun;
 using contact::Case;
 using rolling::RollingProblem;
@@ -113,7 +115,8 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
         !problem.drive.creepage[0] && !problem.drive.force_ratio && problem.drive.force[0] == 0;
     const double begin = free ? run.history.steady.creepage.longitudinal : 0;
     const std::size_t n_steps = run.history.transient.size() - 1;
-    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
+    for (const double creepage :
+         curve_creepages(drive_sign(c) * sliding_creepage(c), runs.points)) {
         problem.drive.creepage[0] = begin + creepage;
         run.creep_curve.push_back(rolling::run(*substrate, problem).steady);
         runs.tell(n_steps + run.creep_curve.size(), n_steps);

@@ -5,6 +5,7 @@
 
 #include "app/roll_models.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "mdr/model.h"
@@ -14,6 +15,7 @@ namespace tricontact::app {
 namespace {
 
 using comparisons::tractive::centre_line;
+using comparisons::tractive::drive_sign;
 using comparisons::tractive::RollingRun;
 using contact::Case;
 using contact::TangentialControl;
@@ -202,7 +204,8 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     run.history.steady.distance = infinite;
     run.history.surface = bed.model().surface();
     keep(infinite, infinite);
-    for (const double creepage : curve_creepages(sliding_creepage(c), runs.points)) {
+    for (const double creepage :
+         curve_creepages(drive_sign(c) * sliding_creepage(c), runs.points)) {
         run.creep_curve.push_back(steady_state_at(c, creepage));
         runs.tell(n_steps + run.creep_curve.size(), n_steps);
     }

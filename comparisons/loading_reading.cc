@@ -127,7 +127,7 @@ std::vector<std::string> treatment_sentences(const Case& c, const std::vector<st
     for (const std::string& model : models) {
         if (is_uncoupled_half_space(c, model))
             half_spaces.push_back(model);
-        else if (couples(could, model))
+        else if (couples(could, model) && !is_tabulated(c, model))
             coupled.push_back(model);
     }
     std::vector<std::string> result{coupling_sentence(c, coupled, variants),

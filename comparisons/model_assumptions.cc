@@ -13,13 +13,17 @@ bool half_spaces_couple(const Case& c) {
     return std::abs(c.materials().dundurs_beta()) > negligible_beta;
 }
 
+bool is_tabulated(const Case& c, const std::string& model) {
+    return c.bem.influence && model.starts_with("bem");
+}
+
 bool couples(const Case& c, const std::string& model) {
     if (!c.contact.coupling || model.starts_with("mdr")) return false;
-    return model != "bem" || half_spaces_couple(c);
+    return model != "bem" || is_tabulated(c, model) || half_spaces_couple(c);
 }
 
 bool is_uncoupled_half_space(const Case& c, const std::string& model) {
-    return is_half_space(model) && !couples(c, model);
+    return is_half_space(model) && !is_tabulated(c, model) && !couples(c, model);
 }
 
 bool static_shift_is_relaxed(const Case& c) {

@@ -13,8 +13,12 @@ inline constexpr double negligible_beta = 1e-3;
 /// Whether the half-spaces of the case's materials couple normal and tangential contact.
 bool half_spaces_couple(const contact::Case& c);
 
-/// Whether the model couples normal and tangential contact in this case: MDR's springs never do,
-/// bem by Dundurs' beta.
+/// Whether the model's elasticity is that of a file of influence coefficients: what the case says
+/// of the bodies decides neither coupling nor thickness.
+bool is_tabulated(const contact::Case& c, const std::string& model);
+
+/// Whether the model couples normal and tangential contact in this case, or may: MDR's springs
+/// never do, bem does by Dundurs' beta, or as its file of influence coefficients says.
 bool couples(const contact::Case& c, const std::string& model);
 
 /// Whether the model solves what the closed forms of uncoupled, elastic half-spaces are about.

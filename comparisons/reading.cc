@@ -190,7 +190,7 @@ std::string taking(const std::vector<std::string>& models, const Summaries& summ
 std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> models;
     for (const ModelSummary& s : summaries)
-        if (is_half_space(s.model)) models.push_back(s.model);
+        if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
     if (models.empty()) return {};
     const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
     return fmt::format("{} the bodies as {}half-spaces: {}.", taking(models, summaries),
@@ -210,9 +210,7 @@ std::string uncoupled_sentence(const contact::Case& c, const Summaries& summarie
                        taking(models, summaries), significant(c.materials().dundurs_beta(), 2));
 }
 std::string coupled_sentence(const contact::Case& c, const Summaries& summaries) {
-    const bool coupled = std::ranges::any_of(
-        summaries, [&](const ModelSummary& s) { return s.model == "bem" && couples(c, s.model); });
-    if (!coupled) return {};
+    if (!has_model(summaries, "bem") || is_tabulated(c, "bem") || !couples(c, "bem")) return {};
     return fmt::format("BEM couples normal and tangential contact (Dundurs' β = {}).",
                        significant(c.materials().dundurs_beta(), 2));
 }

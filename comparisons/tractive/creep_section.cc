@@ -37,7 +37,7 @@ Figure creep_figure(const RollingReport& report) {
             lateral.y.push_back(s.force[1] / (mu * s.normal_force));
         }
         if (along.x.empty()) continue;
-        farthest = std::fmax(farthest, along.x.back());
+        if (std::abs(along.x.back()) > std::abs(farthest)) farthest = along.x.back();
         lateral.x = along.x;
         figure.curves.push_back(std::move(along));
         if (across) figure.curves.push_back(std::move(lateral));
@@ -77,13 +77,13 @@ DocumentTable ratio_table(const RollingReport& report) {
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
         if (&run != mdr) table.columns.push_back({"over " + display_name(run.model)});
-    const double mu = report.c.friction_coefficient;
+    const double mu = report.c.friction_coefficient, sign = drive_sign(report.c);
     for (const double f : {.1, .2, .3, .4, .5, .6, .7, .8, .9}) {
-        const auto bed = creepage_at(*mdr, mu, f);
-        std::vector<Cell> row{f};
+        const auto bed = creepage_at(*mdr, mu, sign * f);
+        std::vector<Cell> row{sign * f};
         for (const RollingRun& run : report.runs) {
             if (&run == mdr) continue;
-            const auto other = creepage_at(run, mu, f);
+            const auto other = creepage_at(run, mu, sign * f);
             if (bed && other) row.emplace_back(*bed / *other);
         }
         if (row.size() == table.columns.size()) table.rows.push_back(std::move(row));

@@ -1,6 +1,7 @@
 #include "comparisons/tractive/creep_theory.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "comparisons/model_assumptions.h"
 #include "comparisons/tractive/free_rolling.h"
@@ -18,23 +19,34 @@ using contact::Case;
 /// Kalker's table ends there.
 constexpr double longest_axes_ratio = 10;
 
+/// Of the theory for positive creepages: driven instead of braked is its mirror image.
+CreepTheory of_both_signs(CreepTheory braked) {
+    const auto odd = [](const auto& of_positive) {
+        return [of_positive](double x) { return std::copysign(of_positive(std::abs(x)), x); };
+    };
+    return {std::move(braked.name), std::move(braked.key), odd(braked.force_ratio),
+            odd(braked.creepage)};
+}
+
 CreepTheory cubic(std::string name, std::string key, double sliding) {
-    return {std::move(name), std::move(key),
-            [=](double creepage) { return theory::cubic_force_ratio(creepage / sliding); },
-            [=](double f) { return sliding * theory::cubic_creepage_ratio(f); }};
+    return of_both_signs(
+        {std::move(name), std::move(key),
+         [=](double creepage) { return theory::cubic_force_ratio(creepage / sliding); },
+         [=](double f) { return sliding * theory::cubic_creepage_ratio(f); }});
 }
 
 /// Without slip: a straight line up to sliding.
 CreepTheory linear(std::string name, std::string key, double sliding) {
-    return {std::move(name), std::move(key),
-            [=](double creepage) { return std::min(1., 3 * creepage / sliding); },
-            [=](double f) { return sliding * f / 3; }};
+    return of_both_signs({std::move(name), std::move(key),
+                          [=](double creepage) { return std::min(1., 3 * creepage / sliding); },
+                          [=](double f) { return sliding * f / 3; }});
 }
 
 CreepTheory carter(double unit) {
-    return {"Carter", "carter",
-            [=](double creepage) { return theory::carter_force_ratio(creepage / unit); },
-            [=](double f) { return unit * theory::carter_creepage_ratio(f); }};
+    return of_both_signs(
+        {"Carter", "carter",
+         [=](double creepage) { return theory::carter_force_ratio(creepage / unit); },
+         [=](double f) { return unit * theory::carter_creepage_ratio(f); }});
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ double creepage_unit(const contact::Case& c);
 struct CreepTheory {
     std::string name;                                    ///< "Vermeulen and Johnson"
     std::string key;                                     ///< in JSON and CSV
-    std::function<double(double creepage)> force_ratio;  ///< F_x/(mu F_N) of xi >= 0
-    std::function<double(double force_ratio)> creepage;  ///< its inverse, force ratio in [0, 1)
+    std::function<double(double creepage)> force_ratio;  ///< F_x/(mu F_N) of xi
+    std::function<double(double force_ratio)> creepage;  ///< its inverse, force ratio in (-1, 1)
 };
 
 /// Those that apply to the case's body on a half-space: Carter's of a cylinder; of a body that

@@ -26,12 +26,13 @@ std::optional<double> energy_error(const RollingState& steady, double friction_c
 std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient,
                                   double ratio) {
     const std::vector<RollingState>& curve = run.creep_curve;
+    const double sign = std::copysign(1, ratio), size = std::abs(ratio);
     for (std::size_t i = 1; i < curve.size(); ++i) {
-        const double low = force_ratio(curve[i - 1], friction_coefficient);
-        const double high = force_ratio(curve[i], friction_coefficient);
-        if (!(low <= ratio && ratio <= high && low < high)) continue;
+        const double low = sign * force_ratio(curve[i - 1], friction_coefficient);
+        const double high = sign * force_ratio(curve[i], friction_coefficient);
+        if (!(low <= size && size <= high && low < high)) continue;
         const double begin = std::cbrt(1 - low), end = std::cbrt(1 - high);
-        const double part = (begin - std::cbrt(1 - ratio)) / (begin - end);
+        const double part = (begin - std::cbrt(1 - size)) / (begin - end);
         return std::lerp(curve[i - 1].creepage.longitudinal, curve[i].creepage.longitudinal, part);
     }
     return std::nullopt;
@@ -52,6 +53,15 @@ std::optional<double> steady_after(const RollingReport& report, const RollingRun
     if (last == states.rbegin()) return std::nullopt;
     return (last.base() != states.end() ? last.base()->distance : 0) /
            run.history.steady.half_length;
+}
+
+double drive_sign(const contact::Case& c) {
+    const auto& creepage = c.tractive_rolling->longitudinal_creepage;
+    const auto& ratio = c.load.tangential_ratio;
+    const double drive = creepage ? *creepage
+                         : ratio  ? *ratio
+                                  : c.load.tangential_force.value_or(0);
+    return drive < 0 ? -1 : 1;
 }
 
 const RollingRun* run_of(const RollingReport& report, const std::string& model) {

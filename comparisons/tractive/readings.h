@@ -16,7 +16,7 @@ std::optional<double> energy_error(const rolling::RollingState& steady,
                                    double friction_coefficient);
 
 /// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
-/// of xi over (1 - f)^(1/3), in which creep curves are nearly straight; empty beyond the curve.
+/// of xi over (1 - |f|)^(1/3), in which creep curves are nearly straight; empty beyond the curve.
 std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient, double ratio);
 
 /// Ways over the half length until the transient has come to within 1 % of the steady state, in
@@ -28,6 +28,9 @@ std::optional<double> steady_after(const RollingReport& report, const RollingRun
 inline bool by_creepage(const contact::Case& c) {
     return c.tractive_rolling->longitudinal_creepage.has_value();
 }
+
+/// The sign of F_x and xi along the creep curve: -1 where the roller is driven, not braked.
+double drive_sign(const contact::Case& c);
 
 /// Nothing but the longitudinal creepage or force drives the contact: what closed forms assume.
 inline bool straight(const contact::Case& c) {

@@ -59,9 +59,9 @@ Json theories_json(const RollingReport& report) {
     for (const CreepTheory& theory : creep_theories(report.c)) {
         Json one{{"theory", theory.key}};
         if (by_creepage(report.c))
-            one["force_ratio"] = xi >= 0 ? number(theory.force_ratio(xi)) : Json();
+            one["force_ratio"] = number(theory.force_ratio(xi));
         else
-            one["longitudinal_creepage"] = f >= 0 && f < 1 ? number(theory.creepage(f)) : Json();
+            one["longitudinal_creepage"] = std::abs(f) < 1 ? number(theory.creepage(f)) : Json();
         json.push_back(std::move(one));
     }
     return json;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <limits>
 
 #include "comparisons/format.h"
@@ -67,7 +68,7 @@ DocumentTable theory_table(const RollingReport& report) {
     const auto& first = report.runs.front().history.steady;
     for (const CreepTheory& theory : creep_theories(report.c)) {
         const double f = force_ratio(first, mu), xi = first.creepage.longitudinal;
-        if (!(f >= 0 && f < 1 && xi >= 0)) continue;
+        if (!forces && !(std::abs(f) < 1)) continue;
         const double value = forces ? theory.force_ratio(xi) : theory.creepage(f);
         std::vector<Cell> row{theory.name, forces ? value : value / unit};
         for (const RollingRun& run : report.runs) {

@@ -43,6 +43,16 @@ for file in report.html deviation.csv deviation.json; do
     cmp -s "static/$file" "before/$file" || complain "$file differs the second time"
 done
 
+# Old results go at the start, not when the exact theory is done; of a case that is refused they stay.
+refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1.5 --output "$PWD/static"
+[ -s static/report.html ] || complain "results removed by a call that is refused"
+"$program" deviation "$rig" --no-runs --quiet --output static >out 2>err &
+child=$!
+while kill -0 $child 2>/dev/null && [ -e static/report.html ]; do sleep 0.002; done
+kill -9 $child 2>/dev/null || complain "old results stayed until the end"
+wait $child 2>/dev/null
+[ ! -e static/deviation.csv ] || complain "old results stayed"
+
 refused "rig_sphere_parallel.toml: substrate.thickness is missing: without it" deviation \
     "$source_dir/cases/rig_sphere_parallel.toml"
 refused "the exact theory knows one layer" deviation "$source_dir/cases/rig_layer_on_glue.toml"

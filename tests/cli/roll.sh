@@ -42,6 +42,13 @@ for model in mdr bem; do
         table.txt driven.txt || complain "driven is not braked mirrored: $(cat table.txt driven.txt)"
 done
 
+awk -F, '$1 == "bem" || $1 == "mdr" || $1 == "vermeulen_johnson" { n++; if ($2 > 0 || $3 > 0 || $3 < -1.000001) bad = 1 }
+    END { exit bad || n < 9 }' driven/creep.csv || complain "the creep curve is not the driven one: $(cat driven/creep.csv)"
+"$program" roll "$sphere" "${coarse[@]}" --set load.tangential_ratio=1e-7 --no-report --output small \
+    >small.txt 2>&1 || complain "a small force: $(cat small.txt)"
+awk '$1 == "mdr" || $1 == "bem" || $1 == "vermeulen_johnson" { n++; if (($3 / 1e-7 - 1) ^ 2 > 1e-4) bad = 1 }
+    END { exit bad || n != 3 }' small.txt || complain "a small force is not told: $(cat small.txt)"
+
 # Friction that moves a coupled contact beside the grid that was made for it.
 "$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set friction.coefficient=10 \
     --set bem.cells_per_radius=12 --set tractive_rolling.distance=2 --points 2 --quiet --no-report \

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <algorithm>
 #include <set>
+#include <system_error>
+#include <thread>
 
 #include "comparisons/plots.h"
 #include "comparisons_history.h"
@@ -88,6 +91,27 @@ INSTANTIATE_TEST_SUITE_P(
         PlotCase{"even_grid", {.n_x = 40, .n_y = 30}, "", all},
         PlotCase{"many_points", {.n_x = 320, .n_y = 320, .springs = 20001}, "", all}),
     [](const auto& tested) { return tested.param.name; });
+
+// Where the system gives no further thread - here none whose stack is larger than all addresses -
+// one draws them all.
+TEST(PlotDrawing, OneThreadDrawsWhatMoreWouldDraw) {
+    const Options options{.rolling = false};
+    const auto plots = make_plots(synthetic::unit_case(options), synthetic::two_models(options));
+    const auto due = draw_all(plots);
+    pthread_attr_t usual, none;
+    ASSERT_EQ(pthread_getattr_default_np(&usual), 0);
+    ASSERT_EQ(pthread_attr_init(&none), 0);
+    ASSERT_EQ(pthread_attr_setstacksize(&none, std::size_t{1} << 60), 0);
+    ASSERT_EQ(pthread_setattr_default_np(&none), 0);
+    EXPECT_THROW(std::thread([] {}).join(), std::system_error);
+    const auto drawings = draw_all(plots);
+    ASSERT_EQ(pthread_setattr_default_np(&usual), 0);
+    ASSERT_EQ(drawings.size(), due.size());
+    for (std::size_t i = 0; i < due.size(); ++i) {
+        EXPECT_EQ(drawings[i].svg, due[i].svg) << plots[i].name;
+        EXPECT_EQ(drawings[i].png, due[i].png) << plots[i].name;
+    }
+}
 
 TEST(PlotData, AreThinnedForThePicture) {
     const Options options{.periods = 500, .n_x = 320, .n_y = 320, .springs = 20001};

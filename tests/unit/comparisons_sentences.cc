@@ -72,6 +72,22 @@ TEST(ReadingSentences, WhoCouplesIsNotCalledUncoupled) {
     EXPECT_TRUE(says(reading_of(rubber, {"bem"}), "as uncoupled"));
 }
 
+// What a file of coefficients is of, a layer perhaps, the materials of the case do not tell.
+TEST(ReadingSentences, NothingIsSaidOfTheBodiesOfAFileOfInfluenceCoefficients) {
+    for (Case c : {coupled(), uncoupled()}) {
+        c.bem.influence = "layer.influence";
+        const std::string text = reading_of(c, {"bem"});
+        for (const char* claim : {"as uncoupled", "couples", "the bodies as", "is expected"})
+            EXPECT_FALSE(says(text, claim)) << claim << ": " << text;
+        EXPECT_FALSE(is_uncoupled_half_space(c, "bem"));
+        EXPECT_TRUE(is_uncoupled_half_space(c, "mdr"));
+    }
+    Case rubber = coupled();
+    rubber.substrate.poisson = 0.5;
+    rubber.bem.influence = "layer.influence";
+    EXPECT_TRUE(couples(rubber, "bem")) << "it may";
+}
+
 TEST(ReadingSentences, TheExactLimitDecidesUncoupledElasticHalfSpacesOnly) {
     const std::string must = "By the exact limit it must", expected = "is expected";
     const auto undecided = [](const Case& c, const std::string& model) {

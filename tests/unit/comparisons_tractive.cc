@@ -116,6 +116,38 @@ TEST(TractiveReport, FindsTheRatioOfTheThesisInItsClosedForms) {
     }
 }
 
+// Driven instead of braked everything has the other sign, and nothing else.
+TEST(TractiveReport, OfADrivenRollerIsTheMirrorImage) {
+    const RollingReport braked = report_of(.3);
+    RollingReport driven = braked;
+    driven.c.load.tangential_ratio = -.5;
+    driven.c.load.tangential_force.reset();
+    EXPECT_EQ(drive_sign(driven.c), -1);
+    EXPECT_EQ(drive_sign(braked.c), 1);
+    for (auto& run : driven.runs)
+        for (RollingState& s : run.creep_curve) {
+            s.creepage.longitudinal *= -1;
+            s.force[0] *= -1;
+        }
+    EXPECT_EQ(creepage_at(driven.runs[0], .57, -.35),
+              -creepage_at(braked.runs[0], .57, .35).value());
+    EXPECT_FALSE(creepage_at(driven.runs[0], .57, .35));
+    const DocumentSection found = creep_section(driven), due = creep_section(braked);
+    ASSERT_EQ(found.tables.size(), 1U);
+    ASSERT_EQ(found.tables[0].rows.size(), due.tables[0].rows.size());
+    for (std::size_t i = 0; i < due.tables[0].rows.size(); ++i) {
+        EXPECT_EQ(number_in(found.tables[0].rows[i][0]), -number_in(due.tables[0].rows[i][0]));
+        EXPECT_EQ(number_in(found.tables[0].rows[i][1]), number_in(due.tables[0].rows[i][1]));
+    }
+    const auto &curves = found.figures[0].curves, &mirrored = due.figures[0].curves;
+    ASSERT_EQ(curves.size(), mirrored.size());
+    for (std::size_t k = 0; k < curves.size(); ++k)
+        for (std::size_t i = 0; i < curves[k].x.size(); ++i) {
+            EXPECT_EQ(curves[k].x[i], -mirrored[k].x[i]) << curves[k].name;
+            EXPECT_EQ(curves[k].y[i], -mirrored[k].y[i]) << curves[k].name;
+        }
+}
+
 TEST(TractiveReport, ReadsTheTransient) {
     const RollingReport report = report_of(.5);
     // 1 + exp(-3 way) is within 1 % from way 2 on.
