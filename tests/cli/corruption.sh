@@ -2,12 +2,8 @@
 # One flipped bit in what is kept for later calls - rows of results, levels of a refinement, journals,
 # condensed layers - gives the same numbers as before, or an error, and never another number.
 # usage: corruption.sh PROGRAM SOURCE_DIR [FLIPS_EACH [SEED]]
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/at_random.bash"
 flips=${3:-4}
-RANDOM=${4:-20261122}
-child=
-trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
-export OPENBLAS_NUM_THREADS=1
 
 # flip FILE: one bit of it, any; tells which.
 flip() {

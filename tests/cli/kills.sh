@@ -2,12 +2,8 @@
 # Commands that are killed at any time: the next call makes the same files as one that was not, and
 # nothing else is left behind. A kill that comes too late is repeated until KILLS have met a command at work.
 # usage: kills.sh PROGRAM SOURCE_DIR [KILLS [SEED]]
-source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
+source "$(dirname -- "${BASH_SOURCE[0]}")/at_random.bash"
 kills=${3:-7}
-RANDOM=${4:-20261122}
-child=
-trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
-export OPENBLAS_NUM_THREADS=1
 
 # The commands run here, alone with their files; what this script keeps stands above.
 mkdir calls temporary

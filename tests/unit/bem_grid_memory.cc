@@ -15,29 +15,13 @@
 #include "contact/run.h"
 #include "io/case_reader.h"
 #include "tests/unit/io_sphere_case.h"
+#include "tests/unit/memory_probe.h"
 
 namespace tricontact::bem {
 namespace {
 
-// Bytes of a line "name: number kB" of this process.
-double status(const std::string& name) {
-    std::ifstream in("/proc/self/status");
-    std::string word;
-    while (in >> word)
-        if (word == name) {
-            double kilobytes = 0;
-            in >> kilobytes;
-            return kilobytes * 1024;
-        }
-    return 0;
-}
-
-// In a process of its own, whose memory is its own.
-template <typename Body>
-void expect_in_process(Body body) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    EXPECT_EXIT(std::_Exit(body() ? 0 : 1), testing::ExitedWithCode(0), "");
-}
+using test::expect_in_process;
+using test::status;
 
 contact::Case case_of(const std::string& cells, const std::string& poisson) {
     return io::parse_case(io::loaded_sphere, "a.toml",

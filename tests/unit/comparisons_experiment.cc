@@ -77,9 +77,7 @@ TEST(ExperimentRun, IntervalsOfOneRunCoverTheTruthAsOftenAsTheyClaim) {
 TEST(ExperimentRun, FindsWobbleNoiseAndResolution) {
     std::mt19937_64 random(2);
     SyntheticRecord synthetic;
-    Experiment experiment;
-    experiment.records = {synthetic.make(random)};
-    const auto run = evaluate_experiment(experiment).runs[0];
+    const auto run = tests::evaluated(synthetic, random).runs[0];
     EXPECT_NEAR(run.noise.resolution(), 80e-9, 1e-15);
     // Noise and rounding, sqrt(50^2 + 80^2/12) = 55 nm; 600 samples give it to 3 %.
     EXPECT_NEAR(run.noise.standard_deviation(), 55.1e-9, 5e-9);
@@ -97,9 +95,7 @@ TEST(ExperimentRun, WobbleAndJitterDoNotReachTheValuesOfPeriods) {
         synthetic.wobble = 0.0025;
         synthetic.jitter = jitter;
         std::mt19937_64 random(1);
-        Experiment experiment;
-        experiment.records = {synthetic.make(random)};
-        const auto e = evaluate_experiment(experiment);
+        const auto e = tests::evaluated(synthetic, random);
         for (std::size_t n = 0; n < e.shift.size(); ++n)
             EXPECT_NEAR(e.shift[n].value, um * synthetic.stages[0].shift(double(n)), 1e-15);
     }
@@ -226,9 +222,7 @@ TEST(Experiment, NormalisedErrorsAreThoseOfTheFormulas) {
     c.load.normal_force = 21.1;
     c.load.tangential_force = 6.7;
     std::mt19937_64 random(8);
-    Experiment experiment;
-    experiment.records = {SyntheticRecord().make(random)};
-    auto e = evaluate_experiment(experiment);
+    auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
                 [](contact::Case& k) -> double& { return k.friction_coefficient; }},

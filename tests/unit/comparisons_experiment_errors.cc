@@ -26,9 +26,7 @@ TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
     c.rolling.emplace();
     c.rolling->amplitude_ratio = 0.24;
     std::mt19937_64 random(8);
-    Experiment experiment;
-    experiment.records = {SyntheticRecord().make(random)};
-    auto e = evaluate_experiment(experiment);
+    auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"friction.coefficient", 0.02,
                 [](contact::Case& k) -> double& { return k.friction_coefficient; }},
@@ -72,9 +70,7 @@ TEST(Experiment, AnErrorAtTheEndOfARangeGoesInwards) {
     c.load.normal_force = 21.1;
     c.load.tangential_force = 6.7;
     std::mt19937_64 random(8);
-    Experiment experiment;
-    experiment.records = {SyntheticRecord().make(random)};
-    auto e = evaluate_experiment(experiment);
+    auto e = tests::evaluated(SyntheticRecord(), random);
     normalise(e, c,
               {{"substrate.poisson", 0.01,
                 [](contact::Case& k) -> double& { return k.substrate.poisson; }, 0.5}});
@@ -91,9 +87,7 @@ std::string sentences(const ExperimentEvaluation& e) {
 
 TEST(Experiment, WithoutStatedErrorsNobodyTellsWhetherModelsDiffer) {
     std::mt19937_64 random(9);
-    Experiment experiment;
-    experiment.records = {SyntheticRecord().make(random)};
-    auto e = evaluate_experiment(experiment);
+    auto e = tests::evaluated(SyntheticRecord(), random);
     std::vector<double> shift;
     for (const Estimate& u : e.shift) shift.push_back(1.1 * u.value);
     add_prediction(e, {"mdr", shift, State::shakedown, 0, {}});
@@ -108,9 +102,7 @@ TEST(Experiment, WithoutStatedErrorsNobodyTellsWhetherModelsDiffer) {
 // is the drift that was taken out of the record with the creep.
 TEST(Experiment, RestAndCreepOfARelaxingSubstrateAreNoDifference) {
     std::mt19937_64 random(9);
-    Experiment experiment;
-    experiment.records = {SyntheticRecord().make(random)};
-    auto e = evaluate_experiment(experiment);
+    auto e = tests::evaluated(SyntheticRecord(), random);
     EXPECT_DOUBLE_EQ(e.rest.time, 30);
     EXPECT_FALSE(e.rest.is_whole);
     Experiment loaded;

@@ -11,22 +11,13 @@
 #include "fem/condensed_layer.h"
 #include "fem/memory.h"
 #include "tests/unit/fem_box_mesh.h"
+#include "tests/unit/memory_probe.h"
 
 namespace tricontact {
 namespace {
 
-// Bytes of a line "name: number kB" of this process.
-double status(const std::string& name) {
-    std::ifstream in("/proc/self/status");
-    std::string word;
-    while (in >> word)
-        if (word == name) {
-            double kilobytes = 0;
-            in >> kilobytes;
-            return kilobytes * 1024;
-        }
-    return 0;
-}
+using test::expect_in_process;
+using test::status;
 
 // The layer of the rig with elements of `size` [m].
 fem::LayerProblem rig(double size) {
@@ -38,14 +29,6 @@ fem::LayerProblem rig(double size) {
                                    test::graded(size, 6e-3, 48e-3, 1.8), down, 6e-3, 6e-3, true});
     problem.materials = {contact::Material{5.2e6, .5}, contact::Material{5.2e6, .5}};
     return problem;
-}
-
-// `body` in a process of its own, whose memory is its own: started afresh, since the threads of
-// deal.II do not survive a fork.
-template <typename Body>
-void expect_in_process(Body body) {
-    GTEST_FLAG_SET(death_test_style, "threadsafe");
-    EXPECT_EXIT(std::_Exit(body() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 TEST(FemMemory, NeedIsPredicted) {

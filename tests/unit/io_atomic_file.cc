@@ -10,42 +10,20 @@
 
 #include "contact/error.h"
 #include "io/atomic_file.h"
+#include "tests/unit/io_temporary_folder.h"
 
 namespace tricontact::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const contact::InputError& error) {
-        return error.what();
-    }
-    return "(no error)";
-}
-
-class AtomicFile : public testing::Test {
+class AtomicFile : public TemporaryFolder {
   protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::path(testing::TempDir()) /
-                  ("io_atomic_" + std::string(test->name()) + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string at(const std::string& name) const { return (folder_ / name).string(); }
-    std::string content(const std::string& name) const {
-        std::ostringstream out;
-        out << std::ifstream(at(name), std::ios::binary).rdbuf();
-        return out.str();
-    }
+    std::string at(const std::string& name) const { return (root_ / name).string(); }
+    std::string content(const std::string& name) const { return content_of(at(name)); }
     std::ptrdiff_t n_files() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(root_), fs::directory_iterator());
     }
-
-    fs::path folder_;
 };
 
 TEST_F(AtomicFile, WritesAndReplacesBytes) {

@@ -18,41 +18,25 @@
 #include "io/output_folder.h"
 #include "io/output_target.h"
 #include "io/result_store.h"
+#include "tests/unit/io_temporary_folder.h"
 
 namespace tricontact::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const contact::InputError& error) {
-        return error.what();
-    }
-    return "(no error)";
-}
-
-class OutputFolderTest : public testing::Test {
+class OutputFolderTest : public TemporaryFolder {
   protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        root_ = fs::path(testing::TempDir()) /
-                ("io_output_" + std::string(test->name()) + std::to_string(::getpid()));
-        fs::create_directories(root_);
+        TemporaryFolder::SetUp();
         out_ = (root_ / "out").string();
     }
-    void TearDown() override { fs::remove_all(root_); }
 
     static void put(const fs::path& path, const std::string& text) {
         fs::create_directories(path.parent_path());
         std::ofstream(path, std::ios::binary) << text;
     }
-    static std::string content(const fs::path& path) {
-        std::ostringstream text;
-        text << std::ifstream(path, std::ios::binary).rdbuf();
-        return text.str();
-    }
+    static std::string content(const fs::path& path) { return content_of(path); }
     // Everything below the root: kinds, and the content of regular files.
     std::map<std::string, std::string> everything() const {
         std::map<std::string, std::string> found;
@@ -84,7 +68,6 @@ class OutputFolderTest : public testing::Test {
         EXPECT_EQ(everything(), before);
     }
 
-    fs::path root_;
     std::string out_;
 };
 

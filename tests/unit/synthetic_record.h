@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "comparisons/experiment_evaluation.h"
 #include "contact/experiment.h"
 
 namespace tricontact::tests {
@@ -84,5 +85,12 @@ struct SyntheticRecord {
         }
     }
 };
+
+/// What is evaluated from one such record alone.
+inline auto evaluated(const SyntheticRecord& synthetic, std::mt19937_64& random) {
+    contact::Experiment experiment;
+    experiment.records = {synthetic.make(random)};
+    return comparisons::evaluate_experiment(experiment);
+}
 
 }  // namespace tricontact::tests

@@ -12,6 +12,7 @@
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"
 #include "tests/unit/rolling_problems.h"
+#include "tests/verification/contact_program_prints.h"
 
 namespace tricontact {
 namespace {
@@ -40,9 +41,7 @@ tangential_ratio = 0.657
 spacing = "0.25 mm"
 )",
                                            "catt_to_cart");
-    constexpr std::array shifts{4.548e-4, 4.705e-4, 4.886e-4, 5.125e-4, 5.349e-4,
-                                5.552e-4, 5.835e-4, 6.069e-4, 6.377e-4, 6.690e-4,
-                                7.003e-4, 7.419e-4, 7.960e-4, 8.508e-4, 8.505e-4};  // [mm]
+    constexpr auto& shifts = test::catt_to_cart_shifts;
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();
     problem.friction_coefficient = c.friction_coefficient;
