@@ -62,18 +62,18 @@ std::vector<LoadStep> pressing_steps(const Case& c) {
     return steps;
 }
 
-void check_friction_limit(const Case& c, const LoadStep& step) {
-    if (step.normal.kind != NormalControl::Kind::force) return;
-    const double limit = c.friction_coefficient * step.normal.value;
-    const double force = std::abs(step.tangential[0].value);
-    if (force >= limit)
+}  // namespace
+
+double check_friction_limit(const Case& c, double phase, double tangential_force,
+                            double normal_force) {
+    const double limit = c.friction_coefficient * normal_force;
+    if (tangential_force >= limit && tangential_force > 0)
         throw InputError(fmt::format(
             "load: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N at "
             "phase {:.4g}; lower tangential_force or tangential_ratio (or their amplitude)",
-            force, limit, step.phase));
+            tangential_force, limit, phase));
+    return limit - tangential_force;
 }
-
-}  // namespace
 
 int steps_in_quarter(const Case::Rolling& rolling, double amplitude) {
     switch (rolling.steps) {
@@ -140,7 +140,9 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
         step.normal.value *= factor(c.load.normal_amplitude_ratio, c.load.normal_phase);
         step.tangential[0].value =
             mean_force * factor(c.load.tangential_amplitude_ratio, c.load.tangential_phase);
-        check_friction_limit(c, step);
+        if (step.normal.kind == NormalControl::Kind::force)
+            check_friction_limit(c, step.phase, std::abs(step.tangential[0].value),
+                                 step.normal.value);
     };
 
     LoadPath path;

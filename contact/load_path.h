@@ -51,6 +51,10 @@ struct LoadPath {
 /// relaxing substrate has relaxed.
 LoadStep press_step(const Case& c);
 
+/// mu F_N - F_T [N]; throws InputError if F_T > 0 reaches mu F_N.
+double check_friction_limit(const Case& c, double phase, double tangential_force,
+                            double normal_force);
+
 /// The whole path. `normal_force` [N] and `contact_radius` [m] are the pressed model's
 /// own: what ratios over "the model" refer to. Throws InputError when F_T exceeds mu F_N somewhere
 /// on the path (force control).

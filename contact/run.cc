@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <limits>
 
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -66,8 +67,13 @@ class Run {
         if (case_.rolling) n_at_most_ = case_.rolling->periods;  // a guess until the path is known
         LoadStep press = press_step(case_);
         press.friction = false;
-        const StepRecord pressed = model_.advance(press);
+        StepRecord pressed = model_.advance(press);
         find_path();
+        if (force_follows_path()) {
+            check_path();
+            model_.release();
+            pressed = model_.advance(press);
+        }
         if (path_matters()) {
             // The scales are those of pressing without friction and with all the time in the world;
             // the path may be another.
@@ -94,6 +100,38 @@ class Run {
         history_.friction_limit = case_.friction_coefficient * mean_normal_force_;
         path_ = make_load_path(case_, mean_normal_force_, history_.scales.contact_radius);
         for (std::size_t k = 1; k < path_.loading.size(); ++k) take(path_.loading[k], true);
+    }
+
+    /// Friction does not change the force that a prescribed indentation takes, but oscillation and
+    /// relaxation do.
+    bool force_follows_path() const {
+        return case_.load.indentation && !model_.is_coupled() &&
+               (case_.relaxation || case_.load.normal_amplitude_ratio != 0);
+    }
+
+    /// Presses along the path without friction: a contact that would slide is refused before its
+    /// first step. What does not relax has the same forces in each period; relaxation slows down,
+    /// so that no later period takes more off mu F_N - F_T than this one did.
+    void check_path() {
+        auto margin = [&](LoadStep step) {
+            const double tangential = std::abs(step.tangential[0].value);
+            step.friction = false;
+            step.tangential = {};
+            const double force = model_.advance(step).normal_force;
+            return check_friction_limit(case_, step.phase, tangential, force);
+        };
+        for (const LoadStep& step : path_.pressing) margin(step);
+        for (const LoadStep& step : path_.loading) margin(step);
+        double last = std::numeric_limits<double>::infinity();
+        for (int n = 0; n < path_.max_periods; ++n) {
+            double least = last;
+            for (LoadStep step : path_.period) {
+                step.phase += n;
+                least = std::min(least, margin(step));
+            }
+            if (!case_.relaxation || least > (path_.max_periods - 1 - n) * (last - least)) break;
+            last = least;
+        }
     }
 
     /// How the contact came to be pressed is not forgotten, or, of a nominally flat one, whose area

@@ -55,9 +55,8 @@ class Newton {
                     compliance_.tangential(traction(), solution_.displacement);
                 return;
             }
-            const double error = larger(solution_.residual, solution_.force_residual);
-            without_progress_ = error < 0.9 * best ? 0 : without_progress_ + 1;
-            best = std::min(best, error);
+            without_progress_ = solution_.residual < 0.9 * best ? 0 : without_progress_ + 1;
+            best = std::min(best, solution_.residual);
             if (without_progress_ >= patience || !solve_linear_system()) {
                 take_gradient_steps();
                 without_progress_ = 0;

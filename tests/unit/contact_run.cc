@@ -190,6 +190,28 @@ TEST(Run, StaticCase) {
     EXPECT_EQ(h.snapshots.size(), 1u);
 }
 
+// Where F_N follows from the indentation, here 20 N/m times it, all of the path is pressed first.
+TEST(Run, SlidingUnderAnOscillatingIndentationIsRefusedBeforeTheFirstStep) {
+    Case c = rolling_case(3);
+    c.load.normal_force.reset();
+    c.load.indentation = 20;
+    c.load.normal_amplitude_ratio = .5;
+    c.load.tangential_ratio = .45;
+    GeometricModel model(.9), sliding(.9);
+    EXPECT_EQ(contact::run(c, model).steps.size(), 2u + 3 * 8);
+    c.load.tangential_ratio = .5;  // at the trough F_N is half of its mean
+    bool seen = false;
+    try {
+        contact::run(c, sliding, [&](const auto&...) { seen = true; });
+        FAIL() << "no error";
+    } catch (const contact::InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "load: the tangential force 5 N reaches the friction limit mu F_N = 5 N at "
+                     "phase 0.75; lower tangential_force or tangential_ratio (or their amplitude)");
+    }
+    EXPECT_FALSE(seen);
+}
+
 TEST(Run, FailedAuditEndsTheRun) {
     GeometricModel model(1);
     model.fails_after = 1.2;
