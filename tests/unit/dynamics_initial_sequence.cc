@@ -56,6 +56,14 @@ TEST(InitialSequence, CountsTheIndependentValuesOfAnAutoregressiveProcess) {
     EXPECT_EQ(independent_values(std::vector<double>{0, 1}), 2);
 }
 
+// 18 times the autocovariances of lags 0 to 9 are 6 0 2 -1 0 2 0 2 -2 0: pairs 6, 1, 2, 2, -2. The
+// last ends the sequence; the two that rise again count as the least before them, 1. The variance
+// of the mean is that of independent values times (-6 + 2 (6 + 1 + 1 + 1))/6 = 2.
+TEST(InitialSequence, CountsNoPairLargerThanOneBefore) {
+    const std::vector<double> values{1, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, -1, 0, -1};
+    EXPECT_DOUBLE_EQ(independent_values(values), 9);
+}
+
 // Of a few independent values it is Student's interval, here of 0 and 1: 12.7 times 1/2.
 TEST(InitialSequence, OfTwoValuesIsStudents) {
     const Mean mean = initial_sequence_mean(std::vector<double>{0, 1});
