@@ -23,7 +23,8 @@ namespace {
 constexpr double default_depth = 3;    // of the volume, over Hertz' contact radius
 constexpr double first_margin = 1.08;  // grid over Hertz' contact
 constexpr double enlargement = 1.25;
-constexpr double widest_by_friction = 4;  // margin; no contact that is computed moves farther
+// Margin: the far edge of a sliding cylinder at mu beta = 7.5 (weak_coupling in grid_coverage.cc).
+constexpr double widest_by_friction = 4.8;
 constexpr double max_cells = 4096. * 4096.;
 constexpr double whole_cells = 1e-6;  // how far a period may be from them, in cells
 

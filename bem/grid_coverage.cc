@@ -16,10 +16,13 @@ namespace {
 
 constexpr double probe_tolerance = 1e-3;
 
-/// Friction widens a coupled contact by less than this wins, which is probed without...
+/// A coupled contact is probed under more than its load, without friction...
 constexpr double harder_if_coupled = 1.1;
-/// ... up to this product of mu and Dundurs' beta. A layer couples like beta = 1/2, or more.
-constexpr double weak_coupling = .3;
+/// ... which is enough up to this product of mu and Dundurs' beta: a sliding cylinder's pressure is
+/// (a + x)^(1/2 + e) (a - x)^(1/2 - e), tan(pi e) = mu beta, with P as (1 - 4 e^2) a^2 and its
+/// middle 2 e a ahead (Johnson 1985, section 7.2), so that its far edge is at
+/// sqrt((1 + 2 e)/(1 - 2 e)) of Hertz' a, here sqrt(1.1). A layer couples like beta = 1/2, or more.
+constexpr double weak_coupling = .074;
 constexpr double beta_of_layers = .5;
 
 /// At the edge of the grid the indenter is higher than it is pressed in: roughness has no spots of
