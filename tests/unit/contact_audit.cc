@@ -111,6 +111,13 @@ TEST(SurfaceAudit, EachViolationIsSeenByItsCheck) {
     sideways.slip.x[2] += 1e-6;
     EXPECT_TRUE(sideways.fails("slip_along_traction"));
 
+    SoundStep far;  // a direction as wrong, of a slip far longer than mu d
+    far.slip.x[2] = 3e4;
+    far.slip.y[2] = 4e4 + 1e-2;
+    EXPECT_TRUE(far.audit().passed());
+    far.slip.y[2] = 4e4 + 1;
+    EXPECT_TRUE(far.fails("slip_along_traction"));
+
     SoundStep backwards;
     backwards.slip.x[2] *= -1;
     backwards.slip.y[2] *= -1;

@@ -63,5 +63,41 @@ cells_per_radius = 6.283
     EXPECT_TRUE(history.audit.passed());
 }
 
+// Next to no friction under a soft cone: its pressure moves the surface tens of thousands of times
+// as far as friction could, so that all slips and only the tractions' directions are left to find.
+TEST(HardContacts, NextToNoFrictionCouples) {
+    const auto history = run(R"(
+models = ["bem-layer"]
+[indenter]
+shape = "cone"
+angle = "0.00679 rad"
+young = "466.87767 Pa"
+poisson = 0.43693
+[substrate]
+young = "146455136.96074 Pa"
+poisson = 0.43425
+thickness = "2.06014e-07 m"
+base = "bonded"
+[friction]
+coefficient = 1.27704e-06
+[contact]
+coupling = true
+[load]
+normal_force = "4.55055e-11 N"
+tangential_ratio = 0.06639
+press_steps = 2
+[rolling]
+amplitude_ratio = 0.04224
+angle = "3.14159 rad"
+periods = 2
+run_all = false
+steps_per_quarter = 3
+[bem]
+cells_per_radius = 6.83607
+)",
+                             bem::Body::layer);
+    EXPECT_TRUE(history.audit.passed());
+}
+
 }  // namespace
 }  // namespace tricontact
