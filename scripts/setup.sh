@@ -3,7 +3,7 @@
 # the command. Beside an installed ParaView, VTK's development files are unpacked into build/vtk instead,
 # where CMake finds them: libvtk9-dev needs python3-vtk9, which conflicts with python3-paraview.
 # usage: setup.sh [build|fuzz|report|docs|paraview]...   (build)
-# Exit codes: 0 all packages are there, 2 some are missing, else apt-get's.
+# Exit codes: 0 all packages are there, 2 some are missing or cannot be fetched, else apt-get's.
 set -euo pipefail
 scripts=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" >/dev/null && pwd)
 vtk=$scripts/../build/vtk
@@ -53,7 +53,13 @@ if [ ! "$beside_paraview" ]; then
     exit 0
 fi
 version=$(dpkg-query -W -f '${Version}' libvtk9.1)
-"$scripts/unpack.sh" "$vtk" "libvtk9-dev=$version" "python3-vtk9=$version" "libvtk9-java=$version" "vtk9=$version"
+if ! "$scripts/unpack.sh" "$vtk" "libvtk9-dev=$version" "python3-vtk9=$version" "libvtk9-java=$version" \
+    "vtk9=$version"; then
+    # The archive holds one version of a package: not that of a library that was never brought up to date.
+    printf 'error: the development files of the installed libvtk9.1 cannot be fetched. If there is no such version:\n\n' >&2
+    printf '  sudo apt-get update && sudo apt-get install libvtk9.1\n\nand start this script again.\n' >&2
+    exit 2
+fi
 # The libraries themselves are installed; CMake looks for them beside the rest.
 for library in /usr/lib/*/libvtk*-9.1.so.*; do
     ln -sf "$library" "$vtk${library%/*}"

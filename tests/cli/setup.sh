@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What scripts/setup.sh installs and unpacks, with and without ParaView: Debian's own tools are replaced by ones that
-# say what they were asked for. (With a real ParaView: it was tried in a chroot.)
+# say what they were asked for. (With a real ParaView the demo was run to its end in a chroot.)
 # usage: setup.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
@@ -14,7 +14,7 @@ SH
 cat >bin/apt-get <<'SH'
 #!/bin/sh
 echo "apt-get $*" >>"$ASKED"
-case " $* " in *" download "*) touch libvtk9-dev_9.1-5_amd64.deb ;; esac
+case " $* " in *" download "*) [ -z "${REFUSED:-}" ] || exit 100; touch libvtk9-dev_9.1-5_amd64.deb ;; esac
 SH
 cat >bin/dpkg <<'SH'
 #!/bin/sh
@@ -58,6 +58,8 @@ fi
 USER_ID=1000 setup 2 build
 grep -q 'sudo apt-get install .*libdouble-conversion-dev' said.txt || complain "what is missing: $(cat said.txt)"
 grep -q 'libvtk9-dev' said.txt && complain "the conflict: $(cat said.txt)"
+REFUSED=yes setup 2 build
+grep -q 'sudo apt-get update && sudo apt-get install libvtk9.1' said.txt || complain "no remedy: $(cat said.txt)"
 setup 0 build
 grep 'install' asked.txt | grep -q 'libvtk9-dev' && complain "the conflict: $(cat asked.txt)"
 grep -q 'download libvtk9-dev=9.1-5 ' asked.txt || complain "not fetched: $(cat asked.txt)"
