@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,7 +7,6 @@
 #include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/surface_model.h"
 #include "rolling/roll_until_steady.h"
 #include "rolling/run.h"
 #include "theory/creep_law.h"
@@ -128,16 +124,11 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
 
 RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& runs) {
     // Friction moves a coupled contact aside. How far, its solution tells.
-    constexpr double first_aside = .5, last_aside = 16;
-    for (double aside = 0;; aside = std::max(first_aside, 2 * aside)) {
+    for (double aside = 0;;) {
         try {
             return roll_on_grid(model, c, runs, aside);
-        } catch (const contact::ContactAtEdge& error) {
-            if (aside >= last_aside)
-                throw contact::NotConverged(
-                    fmt::format("{}, which has room for {:.0f} half lengths of it on either side "
-                                "of the body's lowest point",
-                                error.what(), aside));
+        } catch (const contact::ContactAtEdge& reached) {
+            aside = bem::more_room(aside, reached);
         }
         if (runs.begin_again) runs.begin_again();
     }

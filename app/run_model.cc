@@ -41,6 +41,10 @@ class States {
           volumes_(folder, "volume", provenance_) {}
 
     void add(double phase, contact::Model& model, const contact::Progress& progress) {
+        if (progress.step == 1) {
+            surfaces_.clear();
+            volumes_.clear();
+        }
         if (wants_surface(case_, progress)) surfaces_.add(phase, model.surface());
         if (case_.output.volume == Case::VolumeOutput::quarters && progress.quarter)
             add_volume(phase, model);

@@ -95,16 +95,18 @@ double relaxing_reach(const contact::Case& c, double radius) {
 constexpr double usual_rolled_aside = .25;
 
 /// Half sides of the region that the contact centre sweeps, or that is to be seen around it [m].
-contact::Vector2 path_extent(const contact::Case& c, double radius, double rolled_aside) {
+/// `aside`: see case_compliance.
+contact::Vector2 path_extent(const contact::Case& c, double radius, double aside) {
     if (c.tractive_rolling && c.tractive_rolling->speed > 0 && c.relaxation)
-        return {relaxing_reach(c, radius) + rolled_aside * radius, 0};
+        return {relaxing_reach(c, radius) + aside * radius, 0};
     const bool coupled = c.contact.coupling && (is_coupled(c.materials()) || c.layer.thickness);
-    if (c.tractive_rolling)
-        return {std::max(rolled_aside, coupled ? usual_rolled_aside : 0) * radius, 0};
-    if (!c.rolling) return {0, 0};
+    if (c.tractive_rolling) return {std::max(aside, coupled ? usual_rolled_aside : 0) * radius, 0};
+    contact::Vector2 extent = {aside * radius, aside * radius};
+    if (!c.rolling) return extent;
     const double reach = rolling_amplitude(*c.rolling, radius);
-    return {std::abs(reach * std::cos(c.rolling->angle)),
-            std::abs(reach * std::sin(c.rolling->angle))};
+    extent[0] += std::abs(reach * std::cos(c.rolling->angle));
+    extent[1] += std::abs(reach * std::sin(c.rolling->angle));
+    return extent;
 }
 
 InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
@@ -144,7 +146,7 @@ using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::Co
 
 /// On a grid that is enlarged until it covers the contact.
 std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
-                                        const MakeCompliance& make, double rolled_aside) {
+                                        const MakeCompliance& make, double aside) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
     const double growth = std::sqrt(hardest_factor(c));
@@ -153,8 +155,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
         // A path measured by the model's own radius is known when the model has been pressed.
         const bool own_radius =
             c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
-        const auto extent =
-            path_extent(c, hertz.contact_radius * (own_radius ? margin : 1), rolled_aside);
+        const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1), aside);
         const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
         const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
         auto compliance =
@@ -168,9 +169,9 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
 
 /// On a grid that covers a height map along the path; all spots of contact lie on it.
 std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing,
-                                          const MakeCompliance& make) {
+                                          const MakeCompliance& make, double aside) {
     const auto side = c.indenter.height_map->period();
-    const auto extent = path_extent(c, half_space_scales(c).contact_radius, 0);
+    const auto extent = path_extent(c, half_space_scales(c).contact_radius, aside);
     return make(
         make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing, spacing));
 }
@@ -212,8 +213,8 @@ MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoin
 
 /// A period of the surface, or what a single height map can touch.
 std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, double spacing,
-                                                    int n_threads, Body body) {
-    if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body));
+                                                    int n_threads, Body body, double aside) {
+    if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body), aside);
     auto grid = period_grid(*c.bem.period, spacing, false);
     require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
     if (body == Body::half_space)
@@ -232,7 +233,7 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
             "bem.influence: the file's coefficients hold for one state of the material, but here a "
             "part of the stiffness relaxes and a part does not; omit bem.influence");
     if (c.bem.period && contact::is_nominally_flat(c))
-        return nominally_flat(c, grid.spacing[0], n_threads, body);
+        return nominally_flat(c, grid.spacing[0], n_threads, body, 0);
     if (c.bem.period)
         return periodic_cells(c, period_grid(*c.bem.period, grid.spacing[0], false),
                               n_threads)(grid);
@@ -240,16 +241,26 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
 }
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
-                                                     Body body, double rolled_aside) {
+                                                     Body body, double aside) {
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
-    if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body);
-    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body), rolled_aside);
+    if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body, aside);
+    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body), aside);
     if (body == Body::half_space)
         throw contact::InputError(
             "bem: under a periodic load the half-space gives way without bound, its compliance at "
             "k = 0 is infinite; take bem-layer or omit bem.period");
     const auto whole = period_grid(*c.bem.period, spacing, !c.bem.spacing);
-    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads), rolled_aside);
+    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads), aside);
+}
+
+double more_room(double aside, const contact::ContactAtEdge& reached) {
+    constexpr double first = .5, last = 16;
+    if (aside >= last)
+        throw contact::NotConverged(
+            fmt::format("{}, which has room for {:.0f} half lengths of it on either side of the "
+                        "body's path",
+                        reached.what(), aside));
+    return std::max(first, 2 * aside);
 }
 
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
@@ -262,7 +273,7 @@ InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) 
             "bem.period: a periodic case has no influence coefficients of single cells; omit it");
     const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
     const MakeCompliance cells = single_cells(c, n_threads, body);
-    return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells)
+    return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)
                                           : fitting(c, spacing, cells, 0))
         ->influence();
 }

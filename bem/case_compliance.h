@@ -5,6 +5,7 @@
 #include "bem/influence_file.h"
 #include "contact/case.h"
 #include "contact/compliance.h"
+#include "contact/error.h"
 
 namespace tricontact::bem {
 
@@ -15,10 +16,14 @@ enum class Body { half_space, layer };
 /// enlarged until it does; of a periodic case with the images of its cells. `n_threads`: for the
 /// transforms; results do not depend on it. Throws contact::InputError if the grid would be too
 /// large, or a file of influence coefficients does not fit, or the contact does not fit into the
-/// period. `rolled_aside`: of a contact that rolls on, how far beside the body's lowest point it is
-/// to find room at least, over its half length [-].
+/// period. `aside`: how far beside the path of the body's lowest point friction may take the
+/// contact, over its half length [-].
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
-                                                     Body body, double rolled_aside = 0);
+                                                     Body body, double aside = 0);
+
+/// The next larger `aside`, for a contact that reached the edge of the grid. Throws
+/// contact::NotConverged after the largest one.
+double more_room(double aside, const contact::ContactAtEdge& reached);
 
 /// That of another material on the same grid. Throws contact::InputError for a case with a file of
 /// influence coefficients.

@@ -10,11 +10,12 @@
 namespace tricontact::bem {
 
 /// The substrate of a case, elastic or relaxing, on the grid of its case_compliance, which says
-/// what `rolled_aside` is. Throws contact::InputError.
+/// what `aside` is. Throws contact::InputError.
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
-                                                   double rolled_aside = 0);
+                                                   double aside = 0);
 
-/// Boundary elements for a case, on the grid of its case_compliance. Throws contact::InputError.
+/// Boundary elements for a case, on the grid of its case_compliance, or, if that proves too small,
+/// one with more_room beside the path. Throws contact::InputError.
 std::unique_ptr<contact::Model> make_model(const contact::Case& c, int n_threads,
                                            Body body = Body::half_space);
 

@@ -159,8 +159,15 @@ class Search {
         std::vector<RolledPeriod> periods;
         LimitRun result{.value = value};
         double smallest = std::numeric_limits<double>::infinity();
+        const auto begin = [&] {
+            stick.begin();
+            periods.clear();
+            smallest = std::numeric_limits<double>::infinity();
+        };
         const contact::Observer observer = [&](const contact::StepRecord& record,
-                                               contact::Model& state, const contact::Progress&) {
+                                               contact::Model& state,
+                                               const contact::Progress& progress) {
+            if (progress.step == 1) begin();
             if (record.phase > 0) stick.add(state.contact_states());
         };
         const contact::Enough enough = [&](const contact::History& history) {

@@ -53,8 +53,8 @@ class Coupling {
                                           const TangentialField& t) const;
 
   private:
-    const Compliance& compliance_;
-    const Indenter& indenter_;
+    const Compliance* compliance_;
+    const Indenter* indenter_;
     bool elastic_, deformed_;
     std::vector<double> bare_height_, lowering_, height_;
     TangentialField slope_, displacement_;

@@ -18,4 +18,10 @@ class NotConverged : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The contact reached the edge of the points that the compliance knows.
+class ContactAtEdge : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 }  // namespace tricontact::contact

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "contact/audit.h"
+#include "contact/error.h"
 #include "contact/history.h"
 #include "contact/interior.h"
 #include "contact/load_path.h"
@@ -18,12 +19,15 @@ class Model {
     virtual ~Model() = default;
 
     virtual std::string name() const = 0;
-    /// Takes the step and returns its record. Throws NotConverged.
+    /// Takes the step and returns its record. Throws NotConverged, ContactAtEdge.
     virtual StepRecord advance(const LoadStep& step) = 0;
     /// Normal and tangential contact influence each other: the way of pressing matters.
     virtual bool is_coupled() const { return false; }
     /// Forgets all steps: the indenter is out of contact, the substrate at rest.
     virtual void release() = 0;
+    /// Begins anew, at rest, on a larger grid than that whose edge the contact has reached. Throws
+    /// `reached` where there is none, InputError where it would be too large, NotConverged.
+    virtual void enlarge(const ContactAtEdge& reached) { throw reached; }
     /// Scales of the present normal state.
     virtual Scales scales() const = 0;
     /// Fields of the present state.

@@ -233,11 +233,17 @@ class Run {
 }  // namespace
 
 History run(const Case& c, Model& model, const Observer& observer) {
-    return Run(c, model, observer, {}).go();
+    return run_until(c, model, {}, observer);
 }
 
 History run_until(const Case& c, Model& model, const Enough& enough, const Observer& observer) {
-    return Run(c, model, observer, enough).go();
+    for (;;) {
+        try {
+            return Run(c, model, observer, enough).go();
+        } catch (const ContactAtEdge& reached) {
+            model.enlarge(reached);
+        }
+    }
 }
 
 }  // namespace tricontact::contact

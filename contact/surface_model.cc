@@ -27,6 +27,7 @@ SurfaceModel::SurfaceModel(std::string name, const Substrate& substrate,
       indenter_(std::move(indenter)),
       friction_coefficient_(friction_coefficient),
       tolerance_(tolerance),
+      options_(options),
       coupling_(substrate_->compliance(), *indenter_, options) {
     make_solvers();
     release();
@@ -46,8 +47,20 @@ void SurfaceModel::make_solvers() {
 }
 
 std::unique_ptr<Model> SurfaceModel::sibling(const Case::Contact& options) const {
-    return std::make_unique<SurfaceModel>(name_, *substrate_, indenter_, friction_coefficient_,
-                                          tolerance_, options);
+    auto other = std::make_unique<SurfaceModel>(name_, *substrate_, indenter_,
+                                                friction_coefficient_, tolerance_, options);
+    other->set_larger_grid(larger_grid_);
+    return other;
+}
+
+void SurfaceModel::enlarge(const ContactAtEdge& reached) {
+    if (!larger_grid_) throw reached;
+    substrate_ = larger_grid_(reached)->fresh(options_.coupling);
+    coupling_ = Coupling(substrate_->compliance(), *indenter_, options_);
+    make_solvers();
+    normal_cache_.clear();
+    audit_ = {};
+    release();
 }
 
 void SurfaceModel::release() {

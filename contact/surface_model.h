@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <tuple>
@@ -15,12 +16,6 @@
 #include "contact/tangential_solver.h"
 
 namespace tricontact::contact {
-
-/// The contact reached the edge of the points that the compliance knows.
-class ContactAtEdge : public std::runtime_error {
-  public:
-    using std::runtime_error::runtime_error;
-};
 
 /// Contact of an indenter over any compliance, with Coulomb friction, in world-fixed coordinates:
 /// surface points keep their displacement when the indenter rolls away from them.
@@ -43,6 +38,12 @@ class SurfaceModel final : public Model {
                  std::shared_ptr<const Indenter> indenter, double friction_coefficient,
                  double tolerance, const Case::Contact& options = {});
 
+    /// The same body on a larger grid than that whose edge the contact has reached, a still larger
+    /// one each time. Throws InputError, NotConverged.
+    using LargerGrid = std::function<std::unique_ptr<Substrate>(const ContactAtEdge& reached)>;
+    /// Where `enlarge` finds it. Siblings have it too.
+    void set_larger_grid(LargerGrid larger) { larger_grid_ = std::move(larger); }
+
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !coupling_.absent(); }
     StepRecord advance(const LoadStep& step) override;
@@ -52,6 +53,7 @@ class SurfaceModel final : public Model {
     /// Throws InputError as check_rolls_on().
     StepRecord roll(const LoadStep& step, double turn);
     void release() override;
+    void enlarge(const ContactAtEdge& reached) override;
     Scales scales() const override;
     Surface surface() const override;
     std::vector<ContactState> contact_states() const override { return contact_state_; }
@@ -106,6 +108,8 @@ class SurfaceModel final : public Model {
     std::shared_ptr<const Indenter> indenter_;
     double friction_coefficient_;
     double tolerance_;
+    Case::Contact options_;
+    LargerGrid larger_grid_;
     Coupling coupling_;
     // They keep factors of the compliance.
     std::optional<NormalSolver> normal_solver_;

@@ -18,6 +18,8 @@ class VtkSeries {
     /// The folder must exist (see make_output_folder).
     VtkSeries(std::string folder, std::string name, Provenance provenance);
 
+    /// Begins again: the first file comes next.
+    void clear() { entries_.clear(); }
     /// Writes the next file of the series. Throws contact::InputError if that fails.
     void add(double phase, const contact::Surface& surface);
     void add(double phase, const contact::Interior& interior);
