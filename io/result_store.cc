@@ -1,6 +1,7 @@
 #include "io/result_store.h"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
@@ -10,6 +11,8 @@
 namespace tricontact::io {
 
 namespace {
+
+constexpr const char* journal_suffix = "-journal";  // SQLite's
 
 // "Tric", so that the file says whose it is; and the number of its form.
 constexpr std::int64_t application_id = 0x54726963;
@@ -141,6 +144,7 @@ ResultStore::ResultStore(const std::string& path, Mode mode)
                  "give yourself the permission, or choose another output folder");
         file_.execute("PRAGMA journal_mode = DELETE");
         file_.execute("PRAGMA synchronous = EXTRA");
+        if (pragma(file_, "schema_version") != 0) remove_ended_journal();
         file_.execute("PRAGMA locking_mode = EXCLUSIVE");
         file_.execute("BEGIN EXCLUSIVE; COMMIT");  // from now on nobody else
         if (pragma(file_, "schema_version") == 0) make_tables();
@@ -148,6 +152,15 @@ ResultStore::ResultStore(const std::string& path, Mode mode)
     check_kind();
     file_.check_integrity();
     if (mode == Mode::write) remove_damaged();
+}
+
+// A process that was killed between two transactions leaves a journal that has ended, which SQLite
+// lets lie. That of an unfinished transaction has been rolled back, and is gone, once the file was
+// read; without a file to roll back SQLite removes it, too. Nobody writes meanwhile.
+void ResultStore::remove_ended_journal() {
+    file_.execute("BEGIN EXCLUSIVE");
+    std::filesystem::remove(file_.path() + journal_suffix);
+    file_.execute("COMMIT");
 }
 
 void ResultStore::check_kind() const {
@@ -241,7 +254,7 @@ bool is_result_store(const std::string& path) {
 }
 
 std::vector<std::string> result_store_files() {
-    return {result_store_name, std::string(result_store_name) + "-journal"};
+    return {result_store_name, std::string(result_store_name) + journal_suffix};
 }
 
 }  // namespace tricontact::io

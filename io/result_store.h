@@ -57,6 +57,7 @@ class ResultStore {
     Merged merge(const ResultStore& other);
 
   private:
+    void remove_ended_journal();
     void check_kind() const;
     void make_tables();
     void remove_damaged();

@@ -73,6 +73,14 @@ TEST_F(Store, FindsAfterReopeningWhatWasAdded) {
     EXPECT_FALSE(store.find("other"));
 }
 
+// What a process killed between two transactions leaves: SQLite does not take it for its own.
+TEST_F(Store, AnEndedJournalIsRemoved) {
+    { ResultStore(path("a")).add(done("first", R"({"x":1})")); }
+    std::ofstream(path("a-journal")) << std::string(512, '\0');
+    EXPECT_EQ(ResultStore(path("a")).find("first")->results, R"({"x":1})");
+    EXPECT_FALSE(fs::exists(path("a-journal")));
+}
+
 TEST_F(Store, AResultStaysAndAFailureGivesWayToAResult) {
     ResultStore store(path("a"));
     store.add(failed("k", "first"));
