@@ -27,7 +27,8 @@ inline constexpr double instability_threshold = 0.1;
 /// From the recorded end of the run; nothing where that is too short.
 std::optional<Vibration> vibration_of(const dynamics::Machine& machine, const dynamics::Walk& walk);
 
-/// Half width of the 95 % interval of the instability, by Geyer's initial sequence; NaN if it has none.
+/// Half width of the 95 % interval of the instability, by Geyer's initial sequence; NaN if it has
+/// none.
 double instability_error(const Vibration& vibration);
 
 }  // namespace tricontact::comparisons::walking
