@@ -279,11 +279,13 @@ void SurfaceModel::solve_tangential(const LoadStep& step, const Before& before) 
     }
 }
 
-/// Tangential displacements are about mu d under the tractions of sliding, and compared with that;
-/// but a thin layer that glides on its ground is like a membrane, a thousand times as soft along as
-/// across: there mu d would ask for more than rounding leaves.
+/// Tangential displacements are about mu d under the tractions of sliding, and compared with that:
+/// on a half-space their mean is below that at the centre, mu d E*/G*, and E*/G* = (2 - nu)/(2 (1 -
+/// nu)) at most 3/2. A thin incompressible layer is softer along than that, and one that glides on
+/// its ground is like a membrane, a thousand times as soft: there mu d would ask for more than the
+/// solver's tolerance of the tractions gives.
 void SurfaceModel::find_shift_factor() {
-    constexpr double much_softer = 10;
+    constexpr double of_half_spaces = 1.5;
     TangentialField sliding(bound_.size()), displacement(bound_.size());
     sliding.x = bound_;
     substrate_->compliance().tangential(sliding, displacement);
@@ -294,7 +296,7 @@ void SurfaceModel::find_shift_factor() {
     }
     const double mean = work / force;
     const double across = friction_coefficient_ * substrate_->stiffness() * normal_->length;
-    shift_factor_ = mean > much_softer * across ? mean / across : 1;
+    shift_factor_ = mean > of_half_spaces * across ? mean / across : 1;
 }
 
 /// Without friction no tangential traction is left, and only a prescribed shift moves the indenter.

@@ -18,7 +18,8 @@ namespace {
 
 constexpr int max_newton_steps = 200;
 constexpr int patience = 8;              // Newton steps without progress before gradients take over
-constexpr int gradient_iterations = 60;  // at first, twice as many each time
+constexpr int gradient_iterations = 60;  // at first, twice as many each time, up to
+constexpr int most_gradient_iterations = 64 * gradient_iterations;
 constexpr int cg_iterations = 300;
 constexpr double force_tolerance = 1e-10;  // over sum bound A; ten times finer than promised
 
@@ -243,7 +244,7 @@ class Newton {
             solution_.shift_increment = descended_.shift_increment;
         }
         projected_gradient(compliance_, active_, problem_, gradient_iterations_, solution_);
-        gradient_iterations_ *= 2;
+        gradient_iterations_ = std::min(2 * gradient_iterations_, most_gradient_iterations);
         descended_.traction = traction();
         descended_.shift_increment = solution_.shift_increment;
         update_slip();
