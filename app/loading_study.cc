@@ -80,7 +80,7 @@ Case without_rolling(Case c) {
 /// where that would take too long.
 Case rolled(const Case& c, const History& history) {
     if (!c.rolling) return c;
-    if (history.state != State::ratcheting && contact::turning_points_suffice(c)) {
+    if (history.verdict.state != State::ratcheting && contact::turning_points_suffice(c)) {
         Case result = c;
         result.rolling->steps = Case::Steps::turning_points;
         result.rolling->periods = std::max(c.rolling->periods, enough_periods);
@@ -94,7 +94,7 @@ LoadingOutcome outcome_of(const History& history) {
     LoadingOutcome result{.static_shift = history.static_shift};
     const auto& shift = history.shift_per_period;
     if (shift.empty()) return result;
-    result.state = history.state;
+    result.state = history.verdict.state;
     result.final_shift = shift.back();
     result.increment =
         shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift);
@@ -131,7 +131,7 @@ class Variants {
         if (!as.rolling) return static_.run;
         const bool longer = as.rolling->periods > c.rolling->periods;
         const bool same_steps = as.rolling->steps == c.rolling->steps;
-        if (same_steps && !(longer && history.state == State::undecided))
+        if (same_steps && !(longer && history.verdict.state == State::undecided))
             return outcome_of(history);
         say_(fmt::format("{}: loading once more, rolled by turning points", name_));
         try {

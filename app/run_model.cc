@@ -113,7 +113,7 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
     history.subsurface = states.subsurface();
     history.audit = model.audit();
     require_sound(history.audit, name);
-    bar.finish(c.rolling ? contact::name_of(history.state) : "");
+    bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
 
     io::write_file(folder + "/history.csv", io::history_csv(history));
     states.finish();

@@ -108,7 +108,7 @@ std::string zone_strip(std::size_t row, double first, const History& history,
             "fillstyle solid border linecolor rgb '#ffffff' front\n",
             stretch.begin, bottom, stretch.end, top, zone_fill(stretch.zone));
         const std::string name =
-            zone_name(stretch.zone, history.state == contact::State::shakedown);
+            zone_name(stretch.zone, history.verdict.state == contact::State::shakedown);
         if (stretch.end - stretch.begin < letter_width * static_cast<double>(name.size())) continue;
         script += fmt::format("set label '{}' at {:.5g},{:.4g} center front textcolor rgb '{}'\n",
                               name, (stretch.begin + stretch.end) / 2, (top + bottom) / 2,

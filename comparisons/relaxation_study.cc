@@ -137,7 +137,7 @@ RunValues run_values(const contact::History& history) {
     values.final_shift = shift.back();
     values.increment = shift.back() - before;
     values.limit = history.limit_tangential_ratio;
-    values.state = history.state;
+    values.state = history.verdict.state;
     return values;
 }
 

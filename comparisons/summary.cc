@@ -70,7 +70,7 @@ void add_periods(const contact::Case& c, const History& history, ModelSummary& s
         const double before =
             s.periods > 1 ? s.shift_ratio_per_period[s.periods - 2] : s.static_shift_ratio;
         s.shift_increment_ratio = s.shift_ratio_per_period.back() - before;
-        s.state = history.state;
+        s.state = history.verdict.state;
     }
     const bool closed = c.is_cylindrical() || contact::is_hertz_round(c);
     const bool known = closed && in_unit_range(s.tangential_ratio);

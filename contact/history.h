@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,22 @@ struct Scales {
     double unit_shift = 0;      ///< U_max [m]: u_x at the contact centre under the traction mu p
 };
 
-enum class State { shakedown, ratcheting, undecided };
+/// What becomes of a contact that rolls to and fro for ever. Shakedown: everything sticks in the
+/// end. Cyclic slip: the shift stands, but some of the contact slips to and fro in every period
+/// (alternating slip, as in plastic shakedown). Ratcheting: the shift grows in every period.
+enum class State { shakedown, cyclic_slip, ratcheting, undecided };
+/// "shakedown", "cyclic-slip", "ratcheting", "undecided".
 const char* name_of(State state);
+
+/// What is known of a contact's fate after the periods that were run, see verdict.h.
+struct Verdict {
+    State state = State::undecided;
+    /// Bound on what the shift still changes, over U_max; of ratcheting, on what its increments per
+    /// period still do. Infinite where nothing bounds it.
+    double still_to_come = std::numeric_limits<double>::infinity();
+    bool by_limit = false;  ///< decided by comparing F_T with what the least pressures carry
+    std::string missing;    ///< what an undecided contact has not shown; else empty
+};
 
 /// A surface kept for plots, at a phase of the load path.
 struct Snapshot {
@@ -58,7 +73,10 @@ struct History {
     double static_shift = 0;                     ///< U after loading, before rolling [m]
     std::vector<double> shift_per_period;        ///< U with the roller upright, n = 1, 2, ... [m]
     std::vector<double> dissipation_per_period;  ///< [J]
-    State state = State::undecided;
+    /// The most that any point of the surface slipped in a period, sum of |slip| [m], and the most
+    /// frictional work per area [J/m^2]; n = 1, 2, ... Empty where the model does not know them.
+    std::vector<double> slip_path_per_period, friction_work_per_period;
+    Verdict verdict;
     double limit_tangential_ratio = 0;  ///< (1/F_N) ∫ min over the path of p dA, F_N the mean
     std::vector<Snapshot> snapshots;
     std::optional<Subsurface> subsurface;  ///< of the last inside that was written

@@ -28,6 +28,8 @@ class Model {
     /// Begins anew, at rest, on a larger grid than that whose edge the contact has reached. Throws
     /// `reached` where there is none, InputError where it would be too large, NotConverged.
     virtual void enlarge(const ContactAtEdge& reached) { throw reached; }
+    /// A period of rolling begins: Surface::slip_path and friction_work are summed up from here.
+    virtual void start_period() {}
     /// Scales of the present normal state.
     virtual Scales scales() const = 0;
     /// Fields of the present state.

@@ -158,6 +158,7 @@ class Run {
         limit_force_ratio_ = history_.steps.back().normal_force / mean_normal_force_;
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
+            model_.start_period();
             double dissipation = 0;
             for (std::size_t k = 0; k < path_.period.size(); ++k) {
                 LoadStep step = path_.period[k];
@@ -205,7 +206,7 @@ class Run {
         for (const double value : history_.dissipation_per_period)
             dissipation.push_back(value / energy);
         const Evolution evolution{history_.static_shift / unit, shift, dissipation};
-        history_.state = judge(evolution);
+        history_.verdict.state = judge(evolution);
         nearly_settled_ = last_increment(evolution) < 1e-4;  // keep surfaces from now on
         return has_settled(evolution);
     }

@@ -34,6 +34,9 @@ struct Surface {
     std::vector<double> gap;                                           ///< [m]
     std::vector<double> slip_x, slip_y;  ///< indenter over substrate, in the last step [m]
     std::vector<double> dissipation;     ///< of the last step [J/m^2]
+    /// Since the period began: sum of |slip| [m] and of the frictional work [J/m^2]. Empty outside
+    /// of rolling and where the model does not know them.
+    std::vector<double> slip_path, friction_work;
     std::vector<ContactState> contact_state;
     /// By the consistent mass of the elements instead of row sums; nodes layout only.
     std::vector<double> normal_traction_consistent;

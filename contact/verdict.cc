@@ -65,6 +65,8 @@ const char* name_of(State state) {
     switch (state) {
         case State::shakedown:
             return "shakedown";
+        case State::cyclic_slip:
+            return "cyclic-slip";
         case State::ratcheting:
             return "ratcheting";
         default:

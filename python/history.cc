@@ -54,7 +54,7 @@ py::dict audit_of(const History& history) {
 
 py::object state_of(const History& history) {
     if (history.shift_per_period.empty()) return py::none();  // nothing rolled
-    return py::str(contact::name_of(history.state));
+    return py::str(contact::name_of(history.verdict.state));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ inline contact::History settling_history(const std::string& model, const Options
         gap = n == options.periods ? 0 : gap / 4;
         add_period(history, options, end - gap, 0.1 * std::pow(0.25, n));
     }
-    history.state = contact::State::shakedown;
+    history.verdict.state = contact::State::shakedown;
     return history;
 }
 
@@ -103,7 +103,7 @@ inline contact::History ratcheting_history(const std::string& model, const Optio
     history.limit_tangential_ratio = theory::shakedown_limit(options.w);
     for (int n = 1; n <= options.periods; ++n)
         add_period(history, options, history.static_shift + n * increment, 0.3);
-    history.state = contact::State::ratcheting;
+    history.verdict.state = contact::State::ratcheting;
     return history;
 }
 

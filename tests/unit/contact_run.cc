@@ -98,7 +98,7 @@ TEST(Run, KeepsTheBooks) {
         EXPECT_EQ(model.steps[1 + 8 * n].offset[0], 0);
     }
     EXPECT_EQ(h.limit_tangential_ratio, .02);  // watched from the end of loading on
-    EXPECT_EQ(h.state, contact::State::undecided);
+    EXPECT_EQ(h.verdict.state, contact::State::undecided);
     EXPECT_TRUE(h.audit.passed());
     EXPECT_EQ(h.audit.checks().size(), 1u);
 }
@@ -120,19 +120,19 @@ TEST(Run, StopsWhenSettledUnlessToldToGoOn) {
     // .1 * .01^n < 1e-7 from n = 4 on
     const auto stopped = contact::run(rolling_case(12), model);
     EXPECT_EQ(stopped.shift_per_period.size(), 4u);
-    EXPECT_EQ(stopped.state, contact::State::shakedown);
+    EXPECT_EQ(stopped.verdict.state, contact::State::shakedown);
     Case c = rolling_case(12);
     c.rolling->run_all = true;
     const auto all = contact::run(c, patient);
     EXPECT_EQ(all.shift_per_period.size(), 12u);
-    EXPECT_EQ(all.state, contact::State::shakedown);
+    EXPECT_EQ(all.verdict.state, contact::State::shakedown);
 }
 
 TEST(Run, RatchetingIsSeenAndRunToTheEnd) {
     GeometricModel model(1);
     const auto h = contact::run(rolling_case(9), model);
     EXPECT_EQ(h.shift_per_period.size(), 9u);
-    EXPECT_EQ(h.state, contact::State::ratcheting);
+    EXPECT_EQ(h.verdict.state, contact::State::ratcheting);
 }
 
 std::vector<double> snapshot_phases(const contact::History& h) {

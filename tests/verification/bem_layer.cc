@@ -125,7 +125,7 @@ TEST_P(BemLayerRolling, SettlesWhereOtherProgramsDo) {
          {std::pair(0., parallel), {std::numbers::pi / 2, perpendicular}}) {
         c.rolling->angle = angle;
         const auto history = run_layer(c);
-        EXPECT_EQ(history.state, contact::State::shakedown);
+        EXPECT_EQ(history.verdict.state, contact::State::shakedown);
         // The issue's; the references have four digits and steps of their own.
         EXPECT_NEAR(history.shift_per_period.back() / comparisons::layer_peer_unit_shift / shift, 1,
                     .003);

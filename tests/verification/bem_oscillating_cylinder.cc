@@ -58,7 +58,7 @@ TEST(BemOscillatingCylinder, SettlesAsTheExactSolution) {
         const Exact exact = exact_of(c);
         const auto scales = contact::half_space_scales(c);
         const double shift = history.shift_per_period.back();
-        EXPECT_EQ(history.state, contact::State::shakedown);
+        EXPECT_EQ(history.verdict.state, contact::State::shakedown);
         EXPECT_NEAR(shift / scales.unit_shift / exact.shift, 1, 1e-4) << w << ' ' << f;
 
         const auto surface = model->surface();
@@ -118,7 +118,7 @@ TEST(BemOscillatingCylinder, LimitOfShakedown) {
             Case c = long_cylinder(w, share * limit, 50);
             c.rolling->periods = 80;
             const auto history = contact::run(c, *bem::make_model(c, 1));
-            EXPECT_EQ(history.state,
+            EXPECT_EQ(history.verdict.state,
                       share < 1 ? contact::State::shakedown : contact::State::ratcheting)
                 << w << ' ' << share;
             // Cells at the edge of the overlap, b = 0.23 a for the largest w.
@@ -175,7 +175,7 @@ TEST(BemOscillatingCylinder, LayerInPlaneStrain) {
     const double shift =
         c.friction_coefficient * shift_under(exact, {c.substrate, 5e-3, theory::LayerBase::bonded});
     EXPECT_NEAR(s.unit_shift / shift, 1, 3e-4);
-    EXPECT_EQ(history.state, contact::State::shakedown);
+    EXPECT_EQ(history.verdict.state, contact::State::shakedown);
 }
 
 // As thick as the half-space is deep: only the datum of the displacements is the layer's.

@@ -34,12 +34,12 @@ TEST_P(BemTable, ParallelAndPerpendicularShakedown) {
     const contact::History parallel = run_bem(c);
     EXPECT_NEAR(static_ratio(parallel) / row.static_ratio, 1, 2e-3);
     EXPECT_NEAR(final_ratio(parallel) / row.parallel, 1, 2e-3);
-    EXPECT_EQ(parallel.state, contact::State::shakedown);
+    EXPECT_EQ(parallel.verdict.state, contact::State::shakedown);
 
     c.rolling->angle = right_angle;
     const contact::History perpendicular = run_bem(c);
     EXPECT_NEAR(final_ratio(perpendicular) / row.perpendicular, 1, 2e-3);
-    EXPECT_EQ(perpendicular.state, contact::State::shakedown);
+    EXPECT_EQ(perpendicular.verdict.state, contact::State::shakedown);
 }
 
 INSTANTIATE_TEST_SUITE_P(HalfSpace, BemTable,
@@ -48,8 +48,8 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, BemTable,
 
 // f_lim(0.51) = 1 - 1.5 w + 0.5 w^3 = 0.30133: half a per cent below settles, one above does not.
 TEST(BemLimit, SettlesBelowAndRatchetsAbove) {
-    EXPECT_EQ(run_bem(rig_case(.51, .30, 60)).state, contact::State::shakedown);
-    EXPECT_EQ(run_bem(rig_case(.51, .304, 60)).state, contact::State::ratcheting);
+    EXPECT_EQ(run_bem(rig_case(.51, .30, 60)).verdict.state, contact::State::shakedown);
+    EXPECT_EQ(run_bem(rig_case(.51, .304, 60)).verdict.state, contact::State::ratcheting);
 }
 
 TEST(BemLimit, OverlapOfPressuresIsTheClosedForm) {

@@ -130,7 +130,7 @@ TEST(BemRoller, RollsAsTheLineContactButForItsEnds) {
         const auto ended = rolled(c);
         c.indenter.shape = Case::Shape::cylinder;
         const auto plane = rolled(c);
-        EXPECT_EQ(ended.state, contact::State::shakedown);
+        EXPECT_EQ(ended.verdict.state, contact::State::shakedown);
         missing.push_back(1 - ended.shift_per_period.back() / plane.shift_per_period.back());
         limits.push_back(1 - ended.limit_tangential_ratio / plane.limit_tangential_ratio);
     }

@@ -75,7 +75,7 @@ TEST_P(FemRolling, SettlesWhereTheBoundaryElementsDo) {
     c.rolling->steps = Case::Steps::increment;
     c.rolling->increment = .35e-3;  // 0.2 mm changes the settled shift by less than 0.05 %
     const History history = run(c);
-    EXPECT_NE(history.state, contact::State::ratcheting);
+    EXPECT_NE(history.verdict.state, contact::State::ratcheting);
     // 1 % is what is asked for; observed at this size: 0.2 %
     EXPECT_NEAR(history.shift_per_period.back() / comparisons::layer_peer_unit_shift,
                 GetParam().parallel, 5e-3 * GetParam().parallel);

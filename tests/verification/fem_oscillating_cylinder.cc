@@ -118,7 +118,7 @@ TEST(FemOscillatingCylinder, LimitIsThatOfTheExactPressures) {
         c.rolling->periods = 30;
         for (const double share : {.97, 1.03}) {
             c.load.tangential_ratio = share * limit;
-            EXPECT_EQ(by_elements(c).state,
+            EXPECT_EQ(by_elements(c).verdict.state,
                       share < 1 ? contact::State::shakedown : contact::State::ratcheting)
                 << w;
         }

@@ -161,8 +161,8 @@ TEST(MdrOscillatingRolling, LimitUnderOscillatingNormalForceIsThatOfTheLeastPres
             return contact::run(c, *mdr::make_model(c));
         };
         const double limit = rolled(.1).limit_tangential_ratio;
-        EXPECT_EQ(rolled(.995 * limit).state, contact::State::shakedown) << phase;
-        EXPECT_EQ(rolled(1.005 * limit).state, contact::State::ratcheting) << phase;
+        EXPECT_EQ(rolled(.995 * limit).verdict.state, contact::State::shakedown) << phase;
+        EXPECT_EQ(rolled(1.005 * limit).verdict.state, contact::State::ratcheting) << phase;
     }
 }
 

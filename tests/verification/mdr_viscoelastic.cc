@@ -259,10 +259,10 @@ TEST(MdrViscoelastic, FastRollingLowersTheLimitOfShakedown) {
     EXPECT_NEAR(fast.limit_tangential_ratio, fast_limit(g, w),
                 1e-5);  // springs at the edges: dx^1.5
     EXPECT_LT(fast.limit_tangential_ratio, .6);
-    EXPECT_EQ(fast.state, contact::State::ratcheting);
+    EXPECT_EQ(fast.verdict.state, contact::State::ratcheting);
     const auto slow = limit(1e-9, 60);
     EXPECT_NEAR(slow.limit_tangential_ratio, fast_limit(0, w), 1e-5);
-    EXPECT_EQ(slow.state, contact::State::shakedown);
+    EXPECT_EQ(slow.verdict.state, contact::State::shakedown);
 }
 
 // Infinitely slow rolling is elastic; at the rig's speed the rubber's time is felt, if only just.

@@ -86,7 +86,7 @@ void unitless(const std::string& model) {
     // An average over the contact of the least pressures, each right to 1e-7 of the peak: where the
     // path leaves next to nothing, or nothing, of the contact unmoved, the ratio is as small.
     RC_ASSERT(std::abs(b.limit_tangential_ratio - a.limit_tangential_ratio) < 1e-6);
-    RC_ASSERT(a.state == b.state);
+    RC_ASSERT(a.verdict.state == b.verdict.state);
 }
 RC_GTEST_PROP(PropertiesScaling, UnitsDoNotMatterBem, ()) {
     unitless("bem");
