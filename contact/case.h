@@ -120,6 +120,9 @@ struct Case {
         double hold = 0;                   ///< [s]
     };
 
+    /// What ends a run: `periods`, or a shift that is known where it will stand (see Verdict).
+    enum class Until { periods, settled };
+
     struct Rolling {
         std::optional<double> amplitude;        ///< W [m]
         std::optional<double> amplitude_ratio;  ///< w = W over a contact radius, instead
@@ -127,6 +130,7 @@ struct Case {
         double angle = 0;      ///< between rolling direction and tangential load [rad]
         int periods = 12;      ///< at most
         bool run_all = false;  ///< do not stop at shakedown
+        Until until = Until::periods;
         Steps steps = Steps::per_quarter;
         double increment = 0;       ///< dW [m], for Steps::increment
         int steps_per_quarter = 6;  ///< for Steps::per_quarter

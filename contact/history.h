@@ -49,9 +49,11 @@ const char* name_of(State state);
 /// What is known of a contact's fate after the periods that were run, see verdict.h.
 struct Verdict {
     State state = State::undecided;
-    /// Bound on what the shift still changes, over U_max; of ratcheting, on what its increments per
-    /// period still do. Infinite where nothing bounds it.
-    double still_to_come = std::numeric_limits<double>::infinity();
+    double remaining =
+        0;  ///< what the shift still changes until it stands, extrapolated, over U_max
+    /// Bound on the error of `remaining`; of ratcheting, on what the increments per period still
+    /// change. Infinite where nothing bounds it.
+    double remaining_error = std::numeric_limits<double>::infinity();
     bool by_limit = false;  ///< decided by comparing F_T with what the least pressures carry
     std::string missing;    ///< what an undecided contact has not shown; else empty
 };
