@@ -122,7 +122,7 @@ std::vector<double> history(double w, double f, State expected) {
     c.rolling->steps = contact::Case::Steps::turning_points;
     const auto model = mdr::make_model(c);
     const auto run = contact::run(c, *model);
-    EXPECT_EQ(run.state, expected) << w << ' ' << f;
+    EXPECT_EQ(run.verdict.state, expected) << w << ' ' << f;
     std::vector<double> shift{run.static_shift};
     shift.insert(shift.end(), run.shift_per_period.begin(), run.shift_per_period.end());
     return shift;
