@@ -1,10 +1,8 @@
-#include "io/bem_checks.h"
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "contact/rough_scales.h"
+#include "io/case_checks.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 
@@ -20,10 +18,6 @@ constexpr double largest_compliance_ratio = 1e-3;  // of the indenter over the s
 constexpr double whole_cells = 1e-6;               // how far the period may be from them, in cells
 constexpr int samples = 200;                       // of the indenter's height, along a side
 
-bool computes(const Case& c, const std::string& model) {
-    return std::find(c.models.begin(), c.models.end(), model) != c.models.end();
-}
-
 void check_influence(const Case& c, const Document& document) {
     if (c.bem.period)
         refuse(document, "bem.influence",
@@ -33,11 +27,8 @@ void check_influence(const Case& c, const Document& document) {
         refuse(document, "bem.influence",
                "the same coefficients cannot be those of bem and bem-layer",
                "name one of the two in models");
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(*c.bem.influence, error))
-        refuse(document, "bem.influence", "there is no such file: " + *c.bem.influence,
-               "write one by tricontact influence; a relative name is meant from the folder of the "
-               "case file");
+    check_file_there(document, "bem.influence", *c.bem.influence,
+                     "write one by tricontact influence");
 }
 
 // Why the mean displacement under a periodic load, the compliance at k = 0, has to be finite.

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/rough_scales.h"
-#include "io/bem_checks.h"
-#include "io/fem_checks.h"
-#include "io/layer_checks.h"
-#include "io/line_contact_checks.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 #include "io/relaxation_input.h"
-#include "io/rough_bodies.h"
-#include "io/sliding_checks.h"
-#include "io/tractive_checks.h"
 
 namespace tricontact::io {
 
@@ -68,12 +60,8 @@ auto find_mdr(const Case& c) {
 
 /// The scales of the case's body; what is wrong with it is a matter of its load.
 HalfSpaceScales scales_of(const Case& c, const Document& document) {
-    try {
-        return contact::half_space_scales(c);
-    } catch (const contact::InputError& error) {
-        const Entry& load = *document.find(used(document, "load.normal_force", "load.indentation"));
-        fail(load.place, load.subject(), error.what(), {});
-    }
+    return told_at(document, used(document, "load.normal_force", "load.indentation"),
+                   [&] { return contact::half_space_scales(c); });
 }
 
 void check_revolution(const Case& c, const Document& document) {

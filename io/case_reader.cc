@@ -11,11 +11,9 @@
 #include "io/indenter_keys.h"
 #include "io/input_file.h"
 #include "io/key_checks.h"
-#include "io/layer_checks.h"
 #include "io/messages.h"
 #include "io/overrides.h"
 #include "io/relaxation_input.h"
-#include "io/rough_bodies.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {

@@ -1,8 +1,8 @@
 #include "io/case_writer.h"
 
+#include "io/case_checks.h"
 #include "io/case_keys.h"
 #include "io/field_text.h"
-#include "io/layer_checks.h"
 #include "io/relaxation_input.h"
 
 namespace tricontact::io {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "io/csv_table.h"
 #include "io/field_reader.h"
 #include "io/file_kind.h"
 #include "io/input_file.h"
 #include "io/key_guess.h"
+#include "io/key_kinds.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -17,7 +17,6 @@ namespace {
 
 using contact::Experiment;
 using contact::Record;
-using Kind = Key::Kind;
 
 constexpr std::array<std::string_view, 3> sections{"record", "drive", "errors"};
 
@@ -28,64 +27,27 @@ const CsvForm& form() {
     return form;
 }
 
-const std::array<Key, 11>& keys() {
+const std::vector<Key>& keys() {
+    using enum Dimension;
+    using enum Experiment::Kind;
     constexpr double longest = 1e9;  // [s], as in cases
-    static const std::array<Key, 11> keys{
-        {{.path = "title", .example = R"("title")", .text = "what was measured"},
-         {.path = "kind",
-          .kind = Kind::choice,
-          .choices = {{"shakedown", int(Experiment::Kind::shakedown)},
-                      {"ratcheting", int(Experiment::Kind::ratcheting)},
-                      {"limit", int(Experiment::Kind::limit)}},
-          .example = R"("shakedown")",
-          .text = "procedure"},
-         {.path = "case", .example = R"("case.toml")", .text = "the case file"},
-         {.path = "confidence",
-          .kind = Kind::number,
-          .range = {0.5, 0.999},
-          .example = "0.683",
-          .text = "level of the intervals"},
-         {.path = "record.resolution",
-          .kind = Kind::quantity,
-          .dimension = Dimension::length,
-          .range = {0, 1, false, true},
-          .example = R"("80 nm")",
-          .text = "step of the recorded shift"},
-         {.path = "record.loading",
-          .kind = Kind::quantity,
-          .dimension = Dimension::time,
-          .range = {-longest, longest},
-          .example = R"("10 s")",
-          .text = "when the tangential load was applied"},
-         {.path = "drive.start",
-          .kind = Kind::quantity,
-          .dimension = Dimension::time,
-          .range = {-longest, longest},
-          .example = R"("60 s")",
-          .text = "when rolling began"},
-         {.path = "drive.period",
-          .kind = Kind::quantity,
-          .dimension = Dimension::time,
-          .range = {0, longest, false, true},
-          .example = R"("4.5 s")",
-          .text = "of the rolling"},
-         {.path = "drive.amplitude",
-          .kind = Kind::quantity,
-          .dimension = Dimension::length,
-          .range = {0, 1, false, true},
-          .example = R"("1.1 mm")",
-          .text = "rolling amplitude"},
-         {.path = "drive.speed",
-          .kind = Kind::quantity,
-          .dimension = Dimension::velocity,
-          .range = {0, 1e9, false, true},
-          .example = R"("1 mm/s")",
-          .text = "speed of the drive"},
-         {.path = "drive.periods",
-          .kind = Kind::integer,
-          .range = {1, 100'000},
-          .example = "12",
-          .text = "rolling periods"}}};
+    static const std::vector<Key> keys{
+        text_key("title", R"("title")", "what was measured"),
+        choice_key("kind",
+                   {choice("shakedown", shakedown), choice("ratcheting", ratcheting),
+                    choice("limit", limit)},
+                   R"("shakedown")", "procedure"),
+        text_key("case", R"("case.toml")", "the case file"),
+        number_key("confidence", {0.5, 0.999}, "0.683", "level of the intervals"),
+        quantity_key("record.resolution", length, above_zero(1), R"("80 nm")",
+                     "step of the recorded shift"),
+        quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
+                     "when the tangential load was applied"),
+        quantity_key("drive.start", time, {-longest, longest}, R"("60 s")", "when rolling began"),
+        quantity_key("drive.period", time, above_zero(longest), R"("4.5 s")", "of the rolling"),
+        quantity_key("drive.amplitude", length, above_zero(1), R"("1.1 mm")", "rolling amplitude"),
+        quantity_key("drive.speed", velocity, above_zero(1e9), R"("1 mm/s")", "speed of the drive"),
+        integer_key("drive.periods", {1, 100'000}, "12", "rolling periods")};
     return keys;
 }
 
@@ -107,15 +69,13 @@ void check_known(const Document& document) {
         if (is_nested_section(entry.path) ||
             std::find(paths.begin(), paths.end(), entry.path) != paths.end())
             continue;
-        const std::string near = likely_path(entry.path, paths);
         fail(entry.key_place, "", "unknown key " + entry.path,
-             near.empty() ? "docs/experiment.md lists the keys" : "did you mean " + near + "?");
+             did_you_mean(likely_path(entry.path, paths), "docs/experiment.md lists the keys"));
     }
 }
 
 const Key& key_of(std::string_view path) {
-    return *std::find_if(keys().begin(), keys().end(),
-                         [&](const Key& key) { return key.path == path; });
+    return *std::ranges::find(keys(), path, &Key::path);
 }
 
 // Into a field of a type that cases have too.
@@ -125,20 +85,9 @@ void read(const Document& document, std::string_view path, T* field) {
 }
 
 Experiment::Kind read_kind(const Document& document) {
-    const Key& key = key_of("kind");
-    const Entry* entry = document.find(key.path);
-    if (!entry)
-        fail(document.name + ":1:1", "", "missing key kind",
-             R"(add kind = "shakedown", "ratcheting" or "limit")");
-    read_field(key, *entry, Field());
-    const auto& word = std::get<std::string>(entry->value);
-    const auto choice = std::find_if(key.choices.begin(), key.choices.end(),
-                                     [&](const Choice& c) { return c.word == word; });
-    return static_cast<Experiment::Kind>(choice->enumerator);
-}
-
-std::string path_from(const Document& document, const std::string& file) {
-    return (std::filesystem::path(document.name).parent_path() / file).lexically_normal().string();
+    const Entry& entry =
+        document.required("kind", R"(add kind = "shakedown", "ratcheting" or "limit")");
+    return static_cast<Experiment::Kind>(read_choice(key_of("kind"), entry).enumerator);
 }
 
 Record read_record(const std::string& path) {
@@ -160,18 +109,17 @@ Record read_record(const std::string& path) {
 }
 
 std::vector<Record> read_records(const Document& document) {
-    const Entry* entry = document.find("runs");
     const std::string remedy = R"(write for example runs = ["run_1.csv", "run_2.csv"])";
-    if (!entry) fail(document.name + ":1:1", "", "missing key runs", remedy);
-    const auto* files = std::get_if<std::vector<std::string>>(&entry->value);
+    const Entry& entry = document.required("runs", remedy);
+    const auto* files = std::get_if<std::vector<std::string>>(&entry.value);
     if (!files || files->empty())
-        fail(entry->place, entry->subject(), "must be a list of files", remedy);
+        fail(entry.place, entry.subject(), "must be a list of files", remedy);
     std::vector<Record> records;
     for (auto file = files->begin(); file != files->end(); ++file) {
         if (std::find(files->begin(), file, *file) != file)
-            fail(entry->place, entry->subject(), toml_string(*file) + " stands twice",
+            fail(entry.place, entry.subject(), toml_string(*file) + " stands twice",
                  "a record counts once");
-        records.push_back(read_record(path_from(document, *file)));
+        records.push_back(read_record(document.path_of(*file)));
     }
     return records;
 }
@@ -182,14 +130,13 @@ std::vector<ExperimentInput::CaseError> read_errors(const Document& document) {
         if (!is_nested_section(entry.path)) continue;
         const std::string path = entry.path.substr(std::string_view("errors.").size());
         const CaseKey* key = find_key(path);
-        if (!key || (key->kind != Kind::quantity && key->kind != Kind::number)) {
+        if (!key || (key->kind != Key::Kind::quantity && key->kind != Key::Kind::number)) {
             std::vector<std::string_view> paths;
             for (const Key& k : case_keys()) paths.push_back(k.path);
-            const std::string near = likely_path(path, paths);
             fail(entry.key_place, "",
                  "unknown key " + entry.path + ": the case has no number " + path,
-                 near.empty() || key ? "docs/case-file.md lists the keys"
-                                     : "did you mean " + near + "?");
+                 did_you_mean(key ? "" : likely_path(path, paths),
+                              "docs/case-file.md lists the keys"));
         }
         double error = 0;
         read_field(*key, entry, Field(&error));
@@ -254,7 +201,7 @@ ExperimentInput read_experiment(const std::string& path) {
     if (document.find("drive.periods")) read(document, "drive.periods", &e.drive.periods.emplace());
     std::string case_file;
     read(document, "case", &case_file);
-    if (!case_file.empty()) input.case_file = path_from(document, case_file);
+    if (!case_file.empty()) input.case_file = document.path_of(case_file);
     input.errors = read_errors(document);
     e.records = read_records(document);
     check_drive(e, document);

@@ -1,11 +1,8 @@
-#include "io/fem_checks.h"
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
-#include "io/layer_checks.h"
+#include "io/case_checks.h"
 #include "io/refusal.h"
 
 namespace tricontact::io {
@@ -138,13 +135,6 @@ void check_size(const Case& c, const Patch& patch, double largest_radius, double
                "use larger elements, a larger fem.growth or a smaller block");
 }
 
-void check_mesh_file(const Case& c, const Document& document) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(*c.fem.mesh, error)) return;
-    refuse(document, "fem.mesh", "there is no such file: " + *c.fem.mesh,
-           "name a gmsh file; a relative name is meant from the folder of the case file");
-}
-
 double growth_at_crest(const Case& c) {
     const double growth = 1 + c.load.normal_amplitude_ratio;
     return c.load.normal_force && !c.is_cylindrical() ? std::cbrt(growth) : std::sqrt(growth);
@@ -207,7 +197,7 @@ void check_fem(const Case& c, double steps, const Document& document) {
     const Patch patch = patch_of(c, a.low);
     check_extent(c, patch, a, document);
     check_indentation(c, document);
-    if (c.fem.mesh) check_mesh_file(c, document);
+    if (c.fem.mesh) check_file_there(document, "fem.mesh", *c.fem.mesh, "name a gmsh file");
     const double pressing = c.load.press == Case::Press::friction ? c.load.press_steps : 1;
     if (c.fem.size) check_size(c, patch, a.high, steps + pressing, document);
 }

@@ -205,4 +205,8 @@ void read_field(const Key& key, const Entry& entry, const Field& field) {
     std::visit(Store{value}, field);
 }
 
+const Choice& read_choice(const Key& key, const Entry& entry) {
+    return choice_of(text_of(key, entry), key, entry);
+}
+
 }  // namespace tricontact::io

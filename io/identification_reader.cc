@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "contact/error.h"
 #include "io/case_reader.h"
@@ -12,7 +11,9 @@
 #include "io/identification_table.h"
 #include "io/input_file.h"
 #include "io/key_guess.h"
+#include "io/key_kinds.h"
 #include "io/messages.h"
+#include "io/refusal.h"
 #include "io/toml_document.h"
 
 namespace tricontact::io {
@@ -25,31 +26,24 @@ using Kind = Key::Kind;
 
 constexpr std::string_view errors_section = "standard_errors";
 
-const std::array<Key, 5>& own_keys() {
-    static const std::array<Key, 5> keys{
-        Key{.path = "title", .example = R"("Rig, static shift")", .text = "what was measured"},
-        Key{.path = "measurement",
-            .kind = Kind::choice,
-            .choices = {{"static-shift"}, {"force-indentation"}, {"contact-radius"}},
-            .example = R"("static-shift")",
-            .text = "what the table holds"},
-        Key{.path = "data", .example = R"("shift.csv")", .text = "the table"},
-        Key{.path = "models",
-            .kind = Kind::choice_list,
-            .choices = {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
-            .example = R"(["half-space", "layer"])",
-            .text = "models that explain it"},
-        Key{.path = "confidence",
-            .kind = Kind::number,
-            .range = {0.5, 0.9999},
-            .example = "0.95",
-            .text = "level of the intervals"}};
+const std::vector<Key>& own_keys() {
+    using enum Measurement;
+    static const std::vector<Key> keys{
+        text_key("title", R"("Rig, static shift")", "what was measured"),
+        choice_key(
+            "measurement",
+            {choice("static-shift", static_shift), choice("force-indentation", force_indentation),
+             choice("contact-radius", contact_radius)},
+            R"("static-shift")", "what the table holds"),
+        text_key("data", R"("shift.csv")", "the table"),
+        list_of(choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
+                           R"(["half-space", "layer"])", "models that explain it")),
+        number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals")};
     return keys;
 }
 
 const Key* own_key(std::string_view path) {
-    const auto found = std::find_if(own_keys().begin(), own_keys().end(),
-                                    [&](const Key& key) { return key.path == path; });
+    const auto found = std::ranges::find(own_keys(), path, &Key::path);
     return found == own_keys().end() ? nullptr : &*found;
 }
 
@@ -72,6 +66,7 @@ bool is_error(const Entry& entry) {
 }
 
 void check_known(const Document& document) {
+    constexpr std::string_view listed = "docs/identify.md lists what it has";
     std::vector<std::string_view> known;
     for (const Key& key : own_keys()) known.push_back(key.path);
     for (const Key& key : case_keys())
@@ -82,45 +77,32 @@ void check_known(const Document& document) {
     for (const auto& section : document.sections)
         if (!is_nested_section(section.name) &&
             std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
-            const std::string near(nearest(section.name, sections));
-            fail(
-                section.place, "",
-                (is_section(section.name) ? "a measurement has no section ["
-                                          : "unknown section [") +
-                    section.name + "]",
-                near.empty() ? "docs/identify.md lists what it has" : "did you mean " + near + "?");
+            fail(section.place, "",
+                 (is_section(section.name) ? "a measurement has no section ["
+                                           : "unknown section [") +
+                     section.name + "]",
+                 did_you_mean(nearest(section.name, sections), listed));
         }
     for (const Entry& entry : document.entries) {
         if (is_error(entry) || std::find(known.begin(), known.end(), entry.path) != known.end())
             continue;
-        const std::string near = likely_path(entry.path, known);
         fail(entry.key_place, "",
              (find_key(entry.path) ? "a measurement has no key " : "unknown key ") + entry.path,
-             near.empty() ? "docs/identify.md lists what it has" : "did you mean " + near + "?");
+             did_you_mean(likely_path(entry.path, known), listed));
     }
 }
 
 const Entry& required(const Document& document, std::string_view path) {
-    if (const Entry* entry = document.find(path)) return *entry;
     const Key* key = own_key(path) ? own_key(path) : find_key(path);
     const std::string section(section_of(path));
-    fail(document.place_of(path), "", "missing key " + std::string(path),
-         "add " + std::string(name_of_key(path)) + " = " + std::string(key->example) +
-             (section.empty() ? "" : " to [" + section + "]"));
+    return document.required(path, "add " + std::string(name_of_key(path)) + " = " +
+                                       std::string(key->example) +
+                                       (section.empty() ? "" : " to [" + section + "]"));
 }
 
 template <class T>
 void read_own(const Document& document, std::string_view path, T& value) {
     read_field(*own_key(path), *document.find(path), Field(&value));
-}
-
-Measurement read_measurement(const Document& document) {
-    const Entry& entry = required(document, "measurement");
-    read_field(*own_key("measurement"), entry, Field());
-    const auto& word = std::get<std::string>(entry.value);
-    for (const auto kind : {Measurement::force_indentation, Measurement::contact_radius})
-        if (word == name_of(kind)) return kind;
-    return Measurement::static_shift;
 }
 
 double quantity_of(const Document& document, std::string_view path) {
@@ -177,14 +159,6 @@ double guessed_young(const Input& input, double radius, double normal_force) {
     return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
 }
 
-Entry generated(std::string path, Value value, const std::string& place) {
-    return {.path = std::move(path),
-            .value = std::move(value),
-            .place = place,
-            .key_place = place,
-            .overridden = true};
-}
-
 /// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
 void check_lengths(const Input& input, double radius, const Entry& data) {
     const bool deep = input.measurement == Measurement::force_indentation;
@@ -237,8 +211,8 @@ contact::Case rig_of(const Input& input, const Document& document) {
     const double radius = quantity_of(document, "indenter.radius");
     check_lengths(input, radius, *document.find("data"));
     std::vector<Entry> guesses{
-        generated("models", case_models(input), document.find("models")->place),
-        generated("load.tangential_ratio", 0., place)};
+        overriding("models", case_models(input), document.find("models")->place),
+        overriding("load.tangential_ratio", 0., place)};
     double normal_force = 0;
     if (sheared) {
         normal_force = quantity_of(document, "load.normal_force");
@@ -249,20 +223,20 @@ contact::Case rig_of(const Input& input, const Document& document) {
         const auto& forces =
             input.measurement == Measurement::contact_radius ? input.given : input.observed;
         normal_force = *std::max_element(forces.begin(), forces.end());
-        guesses.push_back(generated("load.normal_force", shortest(normal_force) + " N", place));
+        guesses.push_back(overriding("load.normal_force", shortest(normal_force) + " N", place));
         // Frictionless contact knows no coupling.
-        guesses.push_back(generated("contact.coupling", false, place));
+        guesses.push_back(overriding("contact.coupling", false, place));
     }
     if (sheared && is_half_space_alone(input))
-        guesses.push_back(generated("contact.coupling", false, place));
+        guesses.push_back(overriding("contact.coupling", false, place));
     if (input.young_is_free)
-        guesses.push_back(generated("substrate.young",
-                                    shortest(guessed_young(input, radius, normal_force)) + " Pa",
-                                    place));
+        guesses.push_back(overriding("substrate.young",
+                                     shortest(guessed_young(input, radius, normal_force)) + " Pa",
+                                     place));
     if (!document.find("friction.coefficient")) {
         const double largest = *std::max_element(input.given.begin(), input.given.end());
         guesses.push_back(
-            generated("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1., place));
+            overriding("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1., place));
     }
     try {
         return resolve_case(rig, guesses);
@@ -310,15 +284,8 @@ void check_friction(const Input& input, const Document& document) {
 }  // namespace
 
 std::string_view name_of(Measurement measurement) {
-    switch (measurement) {
-        case Measurement::force_indentation:
-            return "force-indentation";
-        case Measurement::contact_radius:
-            return "contact-radius";
-        case Measurement::static_shift:
-            break;
-    }
-    return "static-shift";
+    const auto& words = own_key("measurement")->choices;
+    return std::ranges::find(words, static_cast<int>(measurement), &Choice::enumerator)->word;
 }
 
 Input parse_identification(std::string_view text, const std::string& name) {
@@ -329,7 +296,9 @@ Input parse_identification(std::string_view text, const std::string& name) {
     input.name = name;
     if (document.find("title")) read_own(document, "title", input.title);
     if (document.find("confidence")) read_own(document, "confidence", input.confidence);
-    input.measurement = read_measurement(document);
+    const Entry& measurement = required(document, "measurement");
+    input.measurement =
+        static_cast<Measurement>(read_choice(*own_key("measurement"), measurement).enumerator);
     required(document, "models");
     read_own(document, "models", input.models);
     check_models(input, document);
@@ -343,13 +312,8 @@ Input parse_identification(std::string_view text, const std::string& name) {
     std::string file;
     const Entry& data = required(document, "data");
     read_field(*own_key("data"), data, Field(&file));
-    input.data_file =
-        (std::filesystem::path(name).parent_path() / file).lexically_normal().string();
-    try {
-        read_measured_table(input);
-    } catch (const contact::InputError& error) {
-        fail(data.place, data.subject(), error.what(), "");
-    }
+    input.data_file = document.path_of(file);
+    told_at(document, "data", [&] { read_measured_table(input); });
     input.rig = rig_of(input, document);
     input.rig.title = input.title;
     check_friction(input, document);

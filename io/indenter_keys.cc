@@ -11,7 +11,6 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
-using Kind = Key::Kind;
 
 /// The words of the shapes, and the keys of [indenter] that each of them takes beside the material.
 struct ShapeKeys {
@@ -65,105 +64,52 @@ Field of_shape(const Case& c, std::string_view key, Field place) {
 }  // namespace
 
 void add_indenter_keys(std::vector<CaseKey>& keys) {
-    keys.push_back({{.path = "indenter.shape",
-                     .kind = Kind::choice,
-                     .choices = shape_choices(),
-                     .default_value = R"("paraboloid")",
-                     .example = R"("paraboloid")",
-                     .text = "see the table of indenters"},
+    keys.push_back({choice_key("indenter.shape", shape_choices(), R"("paraboloid")",
+                               "see the table of indenters", {.default_value = R"("paraboloid")"}),
                     [](Case& c) -> Field { return &c.indenter.shape; }});
-    keys.push_back({{.path = "indenter.radius",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .required = true,
-                     .example = R"("40 mm")",
-                     .text = "radius R of curvature, of an ellipsoid in the x-z plane; unit of "
-                             "length of a power law"},
+    keys.push_back({length_key("indenter.radius", R"("40 mm")",
+                               "radius R of curvature, of an ellipsoid in the x-z plane; unit of "
+                               "length of a power law",
+                               {.required = true}),
                     [](Case& c) { return of_shape(c, "radius", &c.indenter.radius); }});
-    keys.push_back({{.path = "indenter.length",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .required = true,
-                     .example = R"("80 mm")",
-                     .text = "length L along y"},
-                    [](Case& c) { return of_shape(c, "length", &c.indenter.length); }});
-    keys.push_back({{.path = "indenter.chamfer",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = {0, 1e6},
-                     .default_value = R"("0 m")",
-                     .example = R"("1 mm")",
-                     .text = "radius of the rounded ends of a roller; 0: sharp ends"},
+    keys.push_back(
+        {length_key("indenter.length", R"("80 mm")", "length L along y", {.required = true}),
+         [](Case& c) { return of_shape(c, "length", &c.indenter.length); }});
+    keys.push_back({quantity_key("indenter.chamfer", Dimension::length, {0, 1e6}, R"("1 mm")",
+                                 "radius of the rounded ends of a roller; 0: sharp ends",
+                                 {.default_value = R"("0 m")"}),
                     [](Case& c) { return of_shape(c, "chamfer", &c.indenter.chamfer); }});
-    keys.push_back({{.path = "indenter.radius_y",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .required = true,
-                     .example = R"("90 mm")",
-                     .text = "radius of curvature in the y-z plane"},
+    keys.push_back({length_key("indenter.radius_y", R"("90 mm")",
+                               "radius of curvature in the y-z plane", {.required = true}),
                     [](Case& c) { return of_shape(c, "radius_y", &c.indenter.radius_y); }});
-    keys.push_back({{.path = "indenter.angle",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::angle,
-                     .range = above_zero(std::numbers::pi / 4),
-                     .reason = "small slopes are assumed",
-                     .required = true,
-                     .example = R"("5 deg")",
-                     .text = "of a cone's flank to the surface"},
-                    [](Case& c) { return of_shape(c, "angle", &c.indenter.angle); }});
-    keys.push_back({{.path = "indenter.exponent",
-                     .kind = Kind::number,
-                     .range = {1, 100},
-                     .reason = "below 1 the tip is a spike of infinite slope",
-                     .required = true,
-                     .example = "4",
-                     .text = "n of the power law"},
-                    [](Case& c) { return of_shape(c, "exponent", &c.indenter.exponent); }});
-    keys.push_back({{.path = "indenter.flat_radius",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .required = true,
-                     .example = R"("5 mm")",
-                     .text = "radius b of a punch's flat face"},
+    keys.push_back(
+        {quantity_key("indenter.angle", Dimension::angle, above_zero(std::numbers::pi / 4),
+                      R"("5 deg")", "of a cone's flank to the surface",
+                      {.reason = "small slopes are assumed", .required = true}),
+         [](Case& c) { return of_shape(c, "angle", &c.indenter.angle); }});
+    keys.push_back(
+        {number_key("indenter.exponent", {1, 100}, "4", "n of the power law",
+                    {.reason = "below 1 the tip is a spike of infinite slope", .required = true}),
+         [](Case& c) { return of_shape(c, "exponent", &c.indenter.exponent); }});
+    keys.push_back({length_key("indenter.flat_radius", R"("5 mm")",
+                               "radius b of a punch's flat face", {.required = true}),
                     [](Case& c) { return of_shape(c, "flat_radius", &c.indenter.flat_radius); }});
-    keys.push_back({{.path = "indenter.file",
-                     .kind = Kind::text,
-                     .required = true,
-                     .example = R"("profile.csv")",
-                     .text = "table of a profile, or a height map: .npy, .sdf, .csv or .txt"},
+    keys.push_back({text_key("indenter.file", R"("profile.csv")",
+                             "table of a profile, or a height map: .npy, .sdf, .csv or .txt",
+                             {.required = true}),
                     [](Case& c) { return of_shape(c, "file", &c.indenter.file); }});
-    keys.push_back({{.path = "indenter.spacing",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .example = R"("1 um")",
-                     .text = "between the nodes of a height map; .sdf says it itself"},
+    keys.push_back({length_key("indenter.spacing", R"("1 um")",
+                               "between the nodes of a height map; .sdf says it itself"),
                     [](Case& c) { return of_shape(c, "spacing", &c.indenter.spacing); }});
-    keys.push_back({{.path = "indenter.unit",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .example = R"("1 nm")",
-                     .text = "what a 1 of a height map means; .sdf says it itself"},
+    keys.push_back({length_key("indenter.unit", R"("1 nm")",
+                               "what a 1 of a height map means; .sdf says it itself"),
                     [](Case& c) { return of_shape(c, "unit", &c.indenter.unit); }});
-    keys.push_back({{.path = "indenter.young",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::pressure,
-                     .range = above_zero(1e15),
-                     .needs = "indenter.poisson",
-                     .example = R"("206 GPa")",
-                     .text = "Young's modulus; without it the indenter is rigid"},
+    keys.push_back({modulus_key("indenter.young", R"("206 GPa")",
+                                "Young's modulus; without it the indenter is rigid",
+                                {.needs = "indenter.poisson"}),
                     [](Case& c) { return in(c.indenter.material, &contact::Material::young); }});
-    keys.push_back({{.path = "indenter.poisson",
-                     .kind = Kind::number,
-                     .range = {-1, 0.5, false, true},
-                     .needs = "indenter.young",
-                     .example = "0.3",
-                     .text = "Poisson's ratio; 0.5 is incompressible"},
+    keys.push_back({poisson_key("indenter.poisson", "0.3", "Poisson's ratio; 0.5 is incompressible",
+                                {.needs = "indenter.young"}),
                     [](Case& c) { return in(c.indenter.material, &contact::Material::poisson); }});
 }
 

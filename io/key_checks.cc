@@ -17,9 +17,8 @@ std::string join(const std::vector<std::string_view>& words) {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
-                                 const std::string& near, const std::string& known) {
-    fail(place, "", "unknown " + what,
-         near.empty() ? "known are " + known : "did you mean " + near + "?");
+                                 std::string_view near, const std::string& known) {
+    fail(place, "", "unknown " + what, did_you_mean(near, "known are " + known));
 }
 
 void check_sections_known(const Document& document, const KeyList& keys) {
@@ -27,7 +26,7 @@ void check_sections_known(const Document& document, const KeyList& keys) {
     for (const auto& section : document.sections)
         if (!keys.has_section(section.name))
             refuse_unknown(section.place, "section [" + section.name + "]",
-                           std::string(nearest(section.name, names)), join(names));
+                           nearest(section.name, names), join(names));
 }
 
 // A table in a section that is not one of the known ones: perhaps nearly.
@@ -35,7 +34,7 @@ void check_table_known(const Entry& entry, const KeyList& keys) {
     if (section_of(entry.path).empty() || kind_of(entry.value) != "a table") return;
     std::vector<std::string_view> nested = keys.sections();
     std::erase_if(nested, [](std::string_view name) { return section_of(name).empty(); });
-    const std::string near(nearest(entry.path, nested));
+    const std::string_view near = nearest(entry.path, nested);
     if (!near.empty())
         refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, join(nested));
 }

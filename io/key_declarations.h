@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/case_keys.h"
+#include "io/key_kinds.h"
 
 namespace tricontact::io {
 

@@ -90,4 +90,8 @@ std::string likely_path(std::string_view path, std::span<const std::string_view>
     return {};
 }
 
+std::string did_you_mean(std::string_view near, std::string_view otherwise) {
+    return near.empty() ? std::string(otherwise) : "did you mean " + std::string(near) + "?";
+}
+
 }  // namespace tricontact::io

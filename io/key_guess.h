@@ -11,4 +11,7 @@ namespace tricontact::io {
 /// there is none.
 std::string likely_path(std::string_view path, std::span<const std::string_view> known);
 
+/// The remedy "did you mean <near>?", another one if there is no near one.
+std::string did_you_mean(std::string_view near, std::string_view otherwise);
+
 }  // namespace tricontact::io

@@ -1,5 +1,4 @@
-#include "io/layer_checks.h"
-
+#include "io/case_checks.h"
 #include "io/refusal.h"
 
 namespace tricontact::io {

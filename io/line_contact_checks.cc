@@ -1,8 +1,7 @@
-#include "io/line_contact_checks.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "io/case_checks.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 
@@ -14,10 +13,6 @@ using contact::Case;
 
 constexpr double widest_ratio = 0.1;   // a/L: what the uniform state leaves out is its square
 constexpr double largest_slope = 0.5;  // a/R, as of a sphere
-
-bool computes(const Case& c, const std::string& model) {
-    return std::find(c.models.begin(), c.models.end(), model) != c.models.end();
-}
 
 void check_models(const Case& c, const Document& document) {
     for (const char* model : {"mdr", "mdr-layer"})

@@ -23,11 +23,7 @@ Entry entry_of(const std::string& text) {
     if (equals == std::string::npos || path.empty())
         fail(place, "", "is not of the form key=value",
              "write for example --set load.tangential_ratio=0.3");
-    return {.path = path,
-            .value = parse_value(trimmed(text.substr(equals + 1))),
-            .place = place,
-            .key_place = place,
-            .overridden = true};
+    return overriding(path, parse_value(trimmed(text.substr(equals + 1))), place);
 }
 
 void erase_from_file(Document& document, std::string_view path) {

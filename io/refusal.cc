@@ -2,8 +2,7 @@
 
 #include <array>
 #include <charconv>
-
-#include "io/messages.h"
+#include <filesystem>
 
 namespace tricontact::io {
 
@@ -18,6 +17,14 @@ void refuse(const Document& document, const std::string& path, const std::string
             const std::string& remedy) {
     const Entry* entry = document.find(path);
     fail(document.place_of(path), entry ? entry->subject() : path + " (default)", rule, remedy);
+}
+
+void check_file_there(const Document& document, const std::string& path, const std::string& file,
+                      const std::string& remedy) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        refuse(document, path, "there is no such file: " + file,
+               remedy + "; a relative name is meant from the folder of the case file");
 }
 
 std::string used(const Document& document, const std::string& first, const std::string& second) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "contact/error.h"
 #include "contact/relaxing_case.h"
@@ -31,16 +30,8 @@ void resolve_standard_solid(Input& input) {
 void resolve_dma(Case& c, const Document& document) {
     Input& input = c.relaxation_input;
     const std::string key = section + "dma";
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(*input.dma, error))
-        refuse(document, key, "there is no such file: " + *input.dma,
-               "name a table; a relative name is meant from the folder of the case file");
-    try {
-        c.dma_fit = contact::fit_prony(read_dma_table(*input.dma));
-    } catch (const contact::InputError& refused) {
-        const Entry& entry = *document.find(key);
-        fail(entry.place, entry.subject(), refused.what(), {});
-    }
+    check_file_there(document, key, *input.dma, "name a table");
+    told_at(document, key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(*input.dma)); });
     for (const auto& [ratio, time] : c.dma_fit->relaxation.branches) {
         input.moduli.push_back(ratio * c.substrate.shear_modulus());
         input.times.push_back(time);

@@ -9,6 +9,7 @@
 #include "io/file_kind.h"
 #include "io/input_file.h"
 #include "io/key_guess.h"
+#include "io/key_kinds.h"
 #include "io/measured_quantity.h"
 #include "io/messages.h"
 #include "io/rig_keys.h"
@@ -29,31 +30,12 @@ bool is_printed_value(std::string_view path) {
     return path.starts_with("printed.") && section_of(path) == printed;
 }
 
-const Key& kind_key() {
-    static const Key key{.path = "rig",
-                         .kind = Key::Kind::choice,
-                         .choices = {{"rolling"}, {"micro-walking"}},
-                         .example = R"("rolling")",
-                         .text = "kind of experiment"};
-    return key;
-}
-
-const Key& shape_key() {
-    static const Key key{.path = "roller.shape",
-                         .kind = Key::Kind::choice,
-                         .choices = {{"sphere"}, {"cylinder"}},
-                         .example = R"("sphere")",
-                         .text = "shape of the roller"};
-    return key;
-}
-
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
                                  std::string_view word,
                                  const std::vector<std::string_view>& known) {
-    const std::string near = likely_path(word, known);
     std::string remedy = "known are ";
     for (const auto one : known) remedy.append(&one == &known.front() ? "" : ", ").append(one);
-    fail(place, "", "unknown " + what, near.empty() ? remedy : "did you mean " + near + "?");
+    fail(place, "", "unknown " + what, did_you_mean(likely_path(word, known), remedy));
 }
 
 std::vector<std::string_view> sections_of(const std::vector<RigKey>& keys) {
@@ -193,19 +175,15 @@ RollingRig read_rolling(const Document& document) {
     RollingRig rig;
     if (document.find_section("pivot")) rig.pivot = RollingRig::Pivot{};
     rig = read(rig, document, {"title", "rig", "roller.shape"});
-    const Entry* shape = document.find("roller.shape");
-    if (!shape)
-        fail(document.place_of("roller.shape"), "", "missing key roller.shape",
-             "add shape = \"sphere\"");
-    read_field(shape_key(), *shape, Field());
-    const bool cylinder = std::get<std::string>(shape->value) == "cylinder";
+    const Entry& shape = document.required("roller.shape", "add shape = \"sphere\"");
+    const Key shape_key = choice_key("roller.shape", {{"sphere"}, {"cylinder"}}, R"("sphere")",
+                                     "shape of the roller");
+    const bool cylinder = read_choice(shape_key, shape).word == "cylinder";
     rig.roller.shape = cylinder ? RollingRig::Shape::cylinder : RollingRig::Shape::sphere;
     const Entry* length = document.find("roller.length");
     if (length && !cylinder)
         fail(length->place, length->subject(), "a sphere has no length", "omit this key");
-    if (!length && cylinder)
-        fail(document.place_of("roller.length"), "", "missing key roller.length",
-             "add length = \"80 mm\"");
+    if (cylinder) document.required("roller.length", "add length = \"80 mm\"");
     return rig;
 }
 
@@ -220,12 +198,11 @@ WalkingRig read_walking(const Document& document) {
 Rig parse_rig(std::string_view text, const std::string& name) {
     const Document document = parse_document(text, name, is_printed_value);
     require_kind(FileKind::rig, document);
-    const Entry* kind = document.find(kind_key().path);
-    if (!kind)
-        fail(name + ":1:1", "", "missing key rig",
-             "add rig = \"rolling\" or rig = \"micro-walking\" at the top");
-    read_field(kind_key(), *kind, Field());
-    if (std::get<std::string>(kind->value) == "rolling") return read_rolling(document);
+    const Entry& kind =
+        document.required("rig", "add rig = \"rolling\" or rig = \"micro-walking\" at the top");
+    const Key key =
+        choice_key("rig", {{"rolling"}, {"micro-walking"}}, R"("rolling")", "kind of experiment");
+    if (read_choice(key, kind).word == "rolling") return read_rolling(document);
     return read_walking(document);
 }
 

@@ -1,9 +1,7 @@
-#include "io/rough_bodies.h"
-
 #include <cmath>
 
-#include "contact/error.h"
 #include "contact/rough_scales.h"
+#include "io/case_checks.h"
 #include "io/height_map_file.h"
 #include "io/messages.h"
 #include "io/refusal.h"
@@ -100,16 +98,12 @@ void resolve_height_map(Case& c, const Document& document) {
     if (!says_its_scale(path) && !given)
         refuse(document, "indenter.file", "bare numbers need a spacing and a unit",
                "give indenter.spacing and indenter.unit");
-    try {
-        const auto scale =
-            given ? std::optional(HeightMapScale{*c.indenter.spacing, *c.indenter.unit})
-                  : std::nullopt;
+    std::optional<HeightMapScale> scale;
+    if (given) scale = {*c.indenter.spacing, *c.indenter.unit};
+    told_at(document, "indenter.file", [&] {
         c.indenter.height_map =
             std::make_shared<const contact::HeightMap>(read_height_map(path, scale));
-    } catch (const contact::InputError& refused) {
-        const Entry& entry = *document.find("indenter.file");
-        fail(entry.place, entry.subject(), refused.what(), {});
-    }
+    });
 }
 
 void check_rough_bodies(const Case& c, const Document& document) {

@@ -1,5 +1,3 @@
-#include "io/sliding_checks.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,6 +5,7 @@
 
 #include "contact/load_path.h"
 #include "contact/rough_scales.h"
+#include "io/case_checks.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 

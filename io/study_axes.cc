@@ -8,6 +8,7 @@
 
 #include "io/field_reader.h"
 #include "io/key_guess.h"
+#include "io/key_kinds.h"
 #include "io/messages.h"
 
 namespace tricontact::io {
@@ -17,10 +18,9 @@ namespace {
 using Kind = Key::Kind;
 
 [[noreturn]] void refuse_unknown(const Entry& entry, const std::string& path, const KeyList& keys) {
-    const std::string near = likely_path(path, keys.paths());
     fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
-         near.empty() ? std::string(keys.reference()) + " lists the keys"
-                      : "did you mean " + near + "?");
+         did_you_mean(likely_path(path, keys.paths()),
+                      std::string(keys.reference()) + " lists the keys"));
 }
 
 // What says how results are kept, not what they are.
@@ -51,11 +51,7 @@ Name name_of(const Entry& entry, const KeyList& keys) {
 }
 
 Entry entry_of(const Key& key, Value value, const std::string& place) {
-    return {.path = std::string(key.path),
-            .value = std::move(value),
-            .place = place,
-            .key_place = place,
-            .overridden = true};
+    return overriding(std::string(key.path), std::move(value), place);
 }
 
 // Whole numbers of a list of numbers are that again.
@@ -124,20 +120,13 @@ double end_of(const Key& key, const Entry& part) {
 }
 
 const Key& points_key() {
-    static const Key key{.path = "points",
-                         .kind = Kind::integer,
-                         .range = {2, most_values},
-                         .example = "5",
-                         .text = "values of a range"};
+    static const Key key = integer_key("points", {2, most_values}, "5", "values of a range");
     return key;
 }
 
 const Key& scale_key() {
-    static const Key key{.path = "scale",
-                         .kind = Kind::choice,
-                         .choices = {{"linear"}, {"log"}},
-                         .example = R"("log")",
-                         .text = "how the values of a range lie"};
+    static const Key key =
+        choice_key("scale", {{"linear"}, {"log"}}, R"("log")", "how the values of a range lie");
     return key;
 }
 
@@ -179,10 +168,8 @@ Study::Range read_range(const Document& document, const Key& key) {
              "there are not so many whole numbers from " + shortest(range.from) + " to " +
                  shortest(range.to),
              "take fewer points");
-    if (const Entry* scale = document.find(name + ".scale")) {
-        read_field(scale_key(), *scale, Field());
-        range.logarithmic = std::get<std::string>(scale->value) == "log";
-    }
+    if (const Entry* scale = document.find(name + ".scale"))
+        range.logarithmic = read_choice(scale_key(), *scale).word == "log";
     if (range.logarithmic && range.from <= 0)
         fail(from.place, from.subject(), "must be greater than 0 on a logarithmic scale",
              "begin above 0, or omit scale");

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include "io/case_keys.h"
 #include "io/field_reader.h"
 #include "io/file_kind.h"
 #include "io/input_file.h"
+#include "io/key_guess.h"
+#include "io/key_kinds.h"
 #include "io/messages.h"
 #include "io/study_axes.h"
 #include "io/walk_keys.h"
@@ -17,40 +18,22 @@ namespace tricontact::io {
 
 namespace {
 
-using Kind = Key::Kind;
-
 constexpr int most_levels = 8;  // cells halve every second level: 128 times as many on a grid
 
-const Key& case_key() {
-    static const Key key{
-        .path = "case", .kind = Kind::text, .example = R"("case.toml")", .text = "the case file"};
-    return key;
-}
-
 const Key& levels_key() {
-    static const Key key{.path = "levels",
-                         .kind = Kind::integer,
-                         .range = {1, most_levels},
-                         .example = "3",
-                         .text = "levels of refinement"};
+    static const Key key = integer_key("levels", {1, most_levels}, "3", "levels of refinement");
     return key;
 }
 
 const Key& sample_points_key() {
-    static const Key key{.path = "latin_hypercube.points",
-                         .kind = Kind::integer,
-                         .range = {2, most_values},
-                         .example = "50",
-                         .text = "points of the sample"};
+    static const Key key =
+        integer_key("latin_hypercube.points", {2, most_values}, "50", "points of the sample");
     return key;
 }
 
 const Key& seed_key() {
-    static const Key key{.path = "latin_hypercube.seed",
-                         .kind = Kind::integer,
-                         .range = {0, 2147483647},
-                         .example = "1",
-                         .text = "another seed, another sample"};
+    static const Key key =
+        integer_key("latin_hypercube.seed", {0, 2147483647}, "1", "another seed, another sample");
     return key;
 }
 
@@ -67,10 +50,9 @@ void check_known(const Document& document) {
     for (const auto& section : document.sections)
         if (!is_nested_section(section.name) &&
             std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
-            const std::string near(nearest(section.name, sections));
             fail(section.place, "", "unknown section [" + section.name + "]",
-                 near.empty() ? "known are set, vary, latin_hypercube"
-                              : "did you mean " + near + "?");
+                 did_you_mean(nearest(section.name, sections),
+                              "known are set, vary, latin_hypercube"));
         }
     for (const Entry& entry : document.entries) {
         if (entry.path.starts_with("set.") || entry.path.starts_with("vary.")) continue;
@@ -81,29 +63,25 @@ void check_known(const Document& document) {
         if (std::find(sections.begin(), sections.end(), entry.path) != sections.end())
             fail(entry.key_place, entry.subject(), "this is the name of a section, not of a key",
                  "write [" + entry.path + "] on its own line and its keys below");
-        const std::string near(nearest(entry.path, top_keys));
-        std::string remedy =
-            "known are title, case, models, levels, latin_hypercube.points, "
-            "latin_hypercube.seed; keys of the case stand in [set] or [vary]";
-        if (!near.empty()) remedy = "did you mean " + near + "?";
-        fail(entry.key_place, "", "unknown key " + entry.path, remedy);
+        fail(entry.key_place, "", "unknown key " + entry.path,
+             did_you_mean(nearest(entry.path, top_keys),
+                          "known are title, case, models, levels, latin_hypercube.points, "
+                          "latin_hypercube.seed; keys of the case stand in [set] or [vary]"));
     }
 }
 
 // Relative to the folder of the study.
 Document read_base(const Document& document) {
-    const Entry* entry = document.find(case_key().path);
-    if (!entry) fail(document.name + ":1:1", "", "missing key case", "add case = \"case.toml\"");
+    const Entry& entry = document.required("case", "add case = \"case.toml\"");
     std::string file;
-    read_field(case_key(), *entry, Field(&file));
-    const std::string path =
-        (std::filesystem::path(document.name).parent_path() / file).lexically_normal().string();
+    read_field(text_key("case", R"("case.toml")", "the case file"), entry, Field(&file));
+    const std::string path = document.path_of(file);
     try {
         Document base = parse_document(read_input_file(path), path);
         if (!is_walk_case(base)) require_kind(FileKind::contact, base);
         return base;
     } catch (const std::exception& error) {
-        fail(entry->place, entry->subject(), error.what(), "");
+        fail(entry.place, entry.subject(), error.what(), "");
     }
 }
 

@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 
@@ -258,6 +259,23 @@ std::string Document::place_of(std::string_view path) const {
     if (const Entry* entry = find(path)) return entry->place;
     const Section* section = find_section(section_of(path));
     return section ? section->place : name + ":1:1";
+}
+
+const Entry& Document::required(std::string_view path, std::string_view remedy) const {
+    if (const Entry* entry = find(path)) return *entry;
+    fail(place_of(path), "", "missing key " + std::string(path), remedy);
+}
+
+std::string Document::path_of(const std::string& file) const {
+    return (std::filesystem::path(name).parent_path() / file).lexically_normal().string();
+}
+
+Entry overriding(std::string path, Value value, const std::string& place) {
+    return {.path = std::move(path),
+            .value = std::move(value),
+            .place = place,
+            .key_place = place,
+            .overridden = true};
 }
 
 Document parse_document(std::string_view text, const std::string& name) {

@@ -49,7 +49,14 @@ struct Document {
     const Section* find_section(std::string_view section) const;
     /// Where a key of this path stands, or should: its value, its section, the file.
     std::string place_of(std::string_view path) const;
+    /// The value there. Throws contact::InputError "missing key <path>; <remedy>".
+    const Entry& required(std::string_view path, std::string_view remedy) const;
+    /// Of a file that the document names, relative to its own folder.
+    std::string path_of(const std::string& file) const;
 };
+
+/// An entry in the place of one of the document.
+Entry overriding(std::string path, Value value, const std::string& place);
 
 /// Whether a table in a section, of this path, is a section too.
 using IsSection = bool (*)(std::string_view path);

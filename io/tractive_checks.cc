@@ -1,8 +1,7 @@
-#include "io/tractive_checks.h"
-
 #include <array>
 #include <utility>
 
+#include "io/case_checks.h"
 #include "io/messages.h"
 #include "io/refusal.h"
 

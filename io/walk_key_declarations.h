@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "io/key_kinds.h"
 #include "io/walk_keys.h"
 
 namespace tricontact::io {

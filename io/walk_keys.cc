@@ -12,7 +12,6 @@ using contact::Material;
 using dynamics::Bed;
 using dynamics::SpotContact;
 using dynamics::WalkCase;
-using Kind = Key::Kind;
 
 // Place of a number of the contact's bodies: `body` is the machine's, else the substrate's.
 template <double Material::*member>
@@ -26,107 +25,61 @@ Field of_substrate(WalkCase& c) {
 
 void add_contact(std::vector<WalkKey>& keys) {
     constexpr std::string_view diameter = "contact.diameter";
-    keys.push_back({{.path = diameter,
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = above_zero(1e6),
-                     .alternative = spot_stiffness,
-                     .example = R"("1.8 mm")",
-                     .text = "diameter D_c of a contact: k_z = E* D_c, k_x = G* D_c"},
+    keys.push_back({length_key(diameter, R"("1.8 mm")",
+                               "diameter D_c of a contact: k_z = E* D_c, k_x = G* D_c",
+                               {.alternative = spot_stiffness}),
                     [](WalkCase& c) { return in(c.input.contact, &SpotContact::diameter); }});
-    const auto young = [&](std::string_view path, std::string_view example, bool required,
-                           std::string_view text, Field (*field)(WalkCase&)) {
-        keys.push_back({{.path = path,
-                         .kind = Kind::quantity,
-                         .dimension = Dimension::pressure,
-                         .range = above_zero(1e15),
-                         .required = required,
-                         .needs = diameter,
-                         .example = example,
-                         .text = text},
-                        field});
-    };
-    const auto poisson = [&](std::string_view path, bool required, std::string_view text,
-                             Field (*field)(WalkCase&)) {
-        keys.push_back({{.path = path,
-                         .kind = Kind::number,
-                         .range = {-1, 0.5, false, true},
-                         .required = required,
-                         .needs = diameter,
-                         .example = "0.3",
-                         .text = text},
-                        field});
-    };
-    young("contact.young", R"("1.4 GPa")", true, "Young's modulus of the machine",
-          of_body<&Material::young>);
-    poisson("contact.poisson", true, "Poisson's ratio of the machine", of_body<&Material::poisson>);
-    young("contact.substrate_young", R"("90 GPa")", false,
-          "Young's modulus of the substrate; without it the substrate is rigid",
-          of_substrate<&Material::young>);
-    poisson("contact.substrate_poisson", false, "Poisson's ratio of the substrate",
-            of_substrate<&Material::poisson>);
+    keys.push_back({modulus_key("contact.young", R"("1.4 GPa")", "Young's modulus of the machine",
+                                {.required = true, .needs = diameter}),
+                    of_body<&Material::young>});
+    keys.push_back({poisson_key("contact.poisson", "0.3", "Poisson's ratio of the machine",
+                                {.required = true, .needs = diameter}),
+                    of_body<&Material::poisson>});
+    keys.push_back(
+        {modulus_key("contact.substrate_young", R"("90 GPa")",
+                     "Young's modulus of the substrate; without it the substrate is rigid",
+                     {.needs = diameter}),
+         of_substrate<&Material::young>});
+    keys.push_back({poisson_key("contact.substrate_poisson", "0.3",
+                                "Poisson's ratio of the substrate", {.needs = diameter}),
+                    of_substrate<&Material::poisson>});
 }
 
 void add_spots(std::vector<WalkKey>& keys) {
-    keys.push_back({{.path = "spots.positions",
-                     .kind = Kind::number_list,
-                     .range = {-1000, 1000},
-                     .example = "[-1, 0, 1]",
-                     .text = "along the base from its middle, in units of b"},
+    keys.push_back({list_of(number_key("spots.positions", {-1000, 1000}, "[-1, 0, 1]",
+                                       "along the base from its middle, in units of b")),
                     [](WalkCase& c) -> Field { return &c.input.positions; }});
-    keys.push_back({{.path = "spots.heights",
-                     .kind = Kind::number_list,
-                     .range = {0, 1000},
-                     .needs = "spots.positions",
-                     .example = "[0, 1e-5, 0]",
-                     .text = "of the tips above the lowest one, in units of b; without it all 0"},
-                    [](WalkCase& c) -> Field { return &c.input.heights; }});
-    keys.push_back({{.path = "spots.stiffnesses",
-                     .kind = Kind::number_list,
-                     .range = above_zero(1e9),
-                     .needs = "spots.positions",
-                     .example = "[1, 0.5, 1]",
-                     .text = "normal in units of k_z, tangential of k_x; without it all 1"},
-                    [](WalkCase& c) -> Field { return &c.input.stiffnesses; }});
+    keys.push_back(
+        {list_of(number_key("spots.heights", {0, 1000}, "[0, 1e-5, 0]",
+                            "of the tips above the lowest one, in units of b; without it all 0",
+                            {.needs = "spots.positions"})),
+         [](WalkCase& c) -> Field { return &c.input.heights; }});
+    keys.push_back(
+        {list_of(number_key("spots.stiffnesses", above_zero(1e9), "[1, 0.5, 1]",
+                            "normal in units of k_z, tangential of k_x; without it all 1",
+                            {.needs = "spots.positions"})),
+         [](WalkCase& c) -> Field { return &c.input.stiffnesses; }});
 }
 
 void add_bed(std::vector<WalkKey>& keys) {
-    keys.push_back({{.path = "bed.radius",
-                     .kind = Kind::number,
-                     .range = above_zero(1e9),
-                     .required = true,
-                     .example = "0.5",
-                     .text = "radius R of the tips, in units of b"},
+    keys.push_back({number_key("bed.radius", above_zero(1e9), "0.5",
+                               "radius R of the tips, in units of b", {.required = true}),
                     [](WalkCase& c) { return in(c.machine.bed, &Bed::radius); }});
-    keys.push_back({{.path = "bed.springs",
-                     .kind = Kind::integer,
-                     .range = {1, 10000},
-                     .default_value = "40",
-                     .needs = "bed.radius",
-                     .example = "40",
-                     .text = "springs of each spot"},
+    keys.push_back({integer_key("bed.springs", {1, 10000}, "40", "springs of each spot",
+                                {.default_value = "40", .needs = "bed.radius"}),
                     [](WalkCase& c) { return in(c.machine.bed, &Bed::springs); }});
     keys.push_back(
-        {{.path = "bed.width",
-          .kind = Kind::number,
-          .range = {1, 1000},
-          .reason = "at rest the contact has a width of 1",
-          .default_value = "3.0",
-          .needs = "bed.radius",
-          .example = "3",
-          .text = "width of the bed over the diameter of the contact at rest; a tip ends "
-                  "there"},
+        {number_key("bed.width", {1, 1000}, "3",
+                    "width of the bed over the diameter of the contact at rest; a tip ends there",
+                    {.reason = "at rest the contact has a width of 1",
+                     .default_value = "3.0",
+                     .needs = "bed.radius"}),
          [](WalkCase& c) { return in(c.machine.bed, &Bed::width); }});
 }
 
 void add_mechanisms(std::vector<WalkKey>& keys) {
     const auto add = [&](std::string_view path, std::string_view text, Field (*field)(WalkCase&)) {
-        keys.push_back({{.path = path,
-                         .kind = Kind::boolean,
-                         .default_value = "true",
-                         .example = "false",
-                         .text = text},
-                        field});
+        keys.push_back({boolean_key(path, "false", text, {.default_value = "true"}), field});
     };
     add("mechanisms.vertical", "vertical motion; else z stays at rest",
         [](WalkCase& c) -> Field { return &c.machine.mechanisms.vertical; });
@@ -140,13 +93,8 @@ void add_mechanisms(std::vector<WalkKey>& keys) {
 void add_number(std::vector<WalkKey>& keys, std::string_view path, Range range,
                 std::string_view default_value, std::string_view example, std::string_view text,
                 Field (*field)(WalkCase&)) {
-    keys.push_back({{.path = path,
-                     .kind = Kind::number,
-                     .range = range,
-                     .default_value = default_value,
-                     .example = example,
-                     .text = text},
-                    field});
+    keys.push_back(
+        {number_key(path, range, example, text, {.default_value = default_value}), field});
 }
 
 void add_excitation(std::vector<WalkKey>& keys) {
@@ -165,22 +113,14 @@ void add_time(std::vector<WalkKey>& keys) {
     add_number(keys, "time.step", above_zero(1e3), "0.001", "1e-3",
                "step of the integration, in units of sqrt(m/k_x)",
                [](WalkCase& c) -> Field { return &c.time.step; });
-    keys.push_back({{.path = "time.end",
-                     .kind = Kind::number,
-                     .range = above_zero(1e9),
-                     .default_value = "20000.0",
-                     .alternative = end_of_run,
-                     .example = "20000",
-                     .text = "end of the run, in units of sqrt(m/k_x)"},
-                    [](WalkCase& c) { return c.input.duration ? Field() : Field(&c.time.end); }});
-    keys.push_back({{.path = "time.duration",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::time,
-                     .range = above_zero(1e9),
-                     .alternative = end_of_run,
-                     .example = R"("8 s")",
-                     .text = "the same of a machine with dimensions"},
-                    [](WalkCase& c) -> Field { return &c.input.duration; }});
+    keys.push_back(
+        {number_key("time.end", above_zero(1e9), "20000", "end of the run, in units of sqrt(m/k_x)",
+                    {.default_value = "20000.0", .alternative = end_of_run}),
+         [](WalkCase& c) { return c.input.duration ? Field() : Field(&c.time.end); }});
+    keys.push_back(
+        {quantity_key("time.duration", Dimension::time, above_zero(1e9), R"("8 s")",
+                      "the same of a machine with dimensions", {.alternative = end_of_run}),
+         [](WalkCase& c) -> Field { return &c.input.duration; }});
 }
 
 void add_start(std::vector<WalkKey>& keys) {
@@ -205,24 +145,17 @@ void add_start(std::vector<WalkKey>& keys) {
 }
 
 void add_output(std::vector<WalkKey>& keys) {
-    keys.push_back({{.path = "output.frames",
-                     .kind = Kind::integer,
-                     .range = {0, 10000},
-                     .default_value = "100",
-                     .example = "100",
-                     .text = "of the animation for ParaView; 0: none"},
+    keys.push_back({integer_key("output.frames", {0, 10000}, "100",
+                                "of the animation for ParaView; 0: none", {.default_value = "100"}),
                     [](WalkCase& c) -> Field { return &c.output.frames; }});
 }
 
 const std::vector<WalkKey>& declared_keys() {
     static const std::vector<WalkKey> keys = [] {
         std::vector<WalkKey> all;
-        all.push_back({{.path = "title",
-                        .kind = Kind::text,
-                        .default_value = "\"\"",
-                        .example = R"("Set B walks")",
-                        .text = "what the case is"},
-                       [](WalkCase& c) -> Field { return &c.title; }});
+        all.push_back(
+            {text_key("title", R"("Set B walks")", "what the case is", {.default_value = "\"\""}),
+             [](WalkCase& c) -> Field { return &c.title; }});
         add_machine_keys(all);
         add_contact(all);
         add_spots(all);

@@ -8,29 +8,24 @@ using dynamics::DimensionalMachine;
 using dynamics::Kappas;
 using dynamics::Machine;
 using dynamics::WalkCase;
-using Kind = Key::Kind;
 
 constexpr double large = 1e9;
 
 void add_model(std::vector<WalkKey>& keys) {
     using Model = Machine::Model;
-    keys.push_back({{.path = "machine.model",
-                     .kind = Kind::choice,
-                     .choices = {choice("two-spot", Model::two_spot), choice("prism", Model::prism),
-                                 choice("spots", Model::spots)},
-                     .default_value = R"("two-spot")",
-                     .example = R"("two-spot")",
-                     .text = "contact spots: one at each end of the base, the same in a prism of "
-                             "45 degrees, or those of [spots]"},
+    keys.push_back({choice_key("machine.model",
+                               {choice("two-spot", Model::two_spot), choice("prism", Model::prism),
+                                choice("spots", Model::spots)},
+                               R"("two-spot")",
+                               "contact spots: one at each end of the base, the same in a prism of "
+                               "45 degrees, or those of [spots]",
+                               {.default_value = R"("two-spot")"}),
                     [](WalkCase& c) -> Field { return &c.machine.model; }});
-    keys.push_back({{.path = "machine.tilting_angle",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::angle,
-                     .range = above_zero(1e6),
-                     .default_value = R"("0.1 rad")",
-                     .example = R"("0.1 rad")",
-                     .text = "rotation above which it counts as tilting: the run ends there"},
-                    [](WalkCase& c) -> Field { return &c.machine.tilting_angle; }});
+    keys.push_back(
+        {quantity_key("machine.tilting_angle", Dimension::angle, above_zero(1e6), R"("0.1 rad")",
+                      "rotation above which it counts as tilting: the run ends there",
+                      {.default_value = R"("0.1 rad")"}),
+         [](WalkCase& c) -> Field { return &c.machine.tilting_angle; }});
 }
 
 // Place of a kappa in a case whose machine has no dimensions.
@@ -43,14 +38,8 @@ void add_kappas(std::vector<WalkKey>& keys) {
     const auto add = [&](std::string_view path, Range range, std::string_view example,
                          std::string_view text, Field (*field)(WalkCase&),
                          std::string_view reason = {}) {
-        keys.push_back({{.path = path,
-                         .kind = Kind::number,
-                         .range = range,
-                         .reason = reason,
-                         .required = true,
-                         .example = example,
-                         .text = text},
-                        field});
+        keys.push_back(
+            {number_key(path, range, example, text, {.reason = reason, .required = true}), field});
     };
     add("machine.kappa1", above_zero(large), "2", "k_s/k_x, spring of the base over contact spot",
         kappa<&Kappas::kappa1>);
@@ -79,14 +68,9 @@ Field dimension(WalkCase& c) {
 void add_body(std::vector<WalkKey>& keys) {
     const auto add = [&](std::string_view path, Dimension dimension, std::string_view example,
                          std::string_view text, Field (*field)(WalkCase&)) {
-        keys.push_back({{.path = path,
-                         .kind = Kind::quantity,
-                         .dimension = dimension,
-                         .range = above_zero(large),
-                         .required = true,
-                         .example = example,
-                         .text = text},
-                        field});
+        keys.push_back(
+            {quantity_key(path, dimension, above_zero(large), example, text, {.required = true}),
+             field});
     };
     add("machine.mass", Dimension::mass, R"("490 g")", "mass m",
         dimension<&DimensionalMachine::mass>);
@@ -102,26 +86,16 @@ void add_body(std::vector<WalkKey>& keys) {
 }
 
 void add_stiffnesses(std::vector<WalkKey>& keys) {
-    keys.push_back({{.path = "machine.tangential_stiffness",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::stiffness,
-                     .range = above_zero(1e15),
-                     .alternative = spot_stiffness,
-                     .example = R"("2.2e6 N/m")",
-                     .text = "k_x of one contact spot"},
-                    [](WalkCase& c) {
-                        return c.input.contact
-                                   ? Field()
-                                   : in(c.dimensional, &DimensionalMachine::tangential_stiffness);
-                    }});
-    keys.push_back({{.path = "machine.normal_stiffness",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::stiffness,
-                     .range = above_zero(1e15),
-                     .required = true,
-                     .needs = "machine.tangential_stiffness",
-                     .example = R"("2.9e6 N/m")",
-                     .text = "k_z of one contact spot"},
+    keys.push_back(
+        {quantity_key("machine.tangential_stiffness", Dimension::stiffness, above_zero(1e15),
+                      R"("2.2e6 N/m")", "k_x of one contact spot", {.alternative = spot_stiffness}),
+         [](WalkCase& c) {
+             return c.input.contact ? Field()
+                                    : in(c.dimensional, &DimensionalMachine::tangential_stiffness);
+         }});
+    keys.push_back({quantity_key("machine.normal_stiffness", Dimension::stiffness, above_zero(1e15),
+                                 R"("2.9e6 N/m")", "k_z of one contact spot",
+                                 {.required = true, .needs = "machine.tangential_stiffness"}),
                     [](WalkCase& c) {
                         return c.input.contact
                                    ? Field()
@@ -130,49 +104,29 @@ void add_stiffnesses(std::vector<WalkKey>& keys) {
 }
 
 void add_motion(std::vector<WalkKey>& keys) {
-    keys.push_back({{.path = "machine.friction_coefficient",
-                     .kind = Kind::number,
-                     .range = from_zero(100),
-                     .required = true,
-                     .example = "0.75",
-                     .text = "Coulomb's coefficient of friction mu"},
+    keys.push_back({number_key("machine.friction_coefficient", from_zero(100), "0.75",
+                               "Coulomb's coefficient of friction mu", {.required = true}),
                     dimension<&DimensionalMachine::friction_coefficient>});
-    keys.push_back({{.path = "machine.base_velocity",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::velocity,
-                     .range = from_zero(1e6),
-                     .required = true,
-                     .example = R"("40 mm/s")",
-                     .text = "velocity v_0 of the spring's base"},
-                    dimension<&DimensionalMachine::base_velocity>});
-    keys.push_back({{.path = "machine.lever_arm",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::length,
-                     .range = {-1e6, 1e6},
-                     .alternative = lever_arm,
-                     .example = R"("-10 mm")",
-                     .text = "height h of the spring above the centre of gravity"},
+    keys.push_back(
+        {quantity_key("machine.base_velocity", Dimension::velocity, from_zero(1e6), R"("40 mm/s")",
+                      "velocity v_0 of the spring's base", {.required = true}),
+         dimension<&DimensionalMachine::base_velocity>});
+    keys.push_back({quantity_key("machine.lever_arm", Dimension::length, {-1e6, 1e6}, R"("-10 mm")",
+                                 "height h of the spring above the centre of gravity",
+                                 {.alternative = lever_arm}),
                     [](WalkCase& c) {
                         return c.input.height_ratio
                                    ? Field()
                                    : in(c.dimensional, &DimensionalMachine::lever_arm);
                     }});
     keys.push_back(
-        {{.path = "machine.height_ratio",
-          .kind = Kind::number,
-          .range = {-1000, 1000},
-          .alternative = lever_arm,
-          .example = "-0.47",
-          .text = "h/a, the same over the half height"},
+        {number_key("machine.height_ratio", {-1000, 1000}, "-0.47",
+                    "h/a, the same over the half height", {.alternative = lever_arm}),
          [](WalkCase& c) { return c.dimensional ? Field(&c.input.height_ratio) : Field(); }});
-    keys.push_back({{.path = "machine.gravity",
-                     .kind = Kind::quantity,
-                     .dimension = Dimension::acceleration,
-                     .range = above_zero(1e6),
-                     .default_value = R"("9.81 m/s2")",
-                     .example = R"("9.81 m/s2")",
-                     .text = "acceleration g of gravity"},
-                    dimension<&DimensionalMachine::gravity>});
+    keys.push_back(
+        {quantity_key("machine.gravity", Dimension::acceleration, above_zero(1e6), R"("9.81 m/s2")",
+                      "acceleration g of gravity", {.default_value = R"("9.81 m/s2")"}),
+         dimension<&DimensionalMachine::gravity>});
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 #include "io/case_reader.h"
-#include "io/fem_checks.h"
+#include "io/case_checks.h"
 #include "theory/line_contact.h"
 
 namespace tricontact::io {
