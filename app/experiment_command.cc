@@ -175,7 +175,7 @@ class Predictions {
         for (const auto& stage : evaluation_.runs.front().stages) {
             say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
             const Case c = case_with(stage.amplitude, stage.period, enough_periods, false);
-            limit.states.push_back(run(name, c).state);
+            limit.states.push_back(run(name, c).verdict.state);
         }
         evaluation_.model_limits.push_back(std::move(limit));
     }

@@ -27,10 +27,10 @@ struct Assumption {
     std::string name;   ///< "half_space"
     std::string title;  ///< "Half-space"
     std::string claim;  ///< "The substrate is a half-space"
-    std::vector<Criterion> criteria;
-    std::vector<Calculation> background;  ///< further numbers
-    std::vector<std::string> missing;     ///< keys of the rig file without which it is open
-    std::string consequence;              ///< in words and percent
+    std::vector<Criterion> criteria = {};
+    std::vector<Calculation> background = {};  ///< further numbers
+    std::vector<std::string> missing = {};     ///< keys of the rig file without which it is open
+    std::string consequence = {};              ///< in words and percent
 
     /// Fails if one criterion does; else cannot tell if one cannot, if something is missing, or if
     /// there is no criterion.

@@ -48,11 +48,13 @@ std::vector<double> values_of(const std::vector<Given>& given) {
     return values;
 }
 
-Calculation calculate(Calculation calculation) {
+Calculation calculate(std::string name, std::string symbol, std::string formula, std::string source,
+                      std::string unit, std::vector<Given> given, theory::Quantity function) {
     std::vector<theory::Uncertain> quantities;
-    for (const Given& one : calculation.given) quantities.push_back(one.value);
-    calculation.result = theory::propagate(calculation.function, quantities).result;
-    return calculation;
+    for (const Given& one : given) quantities.push_back(one.value);
+    const theory::Uncertain result = theory::propagate(function, quantities).result;
+    return {std::move(name), std::move(symbol), std::move(formula),  std::move(source),
+            std::move(unit), std::move(given),  std::move(function), result};
 }
 
 std::vector<Substitute> substitutes(const Calculation& calculation, double wanted) {

@@ -29,8 +29,9 @@ struct Calculation {
 /// The values alone.
 std::vector<double> values_of(const std::vector<Given>& given);
 
-/// Fills `result`. Throws what `function` throws.
-Calculation calculate(Calculation calculation);
+/// With its result. Throws what `function` throws.
+Calculation calculate(std::string name, std::string symbol, std::string formula, std::string source,
+                      std::string unit, std::vector<Given> given, theory::Quantity function);
 
 /// A given quantity of a calculation that has the value `wanted` if only this quantity changes.
 struct Substitute {

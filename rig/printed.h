@@ -32,9 +32,9 @@ struct PrintedCheck {
 /// What follows about an experiment.
 struct RigReport {
     std::string title;
-    std::vector<Assumption> assumptions;
-    std::vector<PrintedCheck> printed;
-    std::optional<ForceCurves> curves;  ///< of a sphere
+    std::vector<Assumption> assumptions = {};
+    std::vector<PrintedCheck> printed = {};
+    std::optional<ForceCurves> curves = {};  ///< of a sphere
 };
 
 /// Looks the printed quantities up by name among the calculations of the assumptions.

@@ -6,7 +6,7 @@
 namespace tricontact::rig {
 
 RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_shift) {
-    RigReport report{.title = rig.title, .assumptions = {}, .printed = {}, .curves = {}};
+    RigReport report{.title = rig.title};
     const bool cylinder = rig.roller.shape == contact::RollingRig::Shape::cylinder;
     report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
                           cylinder ? half_space_of_line(rig) : half_space(rig)};

@@ -14,129 +14,74 @@ namespace tricontact::rig {
 
 namespace {
 
-using contact::HalfSpaceScales;
 using contact::quantity;
 using contact::RollingRig;
 using contact::Sentence;
 using contact::significant;
 using theory::LayerContact;
+using Values = std::vector<double>;
 
 constexpr const char* hertz_source = "(2.1.8), (2.1.9)";
-constexpr const char* layer_source = "exact contact with a bonded layer";
 
-/// One quantity of the contact, by both theories.
-struct Quantity {
-    const char* name;
-    const char* symbol;
-    const char* unit;
-    const char* hertz_formula;
-    double (*hertz)(const HalfSpaceScales&, const contact::MaterialPair&);
-    double (*layer)(const LayerContact&);
-};
-
-const Quantity quantities[] = {
-    {"contact_radius", "a", "m", "(3 F_N R/(4 E*))^(1/3), 1/E* = sum (1 - nu_i^2)/E_i",
-     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.contact_radius; },
-     [](const LayerContact& l) { return l.contact_radius; }},
-    {"indentation", "d", "m", "a^2/R",
-     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.indentation; },
-     [](const LayerContact& l) { return l.indentation; }},
-    {"peak_pressure", "p_0", "Pa", "3 F_N/(2 pi a^2)",
-     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.peak_pressure; },
-     [](const LayerContact& l) { return l.centre_pressure; }},
-    {"unit_shift", "U_max", "m", "mu d E*/G* at mu = 1",
-     [](const HalfSpaceScales& h, const contact::MaterialPair&) { return h.unit_shift; },
-     [](const LayerContact& l) { return *l.unit_shift; }},
-    {"normal_stiffness", "k_N", "N/m", "2 E* a",
-     [](const HalfSpaceScales& h, const contact::MaterialPair& m) {
-         return 2 * m.effective_modulus() * h.contact_radius;
+const ComparedQuantity quantities[] = {
+    {"contact_radius", "a", "(3 F_N R/(4 E*))^(1/3), 1/E* = sum (1 - nu_i^2)/E_i", hertz_source,
+     "m", [](const Values& x) { return hertz_of(x).contact_radius; },
+     [](const Values& x) { return layer_of(x).contact_radius; }},
+    {"indentation", "d", "a^2/R", hertz_source, "m",
+     [](const Values& x) { return hertz_of(x).indentation; },
+     [](const Values& x) { return layer_of(x).indentation; }},
+    {"peak_pressure", "p_0", "3 F_N/(2 pi a^2)", hertz_source, "Pa",
+     [](const Values& x) { return hertz_of(x).peak_pressure; },
+     [](const Values& x) { return layer_of(x).centre_pressure; }},
+    {"unit_shift", "U_max", "mu d E*/G* at mu = 1", hertz_source, "m",
+     [](const Values& x) { return hertz_of(x).unit_shift; },
+     [](const Values& x) { return *layer_of(x).unit_shift; }},
+    {"normal_stiffness", "k_N", "2 E* a", hertz_source, "N/m",
+     [](const Values& x) {
+         return 2 * materials_of(x).effective_modulus() * hertz_of(x).contact_radius;
      },
-     [](const LayerContact& l) { return l.normal_stiffness; }},
+     [](const Values& x) { return layer_of(x).normal_stiffness; }},
 };
 
-double hertz_value(const Quantity& q, const std::vector<double>& x) {
-    return q.hertz(hertz_of(x), materials_of(x));
+std::vector<Given> both_given(const RollingRig& rig) {
+    return with(contact_given(rig, hertz_given(rig)), {"b", rig.substrate.thickness, "m"});
 }
 
-// Of the order of hertz_given and a thickness behind.
-double layer_value(const Quantity& q, const std::vector<double>& x) {
-    return q.layer(layer_of({x[0], x[1], x[6], x[4], x[5]}));
+/// The layer's over the half-space's, of values in the order of both_given.
+double ratio(const ComparedQuantity& q, const Values& x) {
+    Values layer{x[0], x[1], x.back(), x[4], x[5]};
+    if (x.size() > 7) layer.push_back(x[6]);
+    return q.layer(layer) / q.half_space(x);
 }
 
-Calculation on_half_space(const Quantity& q, const RollingRig& rig) {
-    return calculate({.name = q.name,
-                      .symbol = q.symbol,
-                      .formula = q.hertz_formula,
-                      .source = hertz_source,
-                      .unit = q.unit,
-                      .given = hertz_given(rig),
-                      .function = [&q](const auto& x) { return hertz_value(q, x); },
-                      .result = {}});
-}
-
-Calculation on_layer(const Quantity& q, const RollingRig& rig) {
-    return calculate({.name = std::string("layer_") + q.name,
-                      .symbol = std::string(q.symbol) + ", layer",
-                      .formula = "Fredholm equation",
-                      .source = layer_source,
-                      .unit = q.unit,
-                      .given = layer_given(rig),
-                      .function = [&q](const auto& x) { return q.layer(layer_of(x)); },
-                      .result = {}});
-}
-
-Calculation difference(const Quantity& q, const RollingRig& rig) {
-    return calculate(
-        {.name = std::string(q.name) + "_difference",
-         .symbol = fmt::format("|{0} layer/{0} Hertz - 1|", q.symbol),
-         .formula = "the layer's over the half-space's, from the same data",
-         .source = layer_source,
-         .unit = "1",
-         .given = with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}),
-         .function =
-             [&q](const auto& x) { return std::abs(layer_value(q, x) / hertz_value(q, x) - 1); },
-         .result = {}});
+double ratio(const ComparedQuantity& q, const RollingRig& rig) {
+    return ratio(q, values_of(both_given(rig)));
 }
 
 Calculation thickness_ratio(const RollingRig& rig) {
     const auto measured = rig.measured_contact_size;
-    return calculate(
-        {.name = "thickness_ratio",
-         .symbol = "b/D_c",
-         .formula = measured ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz",
-         .source = "(5.1.13)",
-         .unit = "1",
-         .given = {{"b", rig.substrate.thickness, "m"},
-                   {"D_c", measured.value_or(theory::Uncertain{2 * half_size(rig)}), "m"}},
-         .function = [](const auto& x) { return x[0] / x[1]; },
-         .result = {}});
+    return calculate("thickness_ratio", "b/D_c",
+                     measured ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz", "(5.1.13)",
+                     "1",
+                     {{"b", rig.substrate.thickness, "m"},
+                      {"D_c", measured.value_or(theory::Uncertain{2 * half_size(rig)}), "m"}},
+                     [](const auto& x) { return x[0] / x[1]; });
 }
 
 // E* by Hertz' formulas from what the layer shows, over the true one.
 Calculation modulus_factor(const RollingRig& rig, bool from_indentation) {
     return calculate(
-        {.name = from_indentation ? "modulus_from_indentation" : "modulus_from_contact_radius",
-         .symbol = "E_Hertz/E",
-         .formula = from_indentation ? "3 F_N/(4 sqrt(R) d^(3/2) E'), d of the layer"
-                                     : "3 F_N R/(4 a^3 E'), a of the layer",
-         .source = "Johnson (1985), ch. 4",
-         .unit = "1",
-         .given = layer_given(rig),
-         .function =
-             [from_indentation](const auto& x) {
-                 const LayerContact layer = layer_of(x);
-                 const double found = from_indentation ? theory::hertz_modulus_from_indentation(
-                                                             x[1], x[0], layer.indentation)
-                                                       : theory::hertz_modulus_from_contact_radius(
-                                                             x[1], x[0], layer.contact_radius);
-                 return found * (1 - x[4] * x[4]) / x[3];
-             },
-         .result = {}});
-}
-
-double ratio(const Quantity& q, const RollingRig& rig) {
-    const auto x = values_of(with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}));
-    return layer_value(q, x) / hertz_value(q, x);
+        from_indentation ? "modulus_from_indentation" : "modulus_from_contact_radius", "E_Hertz/E",
+        from_indentation ? "3 F_N/(4 sqrt(R) d^(3/2) E'), d of the layer"
+                         : "3 F_N R/(4 a^3 E'), a of the layer",
+        "Johnson (1985), ch. 4", "1", layer_given(rig), [from_indentation](const auto& x) {
+            const LayerContact layer = layer_of(x);
+            const double found =
+                from_indentation
+                    ? theory::hertz_modulus_from_indentation(x[1], x[0], layer.indentation)
+                    : theory::hertz_modulus_from_contact_radius(x[1], x[0], layer.contact_radius);
+            return found * (1 - x[4] * x[4]) / x[3];
+        });
 }
 
 /// The contact of a rig, by both theories where both hold.
@@ -196,8 +141,8 @@ std::string unjudged_sentence(const Subject& s) {
 }
 
 std::string elastic_roller_sentence(const Subject& /*s*/) {
-    return "The roller is not rigid beside the substrate, as the layer's theory takes it: the "
-           "two contacts are not compared.";
+    return "The roller is not rigid beside the substrate, as the layer's theory takes it: the two "
+           "contacts are not compared.";
 }
 
 constexpr Sentence<Subject> sentences[] = {{rigid, layer_sentence},
@@ -207,34 +152,48 @@ constexpr Sentence<Subject> sentences[] = {{rigid, layer_sentence},
 
 }  // namespace
 
-Criterion thick_enough(Calculation thickness_ratio) {
-    return {std::move(thickness_ratio), Criterion::Relation::at_least, 1,
-            "the rule of Wetter (2016), section 5.1.5: necessary, not sufficient"};
+std::vector<Given> contact_given(const RollingRig& rig, std::vector<Given> given) {
+    if (rig.roller.shape == RollingRig::Shape::sphere) return given;
+    return with_length(std::move(given), rig);
 }
 
-std::string half_space_claim(const RollingRig& rig) {
-    return is_thesis_rig(rig) ? "The substrate is a half-space, since b >= D_c suffices"
-                              : "The substrate is a half-space";
+Assumption half_space_assumption(const RollingRig& rig, Calculation thickness_ratio,
+                                 std::span<const ComparedQuantity> compared,
+                                 const LayerTheory& theory, std::string consequence) {
+    using enum Criterion::Relation;
+    Assumption a{.name = "half_space",
+                 .title = "Half-space",
+                 .claim = is_thesis_rig(rig)
+                              ? "The substrate is a half-space, since b >= D_c suffices"
+                              : "The substrate is a half-space",
+                 .criteria = {{std::move(thickness_ratio), at_least, 1,
+                               "the rule of Wetter (2016), section 5.1.5: necessary, not "
+                               "sufficient"}},
+                 .consequence = std::move(consequence)};
+    const bool rigid = roller_is_rigid(rig);
+    if (!rigid) a.missing = {theory_of_elastic_roller};
+    for (const ComparedQuantity& q : compared) {
+        a.background.push_back(calculate(q.name, q.symbol, q.formula, q.source, q.unit,
+                                         contact_given(rig, hertz_given(rig)), q.half_space));
+        if (!rigid) continue;
+        a.criteria.push_back(
+            {calculate(std::string(q.name) + "_difference",
+                       fmt::format("|{0} layer/{0} Hertz - 1|", q.symbol),
+                       "the layer's over the half-space's, from the same data", theory.source, "1",
+                       both_given(rig), [&q](const auto& x) { return std::abs(ratio(q, x) - 1); }),
+             at_most, accepted_difference, accepted_reason});
+        a.background.push_back(calculate(
+            std::string("layer_") + q.name, std::string(q.symbol) + ", layer", theory.formula,
+            theory.source, q.unit, contact_given(rig, layer_given(rig)), q.layer));
+    }
+    return a;
 }
 
 Assumption half_space(const RollingRig& rig) {
-    Assumption a{.name = "half_space",
-                 .title = "Half-space",
-                 .claim = half_space_claim(rig),
-                 .criteria = {thick_enough(thickness_ratio(rig))},
-                 .background = {},
-                 .missing = {},
-                 .consequence = told(sentences, Subject{rig})};
-    const bool compared = roller_is_rigid(rig);
-    if (!compared) a.missing = {theory_of_elastic_roller};
-    for (const Quantity& q : quantities) {
-        a.background.push_back(on_half_space(q, rig));
-        if (!compared) continue;
-        a.criteria.push_back({difference(q, rig), Criterion::Relation::at_most, accepted_difference,
-                              accepted_reason});
-        a.background.push_back(on_layer(q, rig));
-    }
-    if (compared)
+    Assumption a = half_space_assumption(rig, thickness_ratio(rig), quantities,
+                                         {"Fredholm equation", "exact contact with a bonded layer"},
+                                         told(sentences, Subject{rig}));
+    if (roller_is_rigid(rig))
         for (const bool from_indentation : {true, false})
             a.background.push_back(modulus_factor(rig, from_indentation));
     return a;

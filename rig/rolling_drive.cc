@@ -23,14 +23,9 @@ constexpr double largest_wobble = 0.01;
 
 // W = w a of a ratio.
 Calculation amplitude(const RollingRig& rig, const char* name, const theory::Uncertain& ratio) {
-    return calculate({.name = name,
-                      .symbol = "W",
-                      .formula = "w a",
-                      .source = "(3.1.4)",
-                      .unit = "m",
-                      .given = {{"w", ratio, "1"}, {"a", reference_radius(rig), "m"}},
-                      .function = [](const auto& x) { return x[0] * x[1]; },
-                      .result = {}});
+    return calculate(name, "W", "w a", "(3.1.4)", "m",
+                     {{"w", ratio, "1"}, {"a", reference_radius(rig), "m"}},
+                     [](const auto& x) { return x[0] * x[1]; });
 }
 
 Calculation smallest_amplitude(const RollingRig& rig) {
@@ -42,98 +37,61 @@ Calculation pivot_amplitude(const RollingRig& rig) {
 }
 
 Calculation excitation_frequency(const RollingRig& rig) {
-    return calculate(
-        {.name = "excitation_frequency",
-         .symbol = "f_0",
-         .formula = "v/(4 W)",
-         .source = "section 5.1.5",
-         .unit = "Hz",
-         .given = {{"v", rig.drive.speed, "m/s"}, {"W", smallest_amplitude(rig).result, "m"}},
-         .function = [](const auto& x) { return x[0] / (4 * x[1]); },
-         .result = {}});
+    return calculate("excitation_frequency", "f_0", "v/(4 W)", "section 5.1.5", "Hz",
+                     {{"v", rig.drive.speed, "m/s"}, {"W", smallest_amplitude(rig).result, "m"}},
+                     [](const auto& x) { return x[0] / (4 * x[1]); });
 }
 
 // The speed that belongs to the printed frequency.
 Calculation drive_speed(const RollingRig& rig, const contact::PrintedValue& frequency) {
-    return calculate(
-        {.name = "drive_speed",
-         .symbol = "v",
-         .formula = "4 W f_0, f_0 as printed",
-         .source = "section 5.1.5",
-         .unit = "m/s",
-         .given = {{"W", smallest_amplitude(rig).result, "m"}, {"f_0", frequency.value, "Hz"}},
-         .function = [](const auto& x) { return 4 * x[0] * x[1]; },
-         .result = {}});
+    return calculate("drive_speed", "v", "4 W f_0, f_0 as printed", "section 5.1.5", "m/s",
+                     {{"W", smallest_amplitude(rig).result, "m"}, {"f_0", frequency.value, "Hz"}},
+                     [](const auto& x) { return 4 * x[0] * x[1]; });
 }
 
 Calculation frequency_ratio(const RollingRig& rig, const theory::Uncertain& f0) {
-    return calculate({.name = "frequency_ratio",
-                      .symbol = "f_1/f_0",
-                      .formula = "f_1/f_0",
-                      .source = "section 5.1.5",
-                      .unit = "1",
-                      .given = {{"f_1", *rig.drive.eigenfrequency, "Hz"}, {"f_0", f0, "Hz"}},
-                      .function = [](const auto& x) { return x[0] / x[1]; },
-                      .result = {}});
+    return calculate("frequency_ratio", "f_1/f_0", "f_1/f_0", "section 5.1.5", "1",
+                     {{"f_1", *rig.drive.eigenfrequency, "Hz"}, {"f_0", f0, "Hz"}},
+                     [](const auto& x) { return x[0] / x[1]; });
 }
 
 Calculation wave_ratio(const RollingRig& rig, const theory::Uncertain& f0) {
-    return calculate({.name = "wave_ratio",
-                      .symbol = "T_c c_s/D_c",
-                      .formula = "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a",
-                      .source = "(2.3.1)",
-                      .unit = "1",
-                      .given = {{"E_2", rig.substrate.young, "Pa"},
-                                {"nu_2", rig.substrate.poisson, "1"},
-                                {"rho", *rig.substrate.density, "kg/m3"},
-                                {"f_0", f0, "Hz"},
-                                {"a", {half_size(rig)}, "m"}},
-                      .function =
-                          [](const auto& x) {
-                              return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) / (x[3] * 2 * x[4]);
-                          },
-                      .result = {}});
+    return calculate("wave_ratio", "T_c c_s/D_c",
+                     "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a", "(2.3.1)", "1",
+                     {{"E_2", rig.substrate.young, "Pa"},
+                      {"nu_2", rig.substrate.poisson, "1"},
+                      {"rho", *rig.substrate.density, "kg/m3"},
+                      {"f_0", f0, "Hz"},
+                      {"a", {half_size(rig)}, "m"}},
+                     [](const auto& x) {
+                         return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) / (x[3] * 2 * x[4]);
+                     });
 }
 
 Calculation pivot_height_error(const RollingRig& rig) {
-    return calculate({.name = "pivot_height_error",
-                      .symbol = "Dh",
-                      .formula = "DU R/W",
-                      .source = "(5.1.11)",
-                      .unit = "m",
-                      .given = {{"DU", rig.pivot->displacement, "m"},
-                                {"R", rig.roller.radius, "m"},
-                                {"W", pivot_amplitude(rig).result, "m"}},
-                      .function = [](const auto& x) { return x[0] * x[1] / x[2]; },
-                      .result = {}});
+    return calculate("pivot_height_error", "Dh", "DU R/W", "(5.1.11)", "m",
+                     {{"DU", rig.pivot->displacement, "m"},
+                      {"R", rig.roller.radius, "m"},
+                      {"W", pivot_amplitude(rig).result, "m"}},
+                     [](const auto& x) { return x[0] * x[1] / x[2]; });
 }
 
 // What the printed height error would do.
 Calculation pivot_displacement(const RollingRig& rig, const contact::PrintedValue& height) {
-    return calculate({.name = "pivot_displacement",
-                      .symbol = "DU",
-                      .formula = "Dh W/R, Dh as printed",
-                      .source = "(5.1.11)",
-                      .unit = "m",
-                      .given = {{"Dh", height.value, "m"},
-                                {"R", rig.roller.radius, "m"},
-                                {"W", pivot_amplitude(rig).result, "m"}},
-                      .function = [](const auto& x) { return x[0] * x[2] / x[1]; },
-                      .result = {}});
+    return calculate("pivot_displacement", "DU", "Dh W/R, Dh as printed", "(5.1.11)", "m",
+                     {{"Dh", height.value, "m"},
+                      {"R", rig.roller.radius, "m"},
+                      {"W", pivot_amplitude(rig).result, "m"}},
+                     [](const auto& x) { return x[0] * x[2] / x[1]; });
 }
 
 Calculation wobble_ratio(const RollingRig& rig) {
-    return calculate({.name = "wobble_ratio",
-                      .symbol = "DU R/(mu a^2)",
-                      .formula = "DU R/(mu a^2)",
-                      .source = "(3.1.5)",
-                      .unit = "1",
-                      .given = {{"DU", rig.pivot->displacement, "m"},
-                                {"R", rig.roller.radius, "m"},
-                                {"mu", rig.friction_coefficient, "1"},
-                                {"a", reference_radius(rig), "m"}},
-                      .function = [](const auto& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); },
-                      .result = {}});
+    return calculate("wobble_ratio", "DU R/(mu a^2)", "DU R/(mu a^2)", "(3.1.5)", "1",
+                     {{"DU", rig.pivot->displacement, "m"},
+                      {"R", rig.roller.radius, "m"},
+                      {"mu", rig.friction_coefficient, "1"},
+                      {"a", reference_radius(rig), "m"}},
+                     [](const auto& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); });
 }
 
 bool below_resonance(const double& ratio) {
@@ -146,31 +104,26 @@ constexpr Sentence<double> inertia_sentences[] = {
      [](const double& ratio) {
          // x/(1 - x), x = (f_0/f_1)^2: an undamped oscillator driven at its base
          return fmt::format(
-             "Without damping inertia of the rig changes the motion by {}: the "
-             "fastest oscillation is {} times slower than the lowest "
-             "eigenfrequency.",
+             "Without damping inertia of the rig changes the motion by {}: the fastest oscillation "
+             "is {} times slower than the lowest eigenfrequency.",
              percent_text(1 / (ratio * ratio - 1), 2), significant(ratio, 3));
      }},
     {[](const double& ratio) { return !below_resonance(ratio); },
      [](const double& ratio) {
          return fmt::format(
-             "The fastest oscillation is {} times as fast as the lowest "
-             "eigenfrequency: inertia of the rig decides its motion.",
+             "The fastest oscillation is {} times as fast as the lowest eigenfrequency: inertia of "
+             "the rig decides its motion.",
              significant(1 / ratio, 3));
      }}};
 
 }  // namespace
 
 Assumption quasi_static_drive(const RollingRig& rig) {
-    Assumption a{.name = "quasi_static_drive",
-                 .title = "Quasi-static drive",
-                 .claim =
-                     "The drive is quasi-static: inertia of the rig and elastic waves are "
-                     "negligible",
-                 .criteria = {},
-                 .background = {smallest_amplitude(rig), excitation_frequency(rig)},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{
+        .name = "quasi_static_drive",
+        .title = "Quasi-static drive",
+        .claim = "The drive is quasi-static: inertia of the rig and elastic waves are negligible",
+        .background = {smallest_amplitude(rig), excitation_frequency(rig)}};
     const theory::Uncertain f0 = a.background.back().result;
     if (const auto* frequency = find_printed(rig, "excitation_frequency"))
         a.background.push_back(drive_speed(rig, *frequency));
@@ -191,15 +144,9 @@ Assumption quasi_static_drive(const RollingRig& rig) {
 }
 
 Assumption ideal_rolling(const RollingRig& rig) {
-    Assumption a{.name = "ideal_rolling",
-                 .title = "Ideal rolling",
-                 .claim =
-                     "The lever's pivot is level with the contact: rolling alone does not "
-                     "move the substrate",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{
+        "ideal_rolling", "Ideal rolling",
+        "The lever's pivot is level with the contact: rolling alone does not move the substrate"};
     if (!rig.pivot) {
         a.missing = {"pivot.displacement"};
         return a;

@@ -38,26 +38,13 @@ double viscous_ratio_of(const std::vector<double>& x) {
 Calculation viscous(const RollingRig& rig, const char* name, const char* symbol,
                     const char* formula, const char* source, const char* unit,
                     double (*function)(const std::vector<double>&)) {
-    return calculate({.name = name,
-                      .symbol = symbol,
-                      .formula = formula,
-                      .source = source,
-                      .unit = unit,
-                      .given = viscous_given(rig),
-                      .function = function,
-                      .result = {}});
+    return calculate(name, symbol, formula, source, unit, viscous_given(rig), function);
 }
 
 Calculation shear_modulus(const RollingRig& rig) {
-    return calculate(
-        {.name = "shear_modulus",
-         .symbol = "G_1",
-         .formula = "E_2/(2 (1 + nu_2))",
-         .source = "section 5.1.5",
-         .unit = "Pa",
-         .given = {{"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}},
-         .function = [](const auto& x) { return shear_modulus_of(x[0], x[1]); },
-         .result = {}});
+    return calculate("shear_modulus", "G_1", "E_2/(2 (1 + nu_2))", "section 5.1.5", "Pa",
+                     {{"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}},
+                     [](const auto& x) { return shear_modulus_of(x[0], x[1]); });
 }
 
 // omega tau, tau = eta/G_2, of values in the order of viscous_given with G_2/G_1 behind.
@@ -68,15 +55,9 @@ double period_ratio_of(const std::vector<double>& x) {
 Calculation with_maxwell_ratio(const RollingRig& rig, const char* name, const char* symbol,
                                const char* formula, const char* source,
                                double (*function)(const std::vector<double>&)) {
-    return calculate(
-        {.name = name,
-         .symbol = symbol,
-         .formula = formula,
-         .source = source,
-         .unit = "1",
-         .given = with(viscous_given(rig), {"G_2/G_1", *rig.substrate.maxwell_ratio, "1"}),
-         .function = function,
-         .result = {}});
+    return calculate(name, symbol, formula, source, "1",
+                     with(viscous_given(rig), {"G_2/G_1", *rig.substrate.maxwell_ratio, "1"}),
+                     function);
 }
 
 Calculation loss_modulus(const RollingRig& rig) {
@@ -138,10 +119,7 @@ Assumption elastic_substrate(const RollingRig& rig) {
     Assumption a{.name = "elastic_substrate",
                  .title = "Elastic substrate",
                  .claim = "The substrate is elastic at the speed of the drive",
-                 .criteria = {},
-                 .background = {shear_modulus(rig)},
-                 .missing = {},
-                 .consequence = {}};
+                 .background = {shear_modulus(rig)}};
     if (!rig.substrate.viscosity) {
         a.missing = {"substrate.viscosity"};
         return a;

@@ -25,48 +25,34 @@ using contact::Sentence;
 using contact::significant;
 
 Calculation dundurs_beta(const RollingRig& rig) {
-    return calculate(
-        {.name = "dundurs_beta",
-         .symbol = "|beta|",
-         .formula = "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + "
-                    "(1 - nu_2)/G_2]",
-         .source = "(2.1.1)",
-         .unit = "1",
-         .given = hertz_given(rig),
-         .function = [](const auto& x) { return std::abs(materials_of(x).dundurs_beta()); },
-         .result = {}});
+    return calculate("dundurs_beta", "|beta|",
+                     "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]",
+                     "(2.1.1)", "1", hertz_given(rig),
+                     [](const auto& x) { return std::abs(materials_of(x).dundurs_beta()); });
 }
 
 Calculation layer_coupling(const RollingRig& rig) {
-    return calculate({.name = "layer_coupling",
-                      .symbol = "|C_13|/sqrt(C_11 C_33)",
-                      .formula = "surface compliances of the bonded layer at the wave number 1/a",
-                      .source = "docs/models/bem-layer.md",
-                      .unit = "1",
-                      .given = {{"b", rig.substrate.thickness, "m"},
-                                {"a", {half_size(rig)}, "m"},
-                                {"E_2", rig.substrate.young, "Pa"},
-                                {"nu_2", rig.substrate.poisson, "1"}},
-                      .function =
-                          [](const auto& x) {
-                              const auto c = theory::layer_compliance(
-                                  {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
-                              return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
-                          },
-                      .result = {}});
+    return calculate("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
+                     "surface compliances of the bonded layer at the wave number 1/a",
+                     "docs/models/bem-layer.md", "1",
+                     {{"b", rig.substrate.thickness, "m"},
+                      {"a", {half_size(rig)}, "m"},
+                      {"E_2", rig.substrate.young, "Pa"},
+                      {"nu_2", rig.substrate.poisson, "1"}},
+                     [](const auto& x) {
+                         const auto c = theory::layer_compliance(
+                             {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
+                         return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
+                     });
 }
 
 Calculation coupling_effect(double coupled, double uncoupled) {
     return calculate(
-        {.name = "coupling_effect",
-         .symbol = "|U_stat coupled/U_stat uncoupled - 1|",
-         .formula = fmt::format("shift at F_T = {} mu F_N, pressed with friction",
-                                coupling_tangential_ratio),
-         .source = "boundary elements on the layer",
-         .unit = "1",
-         .given = {{"U_stat coupled", {coupled}, "m"}, {"U_stat uncoupled", {uncoupled}, "m"}},
-         .function = [](const auto& x) { return std::abs(x[0] / x[1] - 1); },
-         .result = {}});
+        "coupling_effect", "|U_stat coupled/U_stat uncoupled - 1|",
+        fmt::format("shift at F_T = {} mu F_N, pressed with friction", coupling_tangential_ratio),
+        "boundary elements on the layer", "1",
+        {{"U_stat coupled", {coupled}, "m"}, {"U_stat uncoupled", {uncoupled}, "m"}},
+        [](const auto& x) { return std::abs(x[0] / x[1] - 1); });
 }
 
 // U_max/mu of the layer for values in the order of layer_given.
@@ -90,18 +76,15 @@ double layer_modulus_of(const std::vector<double>& x) {
 }
 
 Calculation layer_modulus(const RollingRig& rig, bool as_factor) {
-    return calculate({.name = as_factor ? "fitted_modulus_error" : "layer_modulus",
-                      .symbol = as_factor ? "E_2/E_2,layer - 1" : "E_2,layer",
-                      .formula = "E_2,layer: the layer's U_max equals mu d E*/G* of E_2",
-                      .source = "(3.1.5), exact contact with a bonded layer",
-                      .unit = as_factor ? "1" : "Pa",
-                      .given = with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}),
-                      .function =
-                          [as_factor](const auto& x) {
-                              const double young = layer_modulus_of(x);
-                              return as_factor ? x[4] / young - 1 : young;
-                          },
-                      .result = {}});
+    return calculate(as_factor ? "fitted_modulus_error" : "layer_modulus",
+                     as_factor ? "E_2/E_2,layer - 1" : "E_2,layer",
+                     "E_2,layer: the layer's U_max equals mu d E*/G* of E_2",
+                     "(3.1.5), exact contact with a bonded layer", as_factor ? "1" : "Pa",
+                     with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}),
+                     [as_factor](const auto& x) {
+                         const double young = layer_modulus_of(x);
+                         return as_factor ? x[4] / young - 1 : young;
+                     });
 }
 
 /// Whether normal and tangential contact couple, on half-spaces and on the layer.
@@ -132,8 +115,8 @@ constexpr Sentence<CouplingSubject> coupling_sentences[] = {
     {contact::always,
      [](const CouplingSubject& s) {
          return fmt::format(
-             "On the bonded layer the coupling compliance |C_13| is {} of "
-             "sqrt(C_11 C_33) at the wave number 1/a.",
+             "On the bonded layer the coupling compliance |C_13| is {} of sqrt(C_11 C_33) at the "
+             "wave number 1/a.",
              percent_text(s.layer, 2));
      }},
     {effect_is_nothing,
@@ -170,10 +153,7 @@ Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
     Assumption a{.name = "uncoupled",
                  .title = "Normal and tangential contact uncoupled",
                  .claim = "Normal and tangential contact do not couple",
-                 .criteria = {},
-                 .background = {dundurs_beta(rig), layer_coupling(rig)},
-                 .missing = {},
-                 .consequence = {}};
+                 .background = {dundurs_beta(rig), layer_coupling(rig)}};
     CouplingSubject subject{
         a.background.front().result.value, a.background.back().result.value, {}};
     subject.effect = effect_of_coupling(rig, static_shift, a);
@@ -183,16 +163,12 @@ Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
 }
 
 Assumption fitted_constants(const RollingRig& rig) {
-    Assumption a{.name = "fitted_constants",
-                 .title = "Fitted constants",
-                 .claim = is_thesis_rig(rig)
-                              ? "E_2, fitted to static shifts by the half-space, is the rubber's"
-                              : "E_2, if fitted to static shifts by the half-space, is the "
-                                "substrate's",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{
+        .name = "fitted_constants",
+        .title = "Fitted constants",
+        .claim = is_thesis_rig(rig)
+                     ? "E_2, fitted to static shifts by the half-space, is the rubber's"
+                     : "E_2, if fitted to static shifts by the half-space, is the substrate's"};
     if (!roller_is_rigid(rig)) {
         a.missing = {theory_of_elastic_roller};
         return a;
@@ -201,8 +177,8 @@ Assumption fitted_constants(const RollingRig& rig) {
     a.criteria = {{error, Criterion::Relation::at_most, accepted_difference, accepted_reason}};
     a.background = {modulus};
     a.consequence = fmt::format(
-        "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is "
-        "not touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
+        "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is not "
+        "touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
         quantity(rig.substrate.young.value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
         percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
     return a;

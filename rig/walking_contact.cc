@@ -41,40 +41,25 @@ double hertz_diameter_of(const std::vector<double>& x) {
 }
 
 Calculation hertz_diameter(const WalkingRig& rig) {
-    return calculate({.name = "hertz_diameter",
-                      .symbol = "D_c, Hertz",
-                      .formula = "(6 F_N R_c/E*)^(1/3), F_N = m g/(2 sqrt(2))",
-                      .source = "(5.2.4)",
-                      .unit = "m",
-                      .given = hertz_given(rig),
-                      .function = hertz_diameter_of,
-                      .result = {}});
+    return calculate("hertz_diameter", "D_c, Hertz", "(6 F_N R_c/E*)^(1/3), F_N = m g/(2 sqrt(2))",
+                     "(5.2.4)", "m", hertz_given(rig), hertz_diameter_of);
 }
 
 Criterion hertz_ratio(const WalkingRig& rig) {
     std::vector<Given> given = hertz_given(rig);
     given.push_back(diameter(rig));
-    return {calculate({.name = "hertz_diameter_ratio",
-                       .symbol = "D_c Hertz/D_c",
-                       .formula = "(6 F_N R_c/E*)^(1/3)/D_c",
-                       .source = "(5.2.4)",
-                       .unit = "1",
-                       .given = std::move(given),
-                       .function = [](const auto& x) { return hertz_diameter_of(x) / x[6]; },
-                       .result = {}}),
-            Criterion::Relation::at_least, 1 / largest_factor, "estimates within a factor of two"};
+    return {
+        calculate("hertz_diameter_ratio", "D_c Hertz/D_c", "(6 F_N R_c/E*)^(1/3)/D_c", "(5.2.4)",
+                  "1", std::move(given), [](const auto& x) { return hertz_diameter_of(x) / x[6]; }),
+        Criterion::Relation::at_least, 1 / largest_factor, "estimates within a factor of two"};
 }
 
 Criterion wear_ratio(const WalkingRig& rig) {
-    return {calculate({.name = "wear_diameter_ratio",
-                       .symbol = "D_c wear/D_c",
-                       .formula = "2 sqrt(a b) of the wear spots over D_c",
-                       .source = "(5.2.5)",
-                       .unit = "1",
-                       .given = {{"D_wear", *rig.contact.wear_diameter, "m"}, diameter(rig)},
-                       .function = [](const auto& x) { return x[0] / x[1]; },
-                       .result = {}}),
-            Criterion::Relation::at_most, largest_factor, "estimates within a factor of two"};
+    return {
+        calculate("wear_diameter_ratio", "D_c wear/D_c", "2 sqrt(a b) of the wear spots over D_c",
+                  "(5.2.5)", "1", {{"D_wear", *rig.contact.wear_diameter, "m"}, diameter(rig)},
+                  [](const auto& x) { return x[0] / x[1]; }),
+        Criterion::Relation::at_most, largest_factor, "estimates within a factor of two"};
 }
 
 Given time(const WalkingRig& rig) {
@@ -85,103 +70,59 @@ Calculation diameter_of_frequency(const WalkingRig& rig) {
     std::vector<Given> given = material_given(rig);
     given.push_back(mass(rig));
     given.push_back(time(rig));
-    return calculate(
-        {.name = "contact_diameter",
-         .symbol = "D_c, frequency",
-         .formula = "k_x/G*, k_x = m/tau^2",
-         .source = "(5.2.6), (5.2.7)",
-         .unit = "m",
-         .given = std::move(given),
-         .function =
-             [](const auto& x) { return x[4] / (x[5] * x[5]) / effective_shear_modulus_of(x); },
-         .result = {}});
+    return calculate("contact_diameter", "D_c, frequency", "k_x/G*, k_x = m/tau^2",
+                     "(5.2.6), (5.2.7)", "m", std::move(given), [](const auto& x) {
+                         return x[4] / (x[5] * x[5]) / effective_shear_modulus_of(x);
+                     });
 }
 
 Calculation stiffness_of_time(const WalkingRig& rig) {
-    return calculate({.name = "contact_stiffness",
-                      .symbol = "k_x",
-                      .formula = "m/tau^2",
-                      .source = "(5.2.30)",
-                      .unit = "N/m",
-                      .given = {mass(rig), time(rig)},
-                      .function = [](const auto& x) { return x[0] / (x[1] * x[1]); },
-                      .result = {}});
+    return calculate("contact_stiffness", "k_x", "m/tau^2", "(5.2.30)", "N/m",
+                     {mass(rig), time(rig)}, [](const auto& x) { return x[0] / (x[1] * x[1]); });
 }
 
 Calculation stiffness_of_means(const WalkingRig& rig) {
-    return calculate({.name = "contact_stiffness_of_means",
-                      .symbol = "k_x, means",
-                      .formula = "m (Omega_exp/omega_sim)^2",
-                      .source = "(5.2.38)",
-                      .unit = "N/m",
-                      .given = {mass(rig),
-                                {"Omega_exp", rig.oscillation->frequency, "Hz"},
-                                {"omega_sim", rig.oscillation->simulated, "1"}},
-                      .function = [](const auto& x) { return x[0] * std::pow(x[1] / x[2], 2); },
-                      .result = {}});
+    return calculate("contact_stiffness_of_means", "k_x, means", "m (Omega_exp/omega_sim)^2",
+                     "(5.2.38)", "N/m",
+                     {mass(rig),
+                      {"Omega_exp", rig.oscillation->frequency, "Hz"},
+                      {"omega_sim", rig.oscillation->simulated, "1"}},
+                     [](const auto& x) { return x[0] * std::pow(x[1] / x[2], 2); });
 }
 
 Calculation characteristic_time(const WalkingRig& rig) {
-    return calculate({.name = "characteristic_time",
-                      .symbol = "tau, means",
-                      .formula = "omega_sim/Omega_exp",
-                      .source = "(5.2.35)",
-                      .unit = "s",
-                      .given = {{"omega_sim", rig.oscillation->simulated, "1"},
-                                {"Omega_exp", rig.oscillation->frequency, "Hz"}},
-                      .function = [](const auto& x) { return x[0] / x[1]; },
-                      .result = {}});
+    return calculate("characteristic_time", "tau, means", "omega_sim/Omega_exp", "(5.2.35)", "s",
+                     {{"omega_sim", rig.oscillation->simulated, "1"},
+                      {"Omega_exp", rig.oscillation->frequency, "Hz"}},
+                     [](const auto& x) { return x[0] / x[1]; });
 }
 
 Calculation relative_error(const Calculation& stiffness) {
     const auto [value, error] = stiffness.result;
-    return calculate({.name = "stiffness_error",
-                      .symbol = "s(k_x)/k_x",
-                      .formula = "propagated through " + stiffness.formula,
-                      .source = "(A.1.4)",
-                      .unit = "1",
-                      .given = {{"k_x", {value}, "N/m"}, {"s(k_x)", {error}, "N/m"}},
-                      .function = [](const auto& x) { return x[1] / x[0]; },
-                      .result = {}});
+    return calculate("stiffness_error", "s(k_x)/k_x", "propagated through " + stiffness.formula,
+                     "(A.1.4)", "1", {{"k_x", {value}, "N/m"}, {"s(k_x)", {error}, "N/m"}},
+                     [](const auto& x) { return x[1] / x[0]; });
 }
 
 // k_z/k_x
 Calculation stiffness_ratio(const WalkingRig& rig) {
     return calculate(
-        {.name = "kappa2",
-         .symbol = "kappa_2",
-         .formula = "k_z/k_x = E*/G*",
-         .source = "(5.2.29)",
-         .unit = "1",
-         .given = material_given(rig),
-         .function =
-             [](const auto& x) { return effective_modulus_of(x) / effective_shear_modulus_of(x); },
-         .result = {}});
+        "kappa2", "kappa_2", "k_z/k_x = E*/G*", "(5.2.29)", "1", material_given(rig),
+        [](const auto& x) { return effective_modulus_of(x) / effective_shear_modulus_of(x); });
 }
 
 Calculation slenderness(const WalkingRig& rig) {
-    return calculate(
-        {.name = "kappa3",
-         .symbol = "kappa_3",
-         .formula = "a/b",
-         .source = "tables 4.3.1, 4.3.2",
-         .unit = "1",
-         .given = {{"a", half_height(rig).result, "m"}, {"b", half_width(rig).result, "m"}},
-         .function = [](const auto& x) { return x[0] / x[1]; },
-         .result = {}});
+    return calculate("kappa3", "kappa_3", "a/b", "tables 4.3.1, 4.3.2", "1",
+                     {{"a", half_height(rig).result, "m"}, {"b", half_width(rig).result, "m"}},
+                     [](const auto& x) { return x[0] / x[1]; });
 }
 
 Calculation weight_ratio(const WalkingRig& rig) {
-    return calculate({.name = "kappa4",
-                      .symbol = "kappa_4",
-                      .formula = "m g/(k_x b)",
-                      .source = "(5.2.8)",
-                      .unit = "1",
-                      .given = {mass(rig),
-                                {"k_x", tangential_stiffness(rig).result, "N/m"},
-                                {"b", half_width(rig).result, "m"}},
-                      .function = [](const auto& x) { return x[0] * gravity / (x[1] * x[2]); },
-                      .result = {}});
+    return calculate("kappa4", "kappa_4", "m g/(k_x b)", "(5.2.8)", "1",
+                     {mass(rig),
+                      {"k_x", tangential_stiffness(rig).result, "N/m"},
+                      {"b", half_width(rig).result, "m"}},
+                     [](const auto& x) { return x[0] * gravity / (x[1] * x[2]); });
 }
 
 std::string claim_of_diameter(const WalkingRig& rig) {
@@ -201,16 +142,15 @@ constexpr Sentence<EdgeSubject> edge_sentences[] = {
     {contact::always,
      [](const EdgeSubject& s) {
          return fmt::format(
-             "A round edge of {} pressed for the first time has a contact of {} "
-             "diameter, {} times as stiff as one of D_c = {}.",
+             "A round edge of {} pressed for the first time has a contact of {} diameter, {} times "
+             "as stiff as one of D_c = {}.",
              quantity(s.rig.specimen.edge_radius.value, "m", 3), quantity(s.hertz, "m", 2),
              significant(s.ratio, 2), quantity(s.rig.contact.diameter.value, "m", 2));
      }},
     {[](const EdgeSubject& s) { return s.ratio < 1 / largest_factor; },
      [](const EdgeSubject& /*s*/) {
          return std::string(
-             "The evaluation rests on contacts that are not fresh edges, as by "
-             "wear.");
+             "The evaluation rests on contacts that are not fresh edges, as by wear.");
      }}};
 
 /// The contact stiffness k_x, and its relative standard error.
@@ -248,7 +188,6 @@ Assumption contact_diameter(const WalkingRig& rig) {
                  .background = {hertz_diameter(rig), normal_stiffness(rig),
                                 tangential_stiffness(rig), stiffness_ratio(rig), half_height(rig),
                                 half_width(rig), slenderness(rig), weight_ratio(rig)},
-                 .missing = {},
                  .consequence = told(edge_sentences, EdgeSubject{rig})};
     if (rig.contact.wear_diameter) a.criteria.push_back(wear_ratio(rig));
     if (rig.oscillation) a.background.push_back(diameter_of_frequency(rig));
@@ -262,10 +201,7 @@ Assumption known_stiffness(const WalkingRig& rig) {
                  .title = "Contact stiffness",
                  .claim = "The contact stiffness is known well enough to tell kappa_1 and kappa_4",
                  .criteria = {{relative_error(stiffness), Criterion::Relation::at_most,
-                               largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+                               largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}}};
     if (rig.oscillation)
         a.background = {characteristic_time(rig), stiffness, stiffness_of_means(rig)};
     const StiffnessSubject subject{rig, a.criteria.front().calculation.result.value};

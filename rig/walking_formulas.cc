@@ -45,67 +45,38 @@ Given diameter(const WalkingRig& rig) {
 }
 
 Calculation tangential_stiffness(const WalkingRig& rig) {
-    return calculate(
-        {.name = "tangential_stiffness",
-         .symbol = "k_x",
-         .formula = "G* D_c, 1/G* = sum (2 - nu_i)/(4 G_i)",
-         .source = "(5.2.3)",
-         .unit = "N/m",
-         .given = materials_and_diameter(rig),
-         .function = [](const auto& x) { return effective_shear_modulus_of(x) * x[4]; },
-         .result = {}});
+    return calculate("tangential_stiffness", "k_x", "G* D_c, 1/G* = sum (2 - nu_i)/(4 G_i)",
+                     "(5.2.3)", "N/m", materials_and_diameter(rig),
+                     [](const auto& x) { return effective_shear_modulus_of(x) * x[4]; });
 }
 
 Calculation normal_stiffness(const WalkingRig& rig) {
-    return calculate({.name = "normal_stiffness",
-                      .symbol = "k_z",
-                      .formula = "E* D_c, 1/E* = sum (1 - nu_i)/(2 G_i)",
-                      .source = "(5.2.3)",
-                      .unit = "N/m",
-                      .given = materials_and_diameter(rig),
-                      .function = [](const auto& x) { return effective_modulus_of(x) * x[4]; },
-                      .result = {}});
+    return calculate("normal_stiffness", "k_z", "E* D_c, 1/E* = sum (1 - nu_i)/(2 G_i)", "(5.2.3)",
+                     "N/m", materials_and_diameter(rig),
+                     [](const auto& x) { return effective_modulus_of(x) * x[4]; });
 }
 
 Calculation half_width(const WalkingRig& rig) {
-    return calculate({.name = "half_width",
-                      .symbol = "b",
-                      .formula = "l_1/2 + l_2",
-                      .source = "table 5.2.1",
-                      .unit = "m",
-                      .given = {{"l_1", rig.specimen.centre_length, "m"},
-                                {"l_2", rig.specimen.disc_length, "m"}},
-                      .function = [](const auto& x) { return x[0] / 2 + x[1]; },
-                      .result = {}});
+    return calculate(
+        "half_width", "b", "l_1/2 + l_2", "table 5.2.1", "m",
+        {{"l_1", rig.specimen.centre_length, "m"}, {"l_2", rig.specimen.disc_length, "m"}},
+        [](const auto& x) { return x[0] / 2 + x[1]; });
 }
 
 Calculation half_height(const WalkingRig& rig) {
-    return calculate({.name = "half_height",
-                      .symbol = "a",
-                      .formula = "D/(2 sqrt(2))",
-                      .source = "table 5.2.1",
-                      .unit = "m",
-                      .given = {{"D", rig.specimen.disc_diameter, "m"}},
-                      .function = [](const auto& x) { return x[0] / (2 * std::numbers::sqrt2); },
-                      .result = {}});
+    return calculate("half_height", "a", "D/(2 sqrt(2))", "table 5.2.1", "m",
+                     {{"D", rig.specimen.disc_diameter, "m"}},
+                     [](const auto& x) { return x[0] / (2 * std::numbers::sqrt2); });
 }
 
 Calculation spring_stiffness(const WalkingRig& rig) {
-    Calculation c{.name = "spring_stiffness",
-                  .symbol = "k_s",
-                  .formula = "1/(1/k + 1/k_sensor)",
-                  .source = "(5.2.16)",
-                  .unit = "N/m",
-                  .given = {{"k", rig.spring.stiffness, "N/m"}},
-                  .function = [](const auto& x) { return 1 / (1 / x[0] + 1 / x[1]); },
-                  .result = {}};
-    if (rig.spring.sensor_stiffness) {
-        c.given.push_back({"k_sensor", *rig.spring.sensor_stiffness, "N/m"});
-    } else {
-        c.formula = "k, the sensor taken as rigid";
-        c.function = [](const auto& x) { return x[0]; };
-    }
-    return calculate(std::move(c));
+    const Given spring{"k", rig.spring.stiffness, "N/m"};
+    if (!rig.spring.sensor_stiffness)
+        return calculate("spring_stiffness", "k_s", "k, the sensor taken as rigid", "(5.2.16)",
+                         "N/m", {spring}, [](const auto& x) { return x[0]; });
+    return calculate("spring_stiffness", "k_s", "1/(1/k + 1/k_sensor)", "(5.2.16)", "N/m",
+                     {spring, {"k_sensor", *rig.spring.sensor_stiffness, "N/m"}},
+                     [](const auto& x) { return 1 / (1 / x[0] + 1 / x[1]); });
 }
 
 }  // namespace tricontact::rig

@@ -21,27 +21,17 @@ constexpr double least_series_ratio = 0.95;
 constexpr double largest_beam_ratio = 0.01;
 
 Calculation kappa1(const WalkingRig& rig) {
-    return calculate({.name = "kappa1",
-                      .symbol = "kappa_1",
-                      .formula = "k_s/k_x",
-                      .source = "(5.2.19)",
-                      .unit = "1",
-                      .given = {{"k_s", spring_stiffness(rig).result, "N/m"},
-                                {"k_x", tangential_stiffness(rig).result, "N/m"}},
-                      .function = [](const auto& x) { return x[0] / x[1]; },
-                      .result = {}});
+    return calculate("kappa1", "kappa_1", "k_s/k_x", "(5.2.19)", "1",
+                     {{"k_s", spring_stiffness(rig).result, "N/m"},
+                      {"k_x", tangential_stiffness(rig).result, "N/m"}},
+                     [](const auto& x) { return x[0] / x[1]; });
 }
 
 Calculation series_ratio(const WalkingRig& rig) {
-    return calculate({.name = "series_ratio",
-                      .symbol = "k_s/k",
-                      .formula = "1/(1 + k/k_sensor)",
-                      .source = "(5.2.16)",
-                      .unit = "1",
-                      .given = {{"k", rig.spring.stiffness, "N/m"},
-                                {"k_sensor", *rig.spring.sensor_stiffness, "N/m"}},
-                      .function = [](const auto& x) { return 1 / (1 + x[0] / x[1]); },
-                      .result = {}});
+    return calculate(
+        "series_ratio", "k_s/k", "1/(1 + k/k_sensor)", "(5.2.16)", "1",
+        {{"k", rig.spring.stiffness, "N/m"}, {"k_sensor", *rig.spring.sensor_stiffness, "N/m"}},
+        [](const auto& x) { return 1 / (1 + x[0] / x[1]); });
 }
 
 std::vector<Given> rod_given(const WalkingRig& rig) {
@@ -60,14 +50,7 @@ Calculation of_rod(const WalkingRig& rig, const char* name, const char* symbol, 
                    std::vector<Given> further = {}) {
     std::vector<Given> given = rod_given(rig);
     given.insert(given.end(), further.begin(), further.end());
-    return calculate({.name = name,
-                      .symbol = symbol,
-                      .formula = formula,
-                      .source = source,
-                      .unit = unit,
-                      .given = std::move(given),
-                      .function = std::move(function),
-                      .result = {}});
+    return calculate(name, symbol, formula, source, unit, std::move(given), std::move(function));
 }
 
 double slender(const std::vector<double>& x) {
@@ -78,17 +61,12 @@ double over_width(const std::vector<double>& x) {
 }
 
 Calculation tilting_ratio(const WalkingRig& rig) {
-    return calculate({.name = "tilting_ratio",
-                      .symbol = "mu/mu_c",
-                      .formula = "mu kappa_3 (1 + kappa_8)",
-                      .source = "(4.3.3)",
-                      .unit = "1",
-                      .given = {{"mu", rig.friction_coefficient, "1"},
-                                {"a", half_height(rig).result, "m"},
-                                {"b", half_width(rig).result, "m"},
-                                {"kappa_8", *rig.spring.height_ratio, "1"}},
-                      .function = [](const auto& x) { return x[0] * x[1] / x[2] * (1 + x[3]); },
-                      .result = {}});
+    return calculate("tilting_ratio", "mu/mu_c", "mu kappa_3 (1 + kappa_8)", "(4.3.3)", "1",
+                     {{"mu", rig.friction_coefficient, "1"},
+                      {"a", half_height(rig).result, "m"},
+                      {"b", half_width(rig).result, "m"},
+                      {"kappa_8", *rig.spring.height_ratio, "1"}},
+                     [](const auto& x) { return x[0] * x[1] / x[2] * (1 + x[3]); });
 }
 
 }  // namespace
@@ -102,7 +80,6 @@ Assumption similar_stiffness(const WalkingRig& rig) {
             .criteria = {{kappa, Relation::at_least, least_kappa1, reason},
                          {kappa, Relation::at_most, largest_kappa1, reason}},
             .background = {spring_stiffness(rig)},
-            .missing = {},
             .consequence = fmt::format(
                 "kappa_1 is {}.",
                 kappa.result.standard_error > 0
@@ -111,13 +88,7 @@ Assumption similar_stiffness(const WalkingRig& rig) {
 }
 
 Assumption rigid_sensor(const WalkingRig& rig) {
-    Assumption a{.name = "rigid_sensor",
-                 .title = "Force sensor",
-                 .claim = "The force sensor is rigid beside the spring",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{"rigid_sensor", "Force sensor", "The force sensor is rigid beside the spring"};
     if (!rig.spring.sensor_stiffness) {
         a.missing = {"spring.sensor_stiffness"};
         return a;
@@ -131,13 +102,8 @@ Assumption rigid_sensor(const WalkingRig& rig) {
 }
 
 Assumption rod_as_spring(const WalkingRig& rig) {
-    Assumption a{.name = "rod_as_spring",
-                 .title = "Rod as a spring",
-                 .claim = "The rod pulls only: its bending is negligible",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{"rod_as_spring", "Rod as a spring",
+                 "The rod pulls only: its bending is negligible"};
     if (!rig.spring.length || !rig.spring.young) {
         a.missing = {"spring.length and spring.young of a rod"};
         return a;
@@ -166,13 +132,7 @@ Assumption rod_as_spring(const WalkingRig& rig) {
 }
 
 Assumption no_tilting(const WalkingRig& rig) {
-    Assumption a{.name = "no_tilting",
-                 .title = "No tilting",
-                 .claim = "Friction alone does not tilt the specimen",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{"no_tilting", "No tilting", "Friction alone does not tilt the specimen"};
     if (!rig.spring.height_ratio) {
         a.missing = {"spring.height_ratio"};
         return a;
@@ -186,37 +146,20 @@ Assumption no_tilting(const WalkingRig& rig) {
 }
 
 Assumption sampled_often(const WalkingRig& rig) {
-    Assumption a{.name = "sampled_often",
-                 .title = "Sampling",
-                 .claim = "The force is sampled often enough",
-                 .criteria = {},
-                 .background = {},
-                 .missing = {},
-                 .consequence = {}};
+    Assumption a{"sampled_often", "Sampling", "The force is sampled often enough"};
     if (!rig.oscillation || !rig.oscillation->sampling_rate) {
         a.missing = {"oscillation.sampling_rate"};
         return a;
     }
     const Given frequency{"Omega_exp", rig.oscillation->frequency, "Hz"};
     const Given rate{"f_samp", *rig.oscillation->sampling_rate, "Hz"};
-    a.criteria = {{calculate({.name = "sampling_ratio",
-                              .symbol = "f_samp/(2 Omega_exp)",
-                              .formula = "f_samp/(2 Omega_exp), Omega_exp in cycles per second",
-                              .source = "(5.2.1)",
-                              .unit = "1",
-                              .given = {rate, frequency},
-                              .function = [](const auto& x) { return x[0] / (2 * x[1]); },
-                              .result = {}}),
+    a.criteria = {{calculate("sampling_ratio", "f_samp/(2 Omega_exp)",
+                             "f_samp/(2 Omega_exp), Omega_exp in cycles per second", "(5.2.1)", "1",
+                             {rate, frequency}, [](const auto& x) { return x[0] / (2 * x[1]); }),
                    Relation::at_least, 1, "Nyquist and Shannon"}};
-    a.background = {
-        calculate({.name = "nyquist_rate",
-                   .symbol = "2 Omega_exp/(2 pi)",
-                   .formula = "2 Omega_exp/(2 pi)",
-                   .source = "(5.2.1)",
-                   .unit = "Hz",
-                   .given = {frequency},
-                   .function = [](const auto& x) { return 2 * x[0] / (2 * std::numbers::pi); },
-                   .result = {}})};
+    a.background = {calculate("nyquist_rate", "2 Omega_exp/(2 pi)", "2 Omega_exp/(2 pi)", "(5.2.1)",
+                              "Hz", {frequency},
+                              [](const auto& x) { return 2 * x[0] / (2 * std::numbers::pi); })};
     a.consequence = fmt::format("The force is sampled at {} times the least rate.",
                                 significant(a.criteria.front().calculation.result.value, 3));
     return a;

@@ -14,14 +14,8 @@ using namespace tricontact::rig;
 
 // y = k x^3
 Calculation cube() {
-    return calculate({.name = "cube",
-                      .symbol = "y",
-                      .formula = "k x^3",
-                      .source = "",
-                      .unit = "m",
-                      .given = {{"k", {2, 0.1}, "1"}, {"x", {3, 0.06}, "1"}},
-                      .function = [](const auto& v) { return v[0] * std::pow(v[1], 3); },
-                      .result = {}});
+    return calculate("cube", "y", "k x^3", "", "m", {{"k", {2, 0.1}, "1"}, {"x", {3, 0.06}, "1"}},
+                     [](const auto& v) { return v[0] * std::pow(v[1], 3); });
 }
 
 contact::PrintedValue printed(double value, double error, double half_digit) {
