@@ -7,7 +7,7 @@
 
 #include "app/commands.h"
 #include "app/models.h"
-#include "app/walk_scales.h"
+#include "app/walk_text.h"
 #include "comparisons/reference.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "contact/error.h"
@@ -16,7 +16,6 @@
 #include "io/case_writer.h"
 #include "io/key_reference.h"
 #include "io/walk_keys.h"
-#include "io/walk_writer.h"
 
 namespace tricontact::app {
 

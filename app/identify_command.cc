@@ -127,15 +127,11 @@ struct Labels {
 };
 
 Labels labels_of(Measurement measurement) {
-    switch (measurement) {
-        case Measurement::force_indentation:
-            return {{"indentation d", "m"}, {"normal force F_N", "N"}};
-        case Measurement::contact_radius:
-            return {{"normal force F_N", "N"}, {"contact radius a", "m"}};
-        case Measurement::static_shift:
-            break;
-    }
-    return {{"tangential force F_T", "N"}, {"static shift U", "m"}};
+    const Labels labels[] = {// in the order of Measurement
+                             {{"tangential force F_T", "N"}, {"static shift U", "m"}},
+                             {{"indentation d", "m"}, {"normal force F_N", "N"}},
+                             {{"normal force F_N", "N"}, {"contact radius a", "m"}}};
+    return labels[static_cast<int>(measurement)];
 }
 
 std::vector<std::pair<std::string, std::string>> settings_of(const io::IdentificationInput& input) {

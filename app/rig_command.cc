@@ -4,15 +4,11 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/rig_document.h"
-#include "app/rig_json.h"
-#include "app/rig_static_shift.h"
-#include "app/rig_text.h"
+#include "app/rig_report.h"
 #include "io/atomic_file.h"
 #include "io/output_folder.h"
 #include "io/rig_reader.h"
-#include "rig/rolling.h"
-#include "rig/walking.h"
+#include "rig/check_rig.h"
 
 namespace tricontact::app {
 

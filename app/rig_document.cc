@@ -1,10 +1,8 @@
-#include "app/rig_document.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "app/rig_text.h"
+#include "app/rig_report.h"
 #include "contact/sentence.h"
 
 namespace tricontact::app {
@@ -55,8 +53,7 @@ DocumentTable criteria_table(const rig::Assumption& assumption) {
                                     {"number"},
                                     {"must be"},
                                     {"since"},
-                                    {"verdict"}},
-                        .rows = {}};
+                                    {"verdict"}}};
     for (const rig::Criterion& one : assumption.criteria) {
         const rig::Calculation& c = one.calculation;
         table.rows.push_back({c.symbol, c.formula, c.source, given_text(c),
@@ -69,8 +66,7 @@ DocumentTable criteria_table(const rig::Assumption& assumption) {
 DocumentTable background_table(const rig::Assumption& assumption) {
     DocumentTable table{.id = assumption.name + "_numbers",
                         .title = "Further numbers",
-                        .columns = {{"quantity"}, {"formula"}, {"source"}, {"with"}, {"number"}},
-                        .rows = {}};
+                        .columns = {{"quantity"}, {"formula"}, {"source"}, {"with"}, {"number"}}};
     for (const rig::Calculation& c : assumption.background)
         table.rows.push_back(
             {c.symbol, c.formula, c.source, given_text(c), text_of(c.result, c.unit)});
@@ -127,8 +123,7 @@ DocumentSection printed_section(const std::vector<rig::PrintedCheck>& printed) {
                     {"with"},
                     {"printed/computed"},
                     {"verdict"},
-                    {"follows from"}},
-        .rows = {}};
+                    {"follows from"}}};
     for (const rig::PrintedCheck& check : printed) {
         const bool known = check.calculation.has_value();
         std::string verdict = word_of(check.agreement);
@@ -250,9 +245,6 @@ comparisons::Document rig_document(const rig::RigReport& report, const std::stri
             "What the evaluation of this rig takes for granted, each with the number that "
             "decides, its threshold and what follows; and the published numbers beside what "
             "follows from the others.",
-        .verdicts = {},
-        .settings = {},
-        .sections = {},
         .files = {{"all numbers (JSON)", "rig.json"}},
         .command = command,
         .version = TRICONTACT_VERSION};

@@ -1,8 +1,6 @@
-#include "app/rig_json.h"
-
 #include <nlohmann/json.hpp>
 
-#include "app/rig_text.h"
+#include "app/rig_report.h"
 #include "comparisons/json_number.h"
 
 namespace tricontact::app {

@@ -1,9 +1,8 @@
-#include "app/rig_static_shift.h"
-
 #include <string>
 
 #include "app/case_run.h"
-#include "rig/rolling.h"
+#include "app/rig_report.h"
+#include "rig/check_rig.h"
 
 namespace tricontact::app {
 

@@ -1,7 +1,6 @@
-#include "app/rig_text.h"
-
 #include <fmt/format.h>
 
+#include "app/rig_report.h"
 #include "comparisons/format.h"
 
 namespace tricontact::app {
@@ -54,30 +53,13 @@ std::string threshold_text(const rig::Criterion& criterion) {
 }
 
 const char* word_of(rig::Standing standing) {
-    switch (standing) {
-        case rig::Standing::holds:
-            return "holds";
-        case rig::Standing::fails:
-            return "fails";
-        case rig::Standing::cannot_tell:
-            break;
-    }
-    return "cannot tell";
+    constexpr const char* words[] = {"holds", "fails", "cannot tell"};
+    return words[static_cast<int>(standing)];
 }
 
 const char* word_of(rig::PrintedCheck::Agreement agreement) {
-    using enum rig::PrintedCheck::Agreement;
-    switch (agreement) {
-        case agrees:
-            return "agrees";
-        case within_error:
-            return "within its error";
-        case differs:
-            return "differs";
-        case not_computed:
-            break;
-    }
-    return "not computed";
+    constexpr const char* words[] = {"agrees", "within its error", "differs", "not computed"};
+    return words[static_cast<int>(agreement)];
 }
 
 std::string substitutes_text(const rig::PrintedCheck& check) {

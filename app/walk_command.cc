@@ -5,15 +5,14 @@
 
 #include "app/commands.h"
 #include "app/run_model.h"
-#include "app/walk_summary.h"
 #include "app/walk_text.h"
 #include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_document.h"
 #include "io/atomic_file.h"
+#include "io/case_writer.h"
 #include "io/output_folder.h"
 #include "io/walk_animation.h"
 #include "io/walk_reader.h"
-#include "io/walk_writer.h"
 
 namespace tricontact::app {
 

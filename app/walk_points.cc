@@ -5,8 +5,8 @@
 #include "app/point_key.h"
 #include "app/study_combinations.h"
 #include "contact/error.h"
+#include "io/case_writer.h"
 #include "io/walk_reader.h"
-#include "io/walk_writer.h"
 
 namespace tricontact::app {
 

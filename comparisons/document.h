@@ -13,17 +13,22 @@ struct Curve {
     enum class Kind { line, points, line_and_points };
 
     std::string name;  ///< in the legend, plain text; curves of one name share an entry
-    std::vector<double> x, y;
+    std::vector<double> x = {}, y = {};
     std::vector<double> x_error = {}, y_error = {};  ///< half widths of intervals; empty: none
     Kind kind = Kind::line;
     bool theory = false;             ///< a closed form: dashed, in grey unless it has a colour
     std::optional<int> colour = {};  ///< equal numbers, equal colours; empty: the next one
+
+    void add(double at, double value) {
+        x.push_back(at);
+        y.push_back(value);
+    }
 };
 
 /// The area between two curves: an interval of confidence.
 struct Band {
     std::string name;  ///< in the legend; that of a curve: shares its entry and colour
-    std::vector<double> x, low, high;
+    std::vector<double> x = {}, low = {}, high = {};
     std::optional<int> colour = {};  ///< empty: that of the curve of its name, else grey
 };
 
@@ -36,7 +41,7 @@ struct ContourMap {
 };
 
 struct FigureAxis {
-    std::string label;  ///< quantity and unit, "layer thickness b [mm]"
+    std::string label = {};  ///< quantity and unit, "layer thickness b [mm]"
     bool logarithmic = false;
 };
 
@@ -45,7 +50,7 @@ struct Figure {
     std::string id;       ///< of its files: letters, digits, underscores
     std::string title;    ///< plain text
     std::string caption;  ///< what is drawn, for which setting, and how to read it
-    FigureAxis x, y;
+    FigureAxis x = {}, y = {};
     std::vector<Curve> curves = {};
     std::vector<Band> bands = {};
     std::optional<ContourMap> map = {};  ///< curves lie over it
@@ -71,8 +76,8 @@ struct DocumentTable {
     std::string id;  ///< of its file: letters, digits, underscores
     std::string title;
     std::string note = {};  ///< definitions of columns, sources
-    std::vector<Column> columns;
-    std::vector<std::vector<Cell>> rows;
+    std::vector<Column> columns = {};
+    std::vector<std::vector<Cell>> rows = {};
 };
 
 /// A statement that comes first in a report.

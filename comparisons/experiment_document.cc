@@ -31,7 +31,7 @@ std::vector<double> counts(std::size_t n) {
 }
 
 Curve measured_curve(const ExperimentEvaluation& e) {
-    Curve curve{.name = "measured", .x = counts(e.shift.size()), .y = {}};
+    Curve curve{.name = "measured", .x = counts(e.shift.size())};
     curve.kind = Curve::Kind::points;
     curve.colour = 0;
     for (const Estimate& u : e.shift) {
@@ -112,21 +112,19 @@ Figure criterion_figure(const ExperimentEvaluation& e) {
                       e.runs.front().name, significant(stage.curvature.value, 3)),
                   .x = {"time (t - t_0)/(t_N - t_0) [-]"},
                   .y = {"shift (U - u_0)/(u_N - u_0) [-]"}};
-    Curve values{.name = "values upright", .x = {}, .y = {}};
+    Curve values{.name = "values upright"};
     values.kind = Curve::Kind::points;
-    Curve walk{.name = "transient and walk", .x = {}, .y = {}};
+    Curve walk{.name = "transient and walk"};
     for (std::size_t n = 0; n < stage.shift.size(); ++n) {
         const double t =
             (stage.time[n] - stage.time.front()) / (stage.time.back() - stage.time.front());
-        values.x.push_back(t);
-        values.y.push_back((stage.shift[n] - stage.shift.front()) / rise);
-        walk.x.push_back(t);
-        walk.y.push_back((stage.settling.fitted[n] - stage.shift.front()) / rise);
+        values.add(t, (stage.shift[n] - stage.shift.front()) / rise);
+        walk.add(t, (stage.settling.fitted[n] - stage.shift.front()) / rise);
     }
     const std::vector<double> ones(values.x.size(), 1.);
     std::vector<double> squares;
     for (const double t : values.x) squares.push_back(t * t);
-    Curve parabola{.name = "parabola of the thesis", .x = values.x, .y = {}};
+    Curve parabola{.name = "parabola of the thesis", .x = values.x};
     parabola.y = fit_linear({ones, values.x, squares}, values.y).fitted;
     parabola.theory = true;
     figure.curves = {values, walk, parabola};
@@ -134,11 +132,10 @@ Figure criterion_figure(const ExperimentEvaluation& e) {
 }
 
 Curve record_curve(const RunEvaluation& run) {
-    Curve curve{.name = run.name, .x = {}, .y = {}};
+    Curve curve{.name = run.name};
     const std::size_t every = run.time.size() / most_drawn + 1;
     for (std::size_t i = 0; i < run.time.size(); i += every) {
-        curve.x.push_back(run.time[i]);
-        curve.y.push_back(um * run.shift[i]);
+        curve.add(run.time[i], um * run.shift[i]);
     }
     return curve;
 }
@@ -157,12 +154,11 @@ Figure records_figure(const ExperimentEvaluation& e) {
 
 Curve line(const StageEvaluation& stage, const LineIntersection& lines, double slope,
            const std::string& name) {
-    Curve curve{.name = name, .x = {}, .y = {}};
+    Curve curve{.name = name};
     curve.theory = true;
     for (const double t : {std::min(stage.time.front(), lines.time), lines.time,
                            std::max(stage.time.back(), lines.time)}) {
-        curve.x.push_back(t);
-        curve.y.push_back(um * (lines.shift.value + slope * (t - lines.time)));
+        curve.add(t, um * (lines.shift.value + slope * (t - lines.time)));
     }
     return curve;
 }

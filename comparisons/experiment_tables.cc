@@ -52,8 +52,7 @@ DocumentTable values_table(const ExperimentEvaluation& e) {
             "u_sd: upright after the last period. u_inf: where the transient of "
             "the second half of the periods leads. Du: slope over the second "
             "half of the periods.",
-        .columns = {{"quantity"}, {percents(e.confidence) + " [µm]"}, {"95 % [µm]"}, {"runs", 1}},
-        .rows = {}};
+        .columns = {{"quantity"}, {percents(e.confidence) + " [µm]"}, {"95 % [µm]"}, {"runs", 1}}};
     const auto add = [&](const char* name, const Repeated& r) {
         table.rows.push_back({name, with_half_width(r.at_confidence, um),
                               with_half_width(r.at_95, um), double(r.runs)});
@@ -75,8 +74,7 @@ DocumentTable normalised_table(const ExperimentEvaluation& e) {
                             "case's numbers, first order, independent; F_T and W are what the "
                             "rig sets. Errors of the case: " +
                             numbers_with_errors(e) + ".",
-                        .columns = {{"quantity"}, {"value"}},
-                        .rows = {}};
+                        .columns = {{"quantity"}, {"value"}}};
     const auto add = [&](const char* name, const theory::Uncertain& u, double factor = 1) {
         table.rows.push_back({name, with_stated_error(u, factor)});
     };
@@ -107,8 +105,7 @@ DocumentTable deviations_table(const ExperimentEvaluation& e) {
                                     {"measured [µm]"},
                                     {"computed [µm]"},
                                     {"deviation of the measured"},
-                                    {"differs"}},
-                        .rows = {}};
+                                    {"differs"}}};
     for (const Deviation& d : e.deviations)
         table.rows.push_back(
             {display_name(d.model), d.quantity, with_half_width(d.measured, um),
@@ -136,8 +133,7 @@ DocumentTable criteria_table(const ExperimentEvaluation& e) {
                                     {"noise [µm]", 2},
                                     {"curvature"},
                                     {"verdict by it"},
-                                    {"curvature of all samples", 3}},
-                        .rows = {}};
+                                    {"curvature of all samples", 3}}};
     for (const RunEvaluation& run : e.runs) {
         const StageEvaluation& s = run.stages.front();
         table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
@@ -159,8 +155,7 @@ DocumentTable stages_table(const ExperimentEvaluation& e) {
                     {"walk Du [µm]"},
                     {"verdict by the walk"},
                     {"curvature"},
-                    {"verdict by it"}},
-        .rows = {}};
+                    {"verdict by it"}}};
     for (const RunEvaluation& run : e.runs)
         for (const StageEvaluation& s : run.stages)
             table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
@@ -174,8 +169,7 @@ DocumentTable limits_table(const ExperimentEvaluation& e) {
         .id = "limits",
         .title = "Limit per run",
         .note = "U_lim: where the lines meet, half width of its interval behind ±.",
-        .columns = {{"run"}, {"last shakedown [mm]"}, {"first ratcheting [mm]"}, {"U_lim [µm]"}},
-        .rows = {}};
+        .columns = {{"run"}, {"last shakedown [mm]"}, {"first ratcheting [mm]"}, {"U_lim [µm]"}}};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < e.runs.size(); ++i) {
         const auto& limit = e.limits[i];
@@ -193,8 +187,7 @@ DocumentTable model_stages_table(const ExperimentEvaluation& e) {
     DocumentTable table{.id = "model_stages",
                         .title = "What the models say at these amplitudes",
                         .note = "Amplitudes of the first run; each rolled from rest.",
-                        .columns = {{"W [mm]"}},
-                        .rows = {}};
+                        .columns = {{"W [mm]"}}};
     for (const PredictedLimit& limit : e.model_limits)
         table.columns.push_back({display_name(limit.model)});
     for (std::size_t k = 0; k < e.runs.front().stages.size(); ++k) {
@@ -206,16 +199,16 @@ DocumentTable model_stages_table(const ExperimentEvaluation& e) {
 }
 
 DocumentTable wobble_table(const ExperimentEvaluation& e) {
-    DocumentTable table{.id = "wobble",
-                        .title = "Shift that follows the drive",
-                        .note =
-                            "dU/dW of whole periods. On a layer that couples normal and "
-                            "tangential contact free rolling creeps, so that a model has a "
-                            "wobble of its own; by what the measured one has beside it the "
-                            "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
-                            "standard error behind ±.",
-                        .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}},
-                        .rows = {}};
+    DocumentTable table{
+        .id = "wobble",
+        .title = "Shift that follows the drive",
+        .note =
+            "dU/dW of whole periods. On a layer that couples normal and "
+            "tangential contact free rolling creeps, so that a model has a "
+            "wobble of its own; by what the measured one has beside it the "
+            "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
+            "standard error behind ±.",
+        .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}}};
     const auto add = [&](const std::string& name, double own) {
         const theory::Uncertain height = pivot_height(e, own);
         table.rows.push_back(
@@ -242,8 +235,7 @@ DocumentTable noise_table(const ExperimentEvaluation& e) {
                                     {"correlated samples", 2},
                                     {"drift before [nm/s]", 3},
                                     {"drift after [nm/s]", 3},
-                                    {"wobble [µm/mm]", 3}},
-                        .rows = {}};
+                                    {"wobble [µm/mm]", 3}}};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const RunEvaluation& run : e.runs) {
         const Drift after = run.after.value_or(Drift{nan, nan});

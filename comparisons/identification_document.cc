@@ -237,8 +237,7 @@ DocumentTable value_table(const IdentificationStudy& study) {
                     {"half width, linearised"},
                     {"standard error of the fit"},
                     {"of the inputs"},
-                    {"both"}},
-        .rows = {}};
+                    {"both"}}};
     for (const IdentifiedModel& model : study.models)
         for (const Property property : {Property::young, Property::friction}) {
             const bool young = property == Property::young;
@@ -275,8 +274,7 @@ DocumentTable goodness_table(const IdentificationStudy& study) {
                                     {"p"},
                                     {"R^2", 6},
                                     {"correlation of E and mu", 3},
-                                    {"interpolation error", 2}},
-                        .rows = {}};
+                                    {"interpolation error", 2}}};
     for (const IdentifiedModel& model : study.models) {
         const Identification& found = model.found;
         table.rows.push_back(
@@ -298,8 +296,7 @@ std::optional<DocumentTable> input_table(const IdentificationStudy& study) {
                                     {"input"},
                                     {"standard error [SI]"},
                                     {"change of E [MPa]", 3},
-                                    {"change of mu", 3}},
-                        .rows = {}};
+                                    {"change of mu", 3}}};
     for (const IdentifiedModel& model : study.models)
         for (const InputContribution& input : model.contributions)
             table.rows.push_back({model.name, input.key, input.standard_error,

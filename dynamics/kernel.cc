@@ -3,17 +3,8 @@
 namespace tricontact::dynamics {
 
 std::string_view word_of(Kernel kernel) {
-    switch (kernel) {
-        case Kernel::plain:
-            return "plain";
-        case Kernel::sse2:
-            return "sse2";
-        case Kernel::avx2:
-            return "avx2";
-        case Kernel::avx512:
-            break;
-    }
-    return "avx512";
+    constexpr std::string_view words[] = {"plain", "sse2", "avx2", "avx512"};
+    return words[static_cast<int>(kernel)];
 }
 
 std::vector<Kernel> available_kernels() {

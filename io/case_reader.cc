@@ -7,7 +7,6 @@
 #include "io/case_checks.h"
 #include "io/case_keys.h"
 #include "io/file_kind.h"
-#include "io/indenter_input.h"
 #include "io/indenter_keys.h"
 #include "io/input_file.h"
 #include "io/key_checks.h"

@@ -4,6 +4,7 @@
 #include "io/case_keys.h"
 #include "io/field_text.h"
 #include "io/relaxation_input.h"
+#include "io/walk_keys.h"
 
 namespace tricontact::io {
 
@@ -13,6 +14,13 @@ std::string write_case(const contact::Case& c) {
     state_lower_layers(copy);
     KeyWriter writer;
     for (const CaseKey& key : case_keys()) writer.add(key, key.field(copy));
+    return writer.text();
+}
+
+std::string write_walk_case(const dynamics::WalkCase& c) {
+    dynamics::WalkCase copy = c;  // fields are mutable places; the writer reads a copy
+    KeyWriter writer;
+    for (const WalkKey& key : walk_keys()) writer.add(key, key.field(copy));
     return writer.text();
 }
 

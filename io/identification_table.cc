@@ -33,24 +33,16 @@ void check_positive(const CsvTable& table, std::string_view column,
 }  // namespace
 
 const MeasuredColumns& columns_of(Measurement measurement) {
-    static const MeasuredColumns shift{"tangential_force", "shift", Dimension::force,
-                                       Dimension::length,
-                                       "tangential_force [N], shift [um], shift_error [um]"};
-    static const MeasuredColumns force{
-        "indentation", "normal_force", Dimension::length, Dimension::force,
-        "indentation [um], normal_force [N], normal_force_error [N]"};
-    static const MeasuredColumns radius{
-        "normal_force", "contact_radius", Dimension::force, Dimension::length,
-        "normal_force [N], contact_radius [mm], contact_radius_error [mm]"};
-    switch (measurement) {
-        case Measurement::force_indentation:
-            return force;
-        case Measurement::contact_radius:
-            return radius;
-        case Measurement::static_shift:
-            break;
-    }
-    return shift;
+    using enum Dimension;
+    static const MeasuredColumns columns[] = {
+        // in the order of Measurement
+        {"tangential_force", "shift", force, length,
+         "tangential_force [N], shift [um], shift_error [um]"},
+        {"indentation", "normal_force", length, force,
+         "indentation [um], normal_force [N], normal_force_error [N]"},
+        {"normal_force", "contact_radius", force, length,
+         "normal_force [N], contact_radius [mm], contact_radius_error [mm]"}};
+    return columns[static_cast<int>(measurement)];
 }
 
 void read_measured_table(IdentificationInput& input) {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "io/key_declarations.h"
+#include "io/profile_table.h"
 #include "io/refusal.h"
 
 namespace tricontact::io {
@@ -126,6 +127,13 @@ void check_indenter_keys(const Case& c, const Document& document) {
                    "says nothing of the shape \"" + std::string(word_of(c.indenter.shape)) + '"',
                    "omit it, or give another indenter.shape");
     }
+}
+
+void resolve_indenter_file(Case& c, const Document& document) {
+    if (c.indenter.shape != Case::Shape::profile) return;
+    const std::string key = "indenter.file";
+    check_file_there(document, key, *c.indenter.file, "name a table");
+    told_at(document, key, [&] { c.indenter.profile = read_profile_table(*c.indenter.file); });
 }
 
 }  // namespace tricontact::io

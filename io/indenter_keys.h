@@ -14,4 +14,7 @@ std::string_view word_of(contact::Case::Shape shape);
 /// does not take.
 void check_indenter_keys(const contact::Case& c, const Document& document);
 
+/// Reads what `indenter.file` holds of a profile. Throws contact::InputError at the key.
+void resolve_indenter_file(contact::Case& c, const Document& document);
+
 }  // namespace tricontact::io

@@ -8,7 +8,6 @@
 #include "io/case_reader.h"
 #include "io/case_writer.h"
 #include "io/walk_reader.h"
-#include "io/walk_writer.h"
 #include "python/bindings.h"
 
 namespace tricontact::python {

@@ -1,12 +1,12 @@
 #include <pybind11/stl.h>
 
 #include "app/commands.h"
-#include "app/walk_summary.h"
+#include "app/walk_text.h"
 #include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_report.h"
 #include "dynamics/walk_run.h"
 #include "io/atomic_file.h"
-#include "io/walk_writer.h"
+#include "io/case_writer.h"
 #include "python/bindings.h"
 
 namespace tricontact::python {

@@ -1,13 +1,11 @@
 #include "rig/calculation.h"
 
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "theory/bracketed_root.h"
 
 namespace tricontact::rig {
 
@@ -28,11 +26,7 @@ std::optional<double> factor_for(const Calculation& calculation, std::size_t i, 
     try {
         const double low = excess(-widest), high = excess(widest);
         if (!std::isfinite(low) || !std::isfinite(high) || low * high >= 0) return {};
-        std::uintmax_t evaluations = 200;  // toms748 needs about 15
-        const auto [left, right] = boost::math::tools::toms748_solve(
-            excess, -widest, widest, low, high, boost::math::tools::eps_tolerance<double>(40),
-            evaluations);
-        return std::exp(std::midpoint(left, right));
+        return std::exp(theory::bracketed_root(excess, -widest, widest, low, high, 40));
     } catch (const contact::InputError&) {
         return {};  // such a body does not exist: Poisson's ratio above 1/2
     } catch (const std::domain_error&) {

@@ -1,10 +1,7 @@
 // The substrate's material: uncoupled, and what was fitted.
 #include <fmt/format.h>
 
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <optional>
 
 #include "contact/error.h"
@@ -13,6 +10,7 @@
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
 #include "rig/thesis_rigs.h"
+#include "theory/bracketed_root.h"
 #include "theory/layer_compliance.h"
 
 namespace tricontact::rig {
@@ -68,11 +66,8 @@ double layer_modulus_of(const std::vector<double>& x) {
         return std::log(layer_shift_of({x[0], x[1], x[6], 0, x[5]}, x[4] * std::exp(log_factor)) /
                         wanted);
     };
-    std::uintmax_t evaluations = 100;
     // A layer is stiffer than its half-space, by less than the thickness effect of 20.
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        excess, -3., 0.5, boost::math::tools::eps_tolerance<double>(40), evaluations);
-    return x[4] * std::exp(std::midpoint(left, right));
+    return x[4] * std::exp(theory::bracketed_root(excess, -3., 0.5, 40));
 }
 
 Calculation layer_modulus(const RollingRig& rig, bool as_factor) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rig/rolling.h"
+#include "rig/check_rig.h"
 
 namespace tricontact::rig {
 

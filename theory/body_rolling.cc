@@ -1,18 +1,16 @@
 #include "theory/body_rolling.h"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "contact/pressure_shape.h"
 #include "theory/body_pressure.h"
+#include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/oscillating_rolling.h"
 
@@ -31,16 +29,7 @@ bool is_ellipsoid(const Case& c) {
     return c.indenter.shape == Case::Shape::ellipsoid;
 }
 
-/// Root of a function that rises (or falls) from [0, 1]'s one end to the other.
-template <typename Function>
-double unit_root(Function function, double at_0, double at_1) {
-    if (at_0 == 0) return 0;
-    if (at_1 == 0) return 1;
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        function, 0., 1., at_0, at_1, boost::math::tools::eps_tolerance<double>(40), evaluations);
-    return std::midpoint(left, right);
-}
+constexpr int root_bits = 40;
 
 /// A body of revolution in its contact on the half-space, E* = 1.
 class Pressed {
@@ -142,7 +131,8 @@ double static_shift_ratio(const Case& c, double f) {
     if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
     const Pressed pressed(c);
     const double stick =
-        unit_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, f - 1, f);
+        bracketed_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, 0., 1.,
+                       f - 1, f, root_bits);
     return 1 - pressed.depth_ratio(stick);
 }
 
@@ -161,7 +151,8 @@ std::optional<double> amplitude_limit(const Case& c, double f) {
     if (contact::is_hertz_round(c)) return amplitude_limit(f);
     if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
     if (!shakedown_limit(c, 0)) return {};
-    return unit_root([&](double w) { return *shakedown_limit(c, w) - f; }, 1 - f, -f);
+    return bracketed_root([&](double w) { return *shakedown_limit(c, w) - f; }, 0., 1., 1 - f, -f,
+                          root_bits);
 }
 
 std::optional<double> bed_limit(const Case& c, double w) {
@@ -183,7 +174,7 @@ std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f)
     };
     if (f > force(w)) return {};
     auto excess = [&](double part) { return f - force(std::lerp(w, 1., part)); };
-    const double rho = std::lerp(w, 1., unit_root(excess, f - force(w), f));
+    const double rho = std::lerp(w, 1., bracketed_root(excess, 0., 1., f - force(w), f, root_bits));
     return 1 - pressed.depth_ratio(rho);
 }
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string_view>
 
 #include "contact/error.h"
+#include "theory/bracketed_root.h"
 
 // What the exact solutions of contact share; for their implementations.
 namespace tricontact::theory {
@@ -63,10 +61,7 @@ double find_radius(Function excess, double start, double largest, double thickne
                     "half-space");
         } while (excess(low) >= 0);
     }
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        excess, low, high, boost::math::tools::eps_tolerance<double>(50), evaluations);
-    return std::midpoint(left, right);
+    return bracketed_root(excess, low, high, 50);
 }
 
 }  // namespace tricontact::theory

@@ -1,10 +1,9 @@
 #include "theory/friction_pressing.h"
 
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <stdexcept>
+
+#include "theory/bracketed_root.h"
 
 namespace tricontact::theory {
 
@@ -19,10 +18,7 @@ double spence_stick_ratio(double beta_over_mu) {
     constexpr double least = 1e-7, most = 1 - 1e-15;
     if (excess(least) >= 0) return least;
     if (excess(most) <= 0) return most;
-    std::uintmax_t iterations = 200;
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        excess, least, most, boost::math::tools::eps_tolerance<double>(48), iterations);
-    return std::midpoint(low, high);
+    return bracketed_root(excess, least, most, 48);
 }
 
 double stuck_normal_stiffness_ratio(double poisson) {

@@ -1,11 +1,9 @@
 #include "theory/layer_shakedown.h"
 
-#include <boost/math/tools/roots.hpp>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <string>
+
+#include "theory/bracketed_root.h"
 
 namespace tricontact::theory {
 
@@ -29,10 +27,7 @@ double amplitude_limit(const LayerContact& contact, double f) {
     check_unit_interval("f = F_T/(mu F_N)", f);
     if (f == 0 || f == 1) return 1 - f;
     const auto excess = [&](double w) { return shakedown_limit(contact, w) - f; };
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        excess, 0., 1., 1 - f, -f, boost::math::tools::eps_tolerance<double>(50), evaluations);
-    return std::midpoint(left, right);
+    return bracketed_root(excess, 0., 1., 1 - f, -f, 50);
 }
 
 }  // namespace tricontact::theory

@@ -1,11 +1,10 @@
 #include "theory/sharp_edge.h"
 
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
+
+#include "theory/bracketed_root.h"
 
 namespace tricontact::theory {
 
@@ -27,11 +26,7 @@ double edge_pressure_exponent(double wedge_angle, double dundurs_alpha) {
     const double at_low = characteristic(low), at_high = characteristic(high);
     if (dundurs_alpha == 1) return -0.5;  // cos(pi lambda) = 0
     if (at_low * at_high >= 0) return 0;
-    std::uintmax_t evaluations = 200;
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        characteristic, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48),
-        evaluations);
-    return std::midpoint(left, right) - 1;
+    return bracketed_root(characteristic, low, high, at_low, at_high, 48) - 1;
 }
 
 }  // namespace tricontact::theory

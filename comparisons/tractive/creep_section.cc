@@ -28,12 +28,10 @@ Figure creep_figure(const RollingReport& report) {
     double farthest = 0;
     for (const RollingRun& run : report.runs) {
         const std::string name = display_name(run.model);
-        Curve along{.name = name, .x = {}, .y = {}, .kind = Curve::Kind::line_and_points};
-        Curve lateral{
-            .name = name + ", F_y", .x = {}, .y = {}, .kind = Curve::Kind::line_and_points};
+        Curve along{.name = name, .kind = Curve::Kind::line_and_points};
+        Curve lateral{.name = name + ", F_y", .kind = Curve::Kind::line_and_points};
         for (const RollingState& s : run.creep_curve) {
-            along.x.push_back(s.creepage.longitudinal / unit);
-            along.y.push_back(force_ratio(s, mu));
+            along.add(s.creepage.longitudinal / unit, force_ratio(s, mu));
             lateral.y.push_back(s.force[1] / (mu * s.normal_force));
         }
         if (along.x.empty()) continue;
@@ -44,14 +42,11 @@ Figure creep_figure(const RollingReport& report) {
     }
     if (across) return figure;
     for (const CreepTheory& theory : creep_theories(report.c)) {
-        Curve curve{.name = theory.name,
-                    .x = {},
-                    .y = {},
-                    .theory = true,
-                    .colour = static_cast<int>(figure.curves.size())};
+        Curve curve{
+            .name = theory.name, .theory = true, .colour = static_cast<int>(figure.curves.size())};
         for (int i = 0; i <= theory_points; ++i) {
-            curve.x.push_back(farthest * i / theory_points);
-            curve.y.push_back(theory.force_ratio(curve.x.back() * unit));
+            const double creepage = farthest * i / theory_points;
+            curve.add(creepage, theory.force_ratio(creepage * unit));
         }
         figure.curves.push_back(std::move(curve));
     }
@@ -71,8 +66,7 @@ DocumentTable ratio_table(const RollingReport& report) {
                                "{} for all forces (2.2.31).",
                                significant(thesis_creep_ratio(report.c), 4))
                  : ""),
-        .columns = {{"F_x/(μ F_N)", 2}},
-        .rows = {}};
+        .columns = {{"F_x/(μ F_N)", 2}}};
     const RollingRun* mdr = run_of(report, "mdr");
     if (!mdr || mdr->creep_curve.empty() || report.runs.size() < 2) return table;
     for (const RollingRun& run : report.runs)
@@ -94,11 +88,8 @@ DocumentTable ratio_table(const RollingReport& report) {
 }  // namespace
 
 DocumentSection creep_section(const RollingReport& report) {
-    DocumentSection section{.id = "creep_section",
-                            .heading = "Force and creepage",
-                            .paragraphs = {},
-                            .figures = {creep_figure(report)},
-                            .tables = {}};
+    DocumentSection section{
+        .id = "creep_section", .heading = "Force and creepage", .figures = {creep_figure(report)}};
     DocumentTable ratios = ratio_table(report);
     if (!ratios.rows.empty()) section.tables.push_back(std::move(ratios));
     return section;

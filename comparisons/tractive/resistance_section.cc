@@ -23,8 +23,7 @@ DocumentTable model_table(const RollingReport& report) {
                     {"resistance W [N]"},
                     {"W/F_N"},
                     {"lead/a"},
-                    {"dissipation of the material [J/m]"}},
-        .rows = {}};
+                    {"dissipation of the material [J/m]"}}};
     for (const RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
         table.rows.push_back({display_name(run.model), s.resistance, s.resistance / s.normal_force,
@@ -41,8 +40,7 @@ DocumentTable theory_table(const RollingReport& report) {
             "Without friction. Slow rolling is the first order in the speed, the same for "
             "every substrate that relaxes as one; the others are on the half-space. Sources: "
             "docs/rolling.md.",
-        .columns = {{"theory"}, {"W/F_N"}},
-        .rows = {}};
+        .columns = {{"theory"}, {"W/F_N"}}};
     for (const RollingRun& run : report.runs)
         table.columns.push_back({"over that of " + display_name(run.model)});
     for (const ResistanceTheory& theory : resistance_theories(report.c)) {
@@ -61,10 +59,7 @@ DocumentTable theory_table(const RollingReport& report) {
 
 DocumentSection resistance_section(const RollingReport& report) {
     DocumentSection section{.id = "resistance_section",
-                            .heading = "Resistance of the relaxing substrate",
-                            .paragraphs = {},
-                            .figures = {},
-                            .tables = {}};
+                            .heading = "Resistance of the relaxing substrate"};
     if (!report.c.relaxation) return section;
     section.tables.push_back(model_table(report));
     DocumentTable theories = theory_table(report);

@@ -120,7 +120,6 @@ Document rolling_document(const RollingReport& report) {
             "The indenter rolls on to the right, from rest and steadily: how force and creepage go "
             "together, where the contact sticks, and what closed forms say. Creepage is the "
             "sliding of the indenter over the substrate per rolled way.",
-        .verdicts = {},
         .settings = settings_of(report.c),
         .sections = {steady_section(report), resistance_section(report), transient_section(report),
                      creep_section(report), zones_section(report)},

@@ -37,8 +37,7 @@ DocumentTable steady_table(const RollingReport& report) {
                     {"stick [share of area]", 3},
                     {"dissipation [J/m]"},
                     {"energy [-]", 2},
-                    {"residual [-]", 2}},
-        .rows = {}};
+                    {"residual [-]", 2}}};
     for (const RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
         const double limit = mu * s.normal_force;
@@ -60,8 +59,7 @@ DocumentTable theory_table(const RollingReport& report) {
         .id = "theories",
         .title = forces ? "Force at this creepage" : "Creepage under this force",
         .note = "On the half-space, whatever the case's layer. Sources: docs/rolling.md.",
-        .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}},
-        .rows = {}};
+        .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}}};
     if (!straight(report.c)) return table;
     for (const RollingRun& run : report.runs)
         table.columns.push_back({"over that of " + display_name(run.model)});
@@ -83,11 +81,8 @@ DocumentTable theory_table(const RollingReport& report) {
 }  // namespace
 
 DocumentSection steady_section(const RollingReport& report) {
-    DocumentSection section{.id = "steady_section",
-                            .heading = "Steady rolling",
-                            .paragraphs = {},
-                            .figures = {},
-                            .tables = {steady_table(report)}};
+    DocumentSection section{
+        .id = "steady_section", .heading = "Steady rolling", .tables = {steady_table(report)}};
     DocumentTable theories = theory_table(report);
     if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
     return section;

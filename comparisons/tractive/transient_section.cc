@@ -51,7 +51,7 @@ Figure way_figure(const RollingReport& report) {
     };
     for (const RollingRun& run : report.runs) {
         const double a = run.history.steady.half_length;
-        Curve curve{.name = display_name(run.model), .x = {}, .y = {}};
+        Curve curve{.name = display_name(run.model)};
         for (const RollingState& s : run.history.transient) {
             curve.x.push_back(s.distance / a);
             // At rest nothing is rolled yet: no creepage.
@@ -74,11 +74,10 @@ std::string line_name(const CentreLine& line, double half_length) {
 }
 
 Curve theory_curve(const std::string& name, double (*traction)(double, double), double f) {
-    Curve curve{.name = name, .x = {}, .y = {}, .theory = true};
+    Curve curve{.name = name, .theory = true};
     for (int i = 0; i <= theory_points; ++i) {
         const double x = 2. * i / theory_points - 1;
-        curve.x.push_back(x);
-        curve.y.push_back(traction(x, f));
+        curve.add(x, traction(x, f));
     }
     return curve;
 }
@@ -113,14 +112,12 @@ Figure line_figure(const RollingReport& report, const RollingRun& run) {
         .y = {springs ? "q_x/(μ q_z,max) [-]" : "τ_x/(μ p_0) [-]"}};
     for (const CentreLine& line : run.lines) {
         const double largest = *std::ranges::max_element(line.bound);
-        Curve curve{.name = line_name(line, a), .x = {}, .y = {}};
-        Curve bound{.name = "bound", .x = {}, .y = {}, .theory = true};
+        Curve curve{.name = line_name(line, a)};
+        Curve bound{.name = "bound", .theory = true};
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             if (line.bound[i] <= 0) continue;
-            curve.x.push_back(line.x[i] / a);
-            curve.y.push_back(line.traction[i] / largest);
-            bound.x.push_back(curve.x.back());
-            bound.y.push_back(line.bound[i] / largest);
+            curve.add(line.x[i] / a, line.traction[i] / largest);
+            bound.add(curve.x.back(), line.bound[i] / largest);
         }
         figure.curves.push_back(std::move(curve));
         if (&line == &run.lines.back()) figure.curves.push_back(std::move(bound));
@@ -134,9 +131,7 @@ Figure line_figure(const RollingReport& report, const RollingRun& run) {
 DocumentSection transient_section(const RollingReport& report) {
     DocumentSection section{.id = "transient",
                             .heading = "From rest to steady rolling",
-                            .paragraphs = {},
-                            .figures = {way_figure(report)},
-                            .tables = {}};
+                            .figures = {way_figure(report)}};
     for (const RollingRun& run : report.runs) section.figures.push_back(line_figure(report, run));
     return section;
 }

@@ -33,11 +33,10 @@ void visit_cells(const Surface& s, int step, const Visit& visit) {
 }
 
 Curve zone(const Surface& s, double a, ContactState state, const std::string& name, int colour) {
-    Curve curve{.name = name, .x = {}, .y = {}, .kind = Curve::Kind::points, .colour = colour};
+    Curve curve{.name = name, .kind = Curve::Kind::points, .colour = colour};
     visit_cells(s, stride(s, most_points), [&](std::size_t i, double x, double y) {
         if (s.contact_state[i] != state) return;
-        curve.x.push_back(x / a);
-        curve.y.push_back(y / a);
+        curve.add(x / a, y / a);
     });
     return curve;
 }
@@ -47,16 +46,14 @@ Curve slip_strokes(const Surface& s, double a) {
     double largest = 0;
     for (std::size_t i = 0; i < s.size(); ++i)
         largest = std::fmax(largest, std::hypot(s.slip_x[i], s.slip_y[i]));
-    Curve curve{.name = "slip", .x = {}, .y = {}, .colour = 2};
+    Curve curve{.name = "slip", .colour = 2};
     if (largest == 0) return curve;
     visit_cells(s, stride(s, most_arrows), [&](std::size_t i, double x, double y) {
         if (s.contact_state[i] != ContactState::slip) return;
         for (const double end : {0., arrow_length / largest}) {
-            curve.x.push_back(x / a + end * s.slip_x[i]);
-            curve.y.push_back(y / a + end * s.slip_y[i]);
+            curve.add(x / a + end * s.slip_x[i], y / a + end * s.slip_y[i]);
         }
-        curve.x.push_back(undefined);
-        curve.y.push_back(undefined);
+        curve.add(undefined, undefined);
     });
     return curve;
 }

@@ -1,5 +1,3 @@
-#include "comparisons/walking/contact_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "comparisons/walking/motion_series.h"
 #include "comparisons/walking/spot_statistics.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/forces.h"
 
 namespace tricontact::comparisons::walking {
@@ -24,7 +23,7 @@ const std::string time_label = "time t* = t - t_0 [√(m/k_x)]";
 /// The time a spot spends in a state as a strip between two heights.
 Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotState state,
            const std::string& name, double low, double high) {
-    Band band{.name = name, .x = {}, .low = {}, .high = {}};
+    Band band{.name = name};
     const double begin = snapshots.front().motion.time;
     for (std::size_t i = 0; i < snapshots.size(); ++i) {
         const bool in = snapshots[i].spots[spot] == state;
@@ -56,9 +55,9 @@ double friction_bound(const Machine& machine, const dynamics::Spot& spot,
 
 Figure spot_figure(const Machine& machine, std::span<const Snapshot> snapshots, std::size_t i) {
     const dynamics::Spot spot = spots_of(machine)[i];
-    Curve normal{.name = "normal force", .x = {}, .y = {}, .colour = 0};
-    Curve friction{.name = "friction force", .x = {}, .y = {}, .colour = 1};
-    Curve bound{.name = "its bounds", .x = {}, .y = {}, .theory = true};
+    Curve normal{.name = "normal force", .colour = 0};
+    Curve friction{.name = "friction force", .colour = 1};
+    Curve bound{.name = "its bounds", .theory = true};
     Curve below = bound;
     for (const Snapshot& snapshot : snapshots) {
         const dynamics::SpotDeflection& deflection = snapshot.motion.spots[i];
@@ -68,10 +67,9 @@ Figure spot_figure(const Machine& machine, std::span<const Snapshot> snapshots, 
                                                     {&friction, force.tangential},
                                                     {&bound, limit},
                                                     {&below, -limit}};
-        for (const auto& [curve, value] : points) {
-            curve->x.push_back(snapshot.motion.time - snapshots.front().motion.time);
-            curve->y.push_back(value / machine.kappas.kappa4);
-        }
+        for (const auto& [curve, value] : points)
+            curve->add(snapshot.motion.time - snapshots.front().motion.time,
+                       value / machine.kappas.kappa4);
     }
     const double top = *std::max_element(normal.y.begin(), normal.y.end());
     Figure figure{.id = fmt::format("spot_{}", i + 1),
@@ -100,11 +98,11 @@ Figure share_figure(std::span<const Snapshot> snapshots) {
     for (const auto& [state, name] : {std::pair{SpotState::stick, "stick"},
                                       {SpotState::slip, "slip"},
                                       {SpotState::released, "in the air"}}) {
-        Curve curve{.name = name, .x = {}, .y = {}};
+        Curve curve{.name = name};
         for (const Snapshot& snapshot : snapshots) {
             const auto n = std::count(snapshot.spots.begin(), snapshot.spots.end(), state);
-            curve.x.push_back(snapshot.motion.time - snapshots.front().motion.time);
-            curve.y.push_back(static_cast<double>(n) / static_cast<double>(snapshot.spots.size()));
+            curve.add(snapshot.motion.time - snapshots.front().motion.time,
+                      static_cast<double>(n) / static_cast<double>(snapshot.spots.size()));
         }
         figure.curves.push_back(curve);
     }
@@ -118,8 +116,7 @@ DocumentTable spot_table(const std::vector<SpotStatistics>& spots) {
                             "r: correlation of a spot's velocity and normal deflection; negative "
                             "where it moves while it presses little. Wetter (2016), eqs. 4.2.14 "
                             "to 4.2.16 and A.1.4. Errors: 95 % intervals, none on a limit cycle.",
-                        .columns = {{"spot"}, {"stick time [T]", 4}, {"r [-]", 3}},
-                        .rows = {}};
+                        .columns = {{"spot"}, {"stick time [T]", 4}, {"r [-]", 3}}};
     for (const SpotStatistics& spot : spots) {
         std::vector<Cell>& row = table.rows.emplace_back();
         row.emplace_back(static_cast<double>(spot.number));

@@ -1,7 +1,7 @@
-#include "comparisons/walking/course_section.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "comparisons/walking/walk_document.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -33,11 +33,10 @@ void mark_transient(Figure& figure, const dynamics::WalkResult& result) {
 Figure force_figure(const WalkReport& report) {
     const dynamics::Machine& machine = report.walk_case.machine;
     const double sliding = sliding_force(machine);
-    Curve mean{.name = "mean f_s", .x = {}, .y = {}};
+    Curve mean{.name = "mean f_s"};
     for (const WalkWindow& window : report.walk.windows) {
-        mean.x.push_back((window.begin + window.end) / 2);
-        mean.y.push_back(window.sums.spring_force / static_cast<double>(window.sums.steps) /
-                         sliding);
+        mean.add((window.begin + window.end) / 2,
+                 window.sums.spring_force / static_cast<double>(window.sums.steps) / sliding);
     }
     Figure figure{.id = "force_means",
                   .title = "Friction over the run",
@@ -53,8 +52,7 @@ Figure force_figure(const WalkReport& report) {
 
 Figure height_figure(const WalkReport& report) {
     const double rest = static_displacement(report.walk_case.machine);
-    Curve highest{.name = "highest", .x = {}, .y = {}},
-        deepest{.name = "deepest", .x = {}, .y = {}};
+    Curve highest{.name = "highest"}, deepest{.name = "deepest"};
     for (const WalkWindow& window : report.walk.windows) {
         for (Curve* curve : {&highest, &deepest})
             curve->x.push_back((window.begin + window.end) / 2);
@@ -78,10 +76,9 @@ Figure return_map(const WalkReport& report) {
     const double rest = static_displacement(report.walk_case.machine);
     const std::vector<SectionReturn>& all = report.walk.returns;
     const auto returns = std::span(all).last(std::min(all.size(), most));
-    Curve points{.name = "return", .x = {}, .y = {}, .kind = Curve::Kind::points};
+    Curve points{.name = "return", .kind = Curve::Kind::points};
     for (std::size_t i = 1; i < returns.size(); ++i) {
-        points.x.push_back(returns[i - 1].motion.z / rest);
-        points.y.push_back(returns[i].motion.z / rest);
+        points.add(returns[i - 1].motion.z / rest, returns[i].motion.z / rest);
     }
     // Over all heights of the motion: the points of a limit cycle differ by less than can be seen.
     const std::vector<double> heights{report.walk.result.z_min_ratio,
@@ -103,7 +100,6 @@ Figure return_map(const WalkReport& report) {
 DocumentSection course_section(const WalkReport& report) {
     DocumentSection section{.id = "course",
                             .heading = "The whole run",
-                            .paragraphs = {},
                             .figures = {force_figure(report), height_figure(report)}};
     const dynamics::Regime regime = report.walk.result.regime;
     if (regime == dynamics::Regime::limit_cycle || regime == dynamics::Regime::chaotic)

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "comparisons/format.h"
-#include "comparisons/walking/stability_section.h"
+#include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_sections.h"
 
 namespace tricontact::comparisons::walking {
@@ -90,13 +90,10 @@ Figure figure_over(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
         const auto [at, is_new] = known.emplace(name, figure.curves.size());
         if (is_new)
             figure.curves.push_back({.name = name.empty() ? quantity.label : name,
-                                     .x = {},
-                                     .y = {},
                                      .kind = Curve::Kind::line_and_points});
         Curve& curve = figure.curves[at->second];
         const auto [value, error] = quantity.of(group);
-        curve.x.push_back(shown_value(sweep, axes[over], group.values[over]));
-        curve.y.push_back(value);
+        curve.add(shown_value(sweep, axes[over], group.values[over]), value);
         curve.y_error.push_back(std::isfinite(error) ? error : 0);
     }
     return figure;
@@ -108,9 +105,7 @@ DocumentTable group_table(const WalkSweep& sweep, const std::vector<std::size_t>
                           const std::vector<WalkGroup>& groups) {
     DocumentTable table{.id = "groups",
                         .title = "Effective friction",
-                        .note = "Of the runs that do not tilt; none if at least half do.",
-                        .columns = {},
-                        .rows = {}};
+                        .note = "Of the runs that do not tilt; none if at least half do."};
     for (const std::size_t axis : axes) table.columns.push_back({label_of(sweep, axis)});
     for (const char* heading : {"μ_e", "runs", "tilting"}) table.columns.push_back({heading});
     for (const WalkGroup& group : groups) {

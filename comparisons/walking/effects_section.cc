@@ -34,8 +34,7 @@ DocumentTable main_table(const Response& response, const FactorialDesign& design
                         .note =
                             "Errors, 95 %, from the scatter of the runs at a level. Share: of "
                             "the variance that the factor alone accounts for.",
-                        .columns = {{"factor"}, {"level"}, {"mean"}, {"runs"}, {"share [%]", 3}},
-                        .rows = {}};
+                        .columns = {{"factor"}, {"level"}, {"mean"}, {"runs"}, {"share [%]", 3}}};
     const std::vector<MainEffect> effects = main_effects(design);
     for (std::size_t k = 0; k < effects.size(); ++k)
         for (std::size_t i = 0; i < effects[k].means.size(); ++i)
@@ -61,8 +60,7 @@ DocumentTable interaction_table(const Response& response, const FactorialDesign&
         .note =
             "How far two factors together depart from the sum of what they do alone: the "
             "largest departure, where it is, and the pair's share of the variance.",
-        .columns = {{"pair"}, {"levels"}, {"largest effect"}, {"share [%]", 3}},
-        .rows = {}};
+        .columns = {{"pair"}, {"levels"}, {"largest effect"}, {"share [%]", 3}}};
     for (const Interaction* interaction : by_share(analysis)) {
         const Factor &first = design.factors[interaction->first],
                      &second = design.factors[interaction->second];
@@ -95,7 +93,6 @@ Figure pair_figure(const Response& response, const FactorialDesign& design,
     for (std::size_t j = 0; j < by.levels.size(); ++j) {
         Curve curve{.name = by.name + " = " + as_given(by.levels[j]),
                     .x = over.levels,
-                    .y = {},
                     .kind = Curve::Kind::line_and_points};
         for (std::size_t i = 0; i < over.levels.size(); ++i) {
             double sum = 0, n = 0;
@@ -121,8 +118,7 @@ DocumentTable rule_table(const std::vector<WalkGroup>& groups, const WalkFactori
         .note =
             "Each factor's main effect on μ_e, second half of the run: mean at its last level "
             "minus mean at its first.",
-        .columns = {{"excluded"}, {"runs kept"}, {"mean μ_e"}},
-        .rows = {}};
+        .columns = {{"excluded"}, {"runs kept"}, {"mean μ_e"}}};
     for (const Factor& factor : factorial.factors) table.columns.push_back({factor.name});
     for (const ExclusionRule& rule : exclusion_rules()) {
         const FactorialDesign design = factorial.design(groups, rule, responses[0].value);

@@ -1,11 +1,10 @@
-#include "comparisons/walking/energy_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/velocity_verlet.h"
 #include "dynamics/verlet_energy.h"
 
@@ -52,13 +51,9 @@ DocumentSection energy_section(const EnergyStretch& energy) {
                             "Geometric: moments of first order in φ to which no potential "
                             "belongs, a property of Wetter's (2016) eq. 4.1.19. Lost: where a "
                             "spot lands or lifts off within a step, by its square.",
-                        .columns = {{"energy"}, {"[k_x b²]"}, {"share of the greatest"}},
-                        .rows = {}};
+                        .columns = {{"energy"}, {"[k_x b²]"}, {"share of the greatest"}}};
     const auto add = [&](const char* name, double value) {
-        std::vector<Cell>& row = table.rows.emplace_back();
-        row.emplace_back(std::string(name));
-        row.emplace_back(value);
-        row.emplace_back(value / energy.scale);
+        table.rows.push_back({name, value, value / energy.scale});
     };
     const dynamics::EnergyBalance& balance = energy.balance;
     add("work of the base", balance.base);
@@ -67,11 +62,7 @@ DocumentSection energy_section(const EnergyStretch& energy) {
     add("dissipation", balance.dissipation);
     add("change of stored energy", balance.stored);
     add("lost by the integration", balance.residual());
-    return {.id = "energy_section",
-            .heading = "Energy",
-            .paragraphs = {},
-            .figures = {},
-            .tables = {table}};
+    return {.id = "energy_section", .heading = "Energy", .tables = {table}};
 }
 
 }  // namespace tricontact::comparisons::walking

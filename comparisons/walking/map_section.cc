@@ -77,13 +77,12 @@ bool is_over_friction(const WalkSweep& sweep, const WalkGrid& grid) {
 /// Where theory has sliding end, if friction is what y is.
 std::vector<Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& grid) {
     if (!is_over_friction(sweep, grid)) return {};
-    Curve tilting{.name = "μ_c: tilts", .x = {}, .y = {}, .theory = true};
+    Curve tilting{.name = "μ_c: tilts", .theory = true};
     for (std::size_t i = 0; i < grid.x.size(); ++i) {
         if (!grid.cells[i]) continue;
         const double friction = critical_friction(grid.cells[i]->machine());
         if (friction < grid.y.front() || friction > grid.y.back()) continue;
-        tilting.x.push_back(grid.x[i]);
-        tilting.y.push_back(friction);
+        tilting.add(grid.x[i], friction);
     }
     const std::vector<double> flutter = flutter_over_x(grid);
     if (is_nowhere(flutter)) return {tilting};
@@ -125,14 +124,10 @@ Figure regime_figure(const WalkSweep& sweep, const WalkGrid& grid) {
                   .y = {label_of(sweep, grid.y_axis)}};
     for (const Regime regime : {Regime::steady, Regime::limit_cycle, Regime::chaotic,
                                 Regime::tilting, Regime::sticking}) {
-        Curve curve{.name = std::string(dynamics::word_of(regime)),
-                    .x = {},
-                    .y = {},
-                    .kind = Curve::Kind::points};
+        Curve curve{.name = std::string(dynamics::word_of(regime)), .kind = Curve::Kind::points};
         for (std::size_t i = 0; i < grid.cells.size(); ++i) {
             if (!grid.cells[i] || regime_of(*grid.cells[i]) != regime) continue;
-            curve.x.push_back(grid.x[i % grid.x.size()]);
-            curve.y.push_back(grid.y[i / grid.x.size()]);
+            curve.add(grid.x[i % grid.x.size()], grid.y[i / grid.x.size()]);
         }
         if (!curve.x.empty()) figure.curves.push_back(curve);
     }
@@ -150,8 +145,7 @@ DocumentTable region_table(const WalkGrid& grid) {
             "Errors, 95 %: where in a cell a region ends, which a finer grid would tell. Second "
             "half: plain means over it, the reading that gives the numbers of Wetter (2016); "
             "as judged: after the transient, whole periods of limit cycles.",
-        .columns = {{"region"}, {"definition"}, {"as judged [%]"}, {"second half [%]"}},
-        .rows = {}};
+        .columns = {{"region"}, {"definition"}, {"as judged [%]"}, {"second half [%]"}}};
     for (std::size_t i = 0; i < judged.size(); ++i)
         table.rows.push_back({judged[i].name, judged[i].definition,
                               WithError{100 * judged[i].share, 100 * judged[i].grid_error},

@@ -11,19 +11,10 @@ MotionClass motion_class(const dynamics::WalkResult& result) {
 }
 
 std::string words_of(MotionClass motion) {
-    switch (motion) {
-        case MotionClass::steady:
-            return "slides steadily";
-        case MotionClass::limit_cycle:
-            return "walks in a limit cycle";
-        case MotionClass::chaotic:
-            return "walks chaotically";
-        case MotionClass::unsettled:
-            return "not settled yet";
-        case MotionClass::fallen:
-            break;
-    }
-    return "falls over";
+    constexpr const char* words[n_motion_classes] = {"slides steadily", "walks in a limit cycle",
+                                                     "walks chaotically", "not settled yet",
+                                                     "falls over"};
+    return words[static_cast<int>(motion)];
 }
 
 }  // namespace tricontact::comparisons::walking

@@ -1,5 +1,3 @@
-#include "comparisons/walking/motion_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "comparisons/format.h"
 #include "comparisons/walking/motion_series.h"
 #include "comparisons/walking/spot_statistics.h"
+#include "comparisons/walking/walk_document.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -69,7 +68,7 @@ Figure period_figure(const WalkReport& report, const WalkPhases& phases) {
             "go (3), in the air and fast forwards (4). Wetter (2016), figures 4.18 and 4.19.",
         .x = {time_label},
         .y = {"dynamic quantities [-]"}};
-    Curve way{.name = "Δx", .x = series.time, .y = {}};
+    Curve way{.name = "Δx", .x = series.time};
     for (const Snapshot& snapshot : snapshots)
         way.y.push_back((snapshot.motion.x - snapshots.front().motion.x) / load);
     figure.curves = {way,
@@ -77,7 +76,7 @@ Figure period_figure(const WalkReport& report, const WalkPhases& phases) {
                      {.name = "φ", .x = series.time, .y = series.phi}};
     const std::size_t n_spots = spots_of(machine).size();
     for (std::size_t i = 0; i < n_spots && n_spots <= most_spots; ++i) {
-        Curve spot{.name = fmt::format("n_{}", i + 1), .x = series.time, .y = {}};
+        Curve spot{.name = fmt::format("n_{}", i + 1), .x = series.time};
         for (const Snapshot& snapshot : snapshots)
             spot.y.push_back(snapshot.motion.spots[i].normal / load);
         figure.curves.push_back(spot);
@@ -92,7 +91,7 @@ Figure period_figure(const WalkReport& report, const WalkPhases& phases) {
 
 Curve orbit(const dynamics::Machine& machine, std::span<const Snapshot> snapshots,
             const std::string& name, int colour) {
-    Curve curve{.name = name, .x = motion_series(machine, snapshots).displacement, .y = {}};
+    Curve curve{.name = name, .x = motion_series(machine, snapshots).displacement};
     curve.colour = colour;
     for (const Snapshot& snapshot : snapshots)
         curve.y.push_back(snapshot.motion.x_velocity / machine.kappas.kappa6);

@@ -123,13 +123,12 @@ double top_of(const std::vector<Series>& all, Value value) {
 }
 
 Curve curve_of(const Series& series, int colour, Value value, double top) {
-    Curve curve{.name = series.name(), .x = {}, .y = {}, .kind = Curve::Kind::line_and_points};
+    Curve curve{.name = series.name(), .kind = Curve::Kind::line_and_points};
     curve.colour = colour;
     for (const Run run : series.runs) {
         const auto& drift = run->outcome->result.drift;
         if (!drift || value(*drift) > top) continue;
-        curve.x.push_back(amplitude_of(run));
-        curve.y.push_back(value(*drift));
+        curve.add(amplitude_of(run), value(*drift));
     }
     return curve;
 }
@@ -168,8 +167,7 @@ DocumentTable table_of(const std::vector<Series>& all) {
         .note =
             "Shifts of the base over U_max = μ κ_2 z_stat, over the second half "
             "of the run; in the air: share of time in which a spot, or more, is.",
-        .columns = {{"f"}, {"m"}, {"scenario"}, {"shift per period"}, {"in the air [%]"}},
-        .rows = {}};
+        .columns = {{"f"}, {"m"}, {"scenario"}, {"shift per period"}, {"in the air [%]"}}};
     for (const Series& series : all) {
         for (const Run run : series.runs) {
             const auto& drift = run->outcome->result.drift;
@@ -198,14 +196,12 @@ std::optional<WalkSection> scenarios_section(const WalkSweep& sweep) {
                    .title = "Shift per period",
                    .caption = "Of the base, over U_max = μ κ_2 z_stat; larger ones of machines in "
                               "flight are in the table.",
-                   .x = {},
                    .y = {"shift per period / U_max"}},
                   [](const dynamics::WalkResult::Drift& drift) { return drift.per_period; }),
         figure_of(all,
                   {.id = "airborne",
                    .title = "In the air",
                    .caption = "Share of time in which a spot, or more, is in the air.",
-                   .x = {},
                    .y = {"share of time"}},
                   [](const dynamics::WalkResult::Drift& drift) { return drift.airborne; })};
     result.section.tables = {table_of(all)};

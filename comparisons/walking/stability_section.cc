@@ -1,5 +1,3 @@
-#include "comparisons/walking/stability_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "comparisons/format.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/linear_stability.h"
 #include "dynamics/steady_sliding.h"
 
@@ -76,19 +75,14 @@ DocumentSection stability_section(const SlidingStability& stability) {
                         .note =
                             "A disturbance while all spots slip forwards grows as exp(growth t); "
                             "frequency in cycles per √(m/k_x).",
-                        .columns = {{"growth [√(k_x/m)]"}, {"frequency [√(k_x/m)]"}},
-                        .rows = {}};
+                        .columns = {{"growth [√(k_x/m)]"}, {"frequency [√(k_x/m)]"}}};
     for (const std::complex<double>& value : stability.eigenvalues) {
         std::vector<Cell>& row = table.rows.emplace_back();
         // Rounding is no growth.
         row.emplace_back(std::abs(value.real()) > neutral ? value.real() : 0.);
         row.emplace_back(std::max(0., frequency(value)));
     }
-    return {.id = "stability",
-            .heading = "Linear stability of steady sliding",
-            .paragraphs = {},
-            .figures = {},
-            .tables = {table}};
+    return {.id = "stability", .heading = "Linear stability of steady sliding", .tables = {table}};
 }
 
 }  // namespace tricontact::comparisons::walking

@@ -58,8 +58,7 @@ DocumentTable arrival_table(const Arrivals& arrivals) {
     DocumentTable table{.id = "arrivals",
                         .title = "Runs on their limit cycle",
                         .note = "Errors: 95 %, of a share among so many runs.",
-                        .columns = {{"by the time"}, {"runs"}, {"share [%]"}},
-                        .rows = {}};
+                        .columns = {{"by the time"}, {"runs"}, {"share [%]"}}};
     for (const double time : {500., 1000., 2000., 4000., 6000., 8000., 10000., 15000., 20000.}) {
         const WithError share = arrivals.share_by(time);
         std::vector<Cell>& row = table.rows.emplace_back();
@@ -84,10 +83,8 @@ Figure arrival_figure(const Arrivals& arrivals) {
     const double life = arrivals.mean_life().value, end = arrivals.times.back();
     for (int i = 1; i <= n; ++i) {
         const double time = end * i / n;
-        found.x.push_back(time);
-        found.y.push_back(arrivals.share_by(time).value);
-        decay.x.push_back(time);
-        decay.y.push_back(1 - std::exp(-time / life));
+        found.add(time, arrivals.share_by(time).value);
+        decay.add(time, 1 - std::exp(-time / life));
     }
     figure.curves = {found, decay};
     return figure;

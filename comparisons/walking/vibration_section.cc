@@ -1,11 +1,10 @@
-#include "comparisons/walking/vibration_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "comparisons/format.h"
+#include "comparisons/walking/walk_document.h"
 
 namespace tricontact::comparisons::walking {
 
@@ -17,13 +16,12 @@ Curve upright(const std::string& name, double frequency, double top) {
 
 Figure spectrum_figure(const Vibration& vibration) {
     constexpr double shown = 4;  // times the frequency of free flight
-    Curve amplitudes{.name = "amplitude of f_s", .x = {}, .y = {}};
+    Curve amplitudes{.name = "amplitude of f_s"};
     const dynamics::Spectrum& spectrum = vibration.spectrum;
     for (std::size_t i = 0; i < spectrum.amplitudes.size(); ++i) {
         const double frequency = static_cast<double>(i) * spectrum.resolution;
         if (frequency > shown * vibration.free_flight) break;
-        amplitudes.x.push_back(frequency);
-        amplitudes.y.push_back(spectrum.amplitudes[i]);
+        amplitudes.add(frequency, spectrum.amplitudes[i]);
     }
     const double top = *std::max_element(amplitudes.y.begin(), amplitudes.y.end());
     Curve characteristic = upright("characteristic", vibration.characteristic.frequency, top);
@@ -43,10 +41,10 @@ Figure spectrum_figure(const Vibration& vibration) {
 Figure variance_figure(const Vibration& vibration) {
     constexpr std::size_t enough = 1000;
     const std::size_t stride = 1 + vibration.variances.size() / enough;
-    Curve variance{.name = "variance of f_s", .x = {}, .y = {}};
+    Curve variance{.name = "variance of f_s"};
     for (std::size_t i = 0; i < vibration.variances.size(); i += stride) {
-        variance.x.push_back(static_cast<double>(i) * vibration.interval + vibration.window / 2);
-        variance.y.push_back(vibration.variances[i]);
+        variance.add(static_cast<double>(i) * vibration.interval + vibration.window / 2,
+                     vibration.variances[i]);
     }
     Curve threshold{.name = "threshold",
                     .x = {variance.x.front(), variance.x.back()},
@@ -69,8 +67,7 @@ DocumentTable frequency_table(const WalkReport& report, const Vibration& vibrati
                         .note =
                             "Cycles per unit of time √(m/k_x); error: 95 % interval from eight "
                             "parts. Free flight: √(κ_1 (1 + κ_3² κ_8²/κ_7))/2π.",
-                        .columns = {{"frequency"}, {"[√(k_x/m)]"}},
-                        .rows = {}};
+                        .columns = {{"frequency"}, {"[√(k_x/m)]"}}};
     const auto& dimensional = report.walk_case.dimensional;
     const double second = dimensional ? 1 / characteristic_time(*dimensional) : 0;
     if (dimensional) table.columns.push_back({"[Hz]"});
@@ -105,7 +102,6 @@ bool is_set_5(const dynamics::Machine& machine) {
 DocumentSection vibration_section(const WalkReport& report, const Vibration& vibration) {
     DocumentSection section{.id = "vibration",
                             .heading = "Vibration of the spring force",
-                            .paragraphs = {},
                             .figures = {spectrum_figure(vibration)},
                             .tables = {frequency_table(report, vibration)}};
     if (is_set_5(report.walk_case.machine))

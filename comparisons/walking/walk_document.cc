@@ -3,14 +3,6 @@
 #include <fmt/format.h>
 
 #include "comparisons/format.h"
-#include "comparisons/walking/contact_section.h"
-#include "comparisons/walking/course_section.h"
-#include "comparisons/walking/energy_section.h"
-#include "comparisons/walking/motion_section.h"
-#include "comparisons/walking/stability_section.h"
-#include "comparisons/walking/vibration_section.h"
-#include "comparisons/walking/walk_settings.h"
-#include "comparisons/walking/walk_verdicts.h"
 
 namespace tricontact::comparisons::walking {
 

@@ -1,12 +1,78 @@
 #pragma once
 
-#include "comparisons/document.h"
-#include "comparisons/walking/walk_report.h"
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "comparisons/document.h"
+#include "comparisons/walking/vibration.h"
+#include "comparisons/walking/walk_report.h"
+#include "dynamics/energy.h"
+#include "dynamics/walk_case.h"
+
+// The report of a run, and its sections.
 namespace tricontact::comparisons::walking {
 
 /// What a machine does after its transient: verdicts, the motion and forces of figures 4.5, 4.6 and
 /// 4.17 to 4.19 of Wetter (2016), the whole run, its section, spectrum and running variance.
 Document walk_document(const WalkReport& report);
+
+/// What a case says, as name and value: kappas, what follows from them, dimensions, mechanisms that
+/// are switched off, time and start.
+std::vector<std::pair<std::string, std::string>> walk_settings(const dynamics::WalkCase& walk_case);
+
+/// What a run came to, whether it was long enough, whether the body jumps and its spots move where
+/// they press little.
+std::vector<Verdict> walk_verdicts(const WalkReport& report,
+                                   const std::optional<Vibration>& vibration);
+
+/// Displacement, height, rotation and spring force over some periods, one period with its phases,
+/// and the phase plane: Wetter (2016), figures 4.5, 4.6, 4.17 and 4.18.
+DocumentSection motion_section(const WalkReport& report);
+
+/// Forces of the contact spots over some periods with what the spots do; of many spots how many
+/// stick, slip and are released.
+DocumentSection contact_section(const WalkReport& report);
+
+/// The whole run: means and extremes over windows of time with the end of the transient, and its
+/// Poincare section as a return map.
+DocumentSection course_section(const WalkReport& report);
+
+/// Spectrum of the spring force with its characteristic frequency beside that of free flight, and
+/// its running variance: Wetter (2016), figures 5.24, 5.25 and 4.22.
+DocumentSection vibration_section(const WalkReport& report, const Vibration& vibration);
+
+/// Energy balance of the motion that a run ends in.
+struct EnergyStretch {
+    dynamics::EnergyBalance balance;
+    double length = 0;  ///< time, a period of a limit cycle
+    double scale = 0;   ///< greatest of works and changes, > 0
+};
+
+/// From the end of the run on, a period of its limit cycle or some swings further; none for a
+/// machine that fell over or does not move.
+std::optional<EnergyStretch> energy_of(const WalkReport& report);
+
+/// Whether work of the base is dissipation plus change of stored energy.
+Verdict energy_verdict(const WalkReport& report, const EnergyStretch& energy);
+
+DocumentSection energy_section(const EnergyStretch& energy);
+
+/// Linear stability of steady sliding, from which vibration may or may not start by itself.
+struct SlidingStability {
+    bool exists = false;  ///< else the body tilts
+    std::vector<std::complex<double>>
+        eigenvalues;  ///< [sqrt(k_x/m)], Im >= 0, fastest growth first
+};
+
+SlidingStability sliding_stability(const dynamics::Machine& machine);
+/// Small disturbances neither grow nor decay.
+bool is_neutral(const SlidingStability& stability);
+
+Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability);
+
+DocumentSection stability_section(const SlidingStability& stability);
 
 }  // namespace tricontact::comparisons::walking

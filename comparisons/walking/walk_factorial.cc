@@ -104,8 +104,6 @@ Figure main_effects_figure(const std::string& id, const std::string& title,
     for (std::size_t k = 0; k < effects.size(); ++k) {
         const Factor& factor = design.factors[k];
         Curve curve{.name = factor.name + ": " + levels_text(factor),
-                    .x = {},
-                    .y = {},
                     .kind = Curve::Kind::line_and_points};
         const auto n = static_cast<double>(factor.levels.size() - 1);
         constexpr double width = 0.6;  // of what lies between two factors

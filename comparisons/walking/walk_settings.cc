@@ -1,8 +1,7 @@
-#include "comparisons/walking/walk_settings.h"
-
 #include <fmt/format.h>
 
 #include "comparisons/format.h"
+#include "comparisons/walking/walk_document.h"
 
 namespace tricontact::comparisons::walking {
 

@@ -60,9 +60,7 @@ DocumentTable run_table(const WalkSweep& sweep) {
                         .title = "Runs",
                         .note =
                             "After the transient; over whole periods of limit cycles. "
-                            "results.csv has all numbers.",
-                        .columns = {},
-                        .rows = {}};
+                            "results.csv has all numbers."};
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         table.columns.push_back({label_of(sweep, i)});
     for (const char* heading : {"regime", "μ_e", "period", "z_min/z_stat", "t_s1", "t_s2"})
@@ -84,8 +82,7 @@ DocumentTable run_table(const WalkSweep& sweep) {
 }
 
 DocumentTable failure_table(const WalkSweep& sweep) {
-    DocumentTable table{
-        .id = "failed_runs", .title = "Runs that failed", .columns = {}, .rows = {}};
+    DocumentTable table{.id = "failed_runs", .title = "Runs that failed"};
     for (std::size_t i = 0; i < sweep.axes.size(); ++i)
         table.columns.push_back({label_of(sweep, i)});
     table.columns.push_back({"error"});

@@ -1,5 +1,3 @@
-#include "comparisons/walking/walk_verdicts.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +7,7 @@
 #include "comparisons/format.h"
 #include "comparisons/format_share.h"
 #include "comparisons/walking/spot_statistics.h"
-#include "comparisons/walking/stability_section.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/drift.h"
 #include "dynamics/drive_load.h"
 #include "dynamics/forces.h"

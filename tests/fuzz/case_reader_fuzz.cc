@@ -11,7 +11,6 @@
 #include "io/case_reader.h"
 #include "io/case_writer.h"
 #include "io/walk_reader.h"
-#include "io/walk_writer.h"
 
 namespace {
 

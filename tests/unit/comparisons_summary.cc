@@ -54,7 +54,7 @@ TEST(Summary, KappaIsEmptyWhereUndefined) {
     const Options base{.f = 0.3, .w = 0.2};
     const contact::Case c = synthetic::unit_case(base);
     contact::History undecided = synthetic::settling_history("mdr", base);
-    undecided.state = State::undecided;
+    undecided.verdict.state = State::undecided;
     EXPECT_FALSE(summarise(c, undecided).kappa);
     EXPECT_FALSE(summarise(c, synthetic::settling_history("mdr", {.f = 0.3, .w = 0})).kappa);
     EXPECT_FALSE(summarise(c, synthetic::settling_history("mdr", {.f = 0, .w = 0.2})).kappa);
@@ -79,7 +79,7 @@ TEST(Summary, EtaIsEmptyWhereUndefined) {
     const Options options{.f = 0.704, .w = 0.5, .periods = 4};
     const contact::Case c = synthetic::unit_case(options);
     contact::History undecided = synthetic::ratcheting_history("bem", options, 0.6);
-    undecided.state = State::undecided;
+    undecided.verdict.state = State::undecided;
     EXPECT_FALSE(summarise(c, undecided).eta);
     const Options below{.f = 0.704, .w = 0.19, .periods = 4};
     EXPECT_FALSE(summarise(c, synthetic::ratcheting_history("bem", below, 0.6)).eta);

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/walking/energy_section.h"
 #include "comparisons/walking/motion_series.h"
-#include "comparisons/walking/stability_section.h"
 #include "comparisons/walking/walk_document.h"
-#include "comparisons/walking/walk_verdicts.h"
 #include "dynamics/linear_stability.h"
 #include "dynamics/steady_sliding.h"
 #include "dynamics/velocity_verlet.h"

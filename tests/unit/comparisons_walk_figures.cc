@@ -5,14 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "comparisons/walking/contact_section.h"
-#include "comparisons/walking/course_section.h"
-#include "comparisons/walking/energy_section.h"
-#include "comparisons/walking/motion_section.h"
 #include "comparisons/walking/motion_series.h"
 #include "comparisons/walking/spot_statistics.h"
-#include "comparisons/walking/vibration_section.h"
-#include "comparisons/walking/walk_verdicts.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/forces.h"
 #include "dynamics/steady_sliding.h"
 

@@ -2,7 +2,6 @@
 
 #include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_sweep_document.h"
-#include "comparisons/walking/walk_verdicts.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {

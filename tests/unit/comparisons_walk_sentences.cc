@@ -3,8 +3,7 @@
 
 #include <limits>
 
-#include "comparisons/walking/vibration_section.h"
-#include "comparisons/walking/walk_verdicts.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {

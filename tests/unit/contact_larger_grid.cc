@@ -74,7 +74,7 @@ TEST(LargerGrid, HistoryIsThatOfTheSecondRun) {
     }
     EXPECT_EQ(again.steps.size(), once.steps.size());
     EXPECT_EQ(again.snapshots.size(), once.snapshots.size());
-    EXPECT_EQ(again.state, once.state);
+    EXPECT_EQ(again.verdict.state, once.verdict.state);
 }
 
 TEST(LargerGrid, LimitIsThatOfTheSecondRuns) {

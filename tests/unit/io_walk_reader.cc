@@ -6,9 +6,9 @@
 #include "dynamics/stable_step.h"
 #include "dynamics_sets.h"
 #include "io/any_case.h"
+#include "io/case_writer.h"
 #include "io/walk_keys.h"
 #include "io/walk_reader.h"
-#include "io/walk_writer.h"
 
 namespace tricontact::io {
 namespace {

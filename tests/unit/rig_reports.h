@@ -5,8 +5,7 @@
 #include <string>
 
 #include "io/rig_reader.h"
-#include "rig/rolling.h"
-#include "rig/walking.h"
+#include "rig/check_rig.h"
 
 // What tests ask of the report of a file in rigs/.
 namespace tricontact {

@@ -49,7 +49,8 @@ std::string contact_of(const RollingRig& rig) {
 
 /// What is said where the thesis could be meant; not the slow contact of a sphere.
 std::string remarks(const RollingRig& rig) {
-    std::string text = rig::half_space_claim(rig) + '\n' + elastic(rig);
+    const auto contact = rig.roller.length ? rig::half_space_of_line(rig) : rig::half_space(rig);
+    std::string text = contact.claim + '\n' + elastic(rig);
     if (rig.roller.length) text += '\n' + ends(rig);
     return text;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "contact/rolling_rig.h"
+#include "contact/walking_rig.h"
 #include "rig/printed.h"
 
 namespace tricontact::rig {
@@ -18,5 +19,9 @@ using StaticShift = std::function<double(const contact::RollingRig& rig, bool co
 /// effect of coupling stays open. Throws contact::InputError for a rig out of the range of the
 /// layer's theory, contact::NotConverged.
 RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_shift = {});
+
+/// What the evaluation of a micro-walking rig takes for granted, with verdicts. Throws
+/// contact::InputError for materials out of range.
+RigReport check_rig(const contact::WalkingRig& rig);
 
 }  // namespace tricontact::rig

@@ -1,7 +1,8 @@
-#include "rig/rolling.h"
+#include "rig/check_rig.h"
 
 #include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
+#include "rig/walking_parts.h"
 
 namespace tricontact::rig {
 
@@ -17,6 +18,15 @@ RigReport check_rig(const contact::RollingRig& rig, const StaticShift& static_sh
         report.assumptions.push_back(fitted_constants(rig));
         if (roller_is_rigid(rig)) report.curves = force_curves(rig);
     }
+    report.printed = check_printed(rig.printed, report.assumptions);
+    return report;
+}
+
+RigReport check_rig(const contact::WalkingRig& rig) {
+    RigReport report{.title = rig.title,
+                     .assumptions = {contact_diameter(rig), known_stiffness(rig),
+                                     similar_stiffness(rig), rigid_sensor(rig), rod_as_spring(rig),
+                                     no_tilting(rig), sampled_often(rig)}};
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;
 }
