@@ -144,6 +144,7 @@ void Resampling::rasterise(const Surface& s, const std::array<int, 4>& quad) {
 }
 
 std::vector<double> Resampling::sampled(const std::vector<double>& values, double outside) const {
+    if (values.empty()) return {};
     std::vector<double> result(sources_.size(), outside);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const Source& source = sources_[i];
@@ -157,17 +158,14 @@ std::vector<double> Resampling::sampled(const std::vector<double>& values, doubl
 Surface Resampling::operator()(const Surface& s) const {
     Surface grid = frame_;
     grid.offset = s.offset;
-    grid.normal_traction = sampled(s.normal_traction, 0);
-    grid.tangential_traction_x = sampled(s.tangential_traction_x, 0);
-    grid.tangential_traction_y = sampled(s.tangential_traction_y, 0);
-    grid.friction_bound = sampled(s.friction_bound, 0);
-    grid.displacement_x = sampled(s.displacement_x, undefined);
-    grid.displacement_y = sampled(s.displacement_y, undefined);
-    grid.displacement_z = sampled(s.displacement_z, undefined);
-    grid.gap = sampled(s.gap, undefined);
-    grid.slip_x = sampled(s.slip_x, 0);
-    grid.slip_y = sampled(s.slip_y, 0);
-    grid.dissipation = sampled(s.dissipation, 0);
+    for (auto field :
+         {&Surface::normal_traction, &Surface::tangential_traction_x,
+          &Surface::tangential_traction_y, &Surface::friction_bound, &Surface::slip_x,
+          &Surface::slip_y, &Surface::dissipation, &Surface::slip_path, &Surface::friction_work})
+        grid.*field = sampled(s.*field, 0);
+    for (auto field : {&Surface::displacement_x, &Surface::displacement_y, &Surface::displacement_z,
+                       &Surface::gap})
+        grid.*field = sampled(s.*field, undefined);
     grid.contact_state.assign(sources_.size(), contact::ContactState::open);
     for (std::size_t i = 0; i < sources_.size(); ++i)
         if (sources_[i].covered) grid.contact_state[i] = s.contact_state[sources_[i].nearest];

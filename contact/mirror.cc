@@ -47,10 +47,11 @@ Surface mirrored(const Surface& half) {
         for (std::size_t i = 0; i < n; ++i)
             values[i] = odd && image.sign[i] < 0 ? -old[image.source[i]] : old[image.source[i]];
     };
-    for (auto* even : {&whole.node_x, &whole.normal_traction, &whole.tangential_traction_x,
-                       &whole.friction_bound, &whole.displacement_x, &whole.displacement_z,
-                       &whole.gap, &whole.slip_x, &whole.dissipation,
-                       &whole.normal_traction_consistent, &whole.tangential_traction_x_consistent})
+    for (auto* even :
+         {&whole.node_x, &whole.normal_traction, &whole.tangential_traction_x,
+          &whole.friction_bound, &whole.displacement_x, &whole.displacement_z, &whole.gap,
+          &whole.slip_x, &whole.dissipation, &whole.slip_path, &whole.friction_work,
+          &whole.normal_traction_consistent, &whole.tangential_traction_x_consistent})
         reflect(*even, false);
     for (auto* odd : {&whole.node_y, &whole.tangential_traction_y, &whole.displacement_y,
                       &whole.slip_y, &whole.tangential_traction_y_consistent})

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -168,8 +169,18 @@ class Run {
             }
             history_.shift_per_period.push_back(history_.steps.back().shift[0]);
             history_.dissipation_per_period.push_back(dissipation);
+            if (!enough_) note_friction();
             if (enough_ ? enough_(history_) : look_back() && !path_.run_all) break;
         }
+    }
+
+    /// What wears a surface most in the period that ends, of models that know it.
+    void note_friction() {
+        if (history_.slip_path_per_period.size() + 1 < history_.shift_per_period.size()) return;
+        const Surface s = model_.surface();
+        if (s.slip_path.empty()) return;
+        history_.slip_path_per_period.push_back(std::ranges::max(s.slip_path));
+        history_.friction_work_per_period.push_back(std::ranges::max(s.friction_work));
     }
 
     void take(const LoadStep& step, bool quarter) { note(step, model_.advance(step), quarter); }

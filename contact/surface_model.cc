@@ -74,7 +74,7 @@ void SurfaceModel::release() {
     tangential_.traction = tangential_.displacement = displacement_ = slip_ = TangentialField(n);
     displacement_z_.assign(n, 0);
     contact_state_.assign(n, ContactState::open);
-    least_pressure_.clear();
+    for (auto* kept : {&least_pressure_, &slip_path_, &friction_work_}) kept->clear();
     energy_ = material_dissipation_ = shift_factor_ = 0;
     substrate_->forget();
 }
@@ -107,6 +107,10 @@ StepRecord SurfaceModel::take(const LoadStep& step, const Before& before) {
             step.phase));
     update_totals();
     update_slip(before);
+    for (std::size_t i = 0; i < slip_path_.size(); ++i) {
+        slip_path_[i] += norm(slip(i));
+        friction_work_[i] += friction_work(i);
+    }
     keep_start();
     audit_step(step, before.carried);
     for (std::size_t i = 0; i < least_pressure_.size(); ++i)
@@ -355,6 +359,11 @@ void SurfaceModel::update_slip(const Before& before) {
         const bool at_bound = norm(t) >= bound_[i] * (1 - 1e-9);
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
     }
+}
+
+void SurfaceModel::start_period() {
+    slip_path_.assign(bound_.size(), 0);
+    friction_work_ = slip_path_;
 }
 
 void SurfaceModel::start_limit() {

@@ -54,6 +54,7 @@ class SurfaceModel final : public Model {
     StepRecord roll(const LoadStep& step, double turn);
     void release() override;
     void enlarge(const ContactAtEdge& reached) override;
+    void start_period() override;
     Scales scales() const override;
     Surface surface() const override;
     std::vector<ContactState> contact_states() const override { return contact_state_; }
@@ -99,6 +100,8 @@ class SurfaceModel final : public Model {
     void find_shift_factor();
     void update_totals();
     void update_slip(const Before& before);
+    Vector2 slip(std::size_t i) const;          // of the last step, as results tell it [m]
+    double friction_work(std::size_t i) const;  // likewise [J/m^2]
     StepRecord record(const LoadStep& step) const;
     void audit_step(const LoadStep& step, bool carried);
     EnergyBalance update_energy();
@@ -123,9 +126,10 @@ class SurfaceModel final : public Model {
     PeriodStarts starts_;        // of coupled contact
     std::vector<double> bound_;  // mu p [Pa]
     TangentialSolution tangential_;
-    TangentialField displacement_;        // by all tractions [m]
-    std::vector<double> displacement_z_;  // likewise
-    TangentialField slip_;                // of the last step [m]
+    TangentialField displacement_;                   // by all tractions [m]
+    std::vector<double> displacement_z_;             // likewise
+    TangentialField slip_;                           // of the last step [m]
+    std::vector<double> slip_path_, friction_work_;  // since start_period(), see Surface
     std::vector<ContactState> contact_state_;
     double gap_residual_ = 0;  // of the coupled solution, over d
     double shift_factor_ = 0;  // slips are compared with it times mu d; 0: not known yet

@@ -37,7 +37,7 @@ StepRecord SurfaceModel::record(const LoadStep& step) const {
                 break;
             case ContactState::slip:
                 r.slip_area += area[i];
-                r.dissipation += area[i] * (t.x[i] * slip_.x[i] + t.y[i] * slip_.y[i]);
+                r.dissipation += area[i] * friction_work(i);
                 break;
         }
     }

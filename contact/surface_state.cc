@@ -32,6 +32,16 @@ Scales SurfaceModel::scales() const {
             .unit_shift = displacement.x[centre]};
 }
 
+Vector2 SurfaceModel::slip(std::size_t i) const {
+    return told_slip(contact_state_[i], {slip_.x[i], slip_.y[i]});
+}
+
+double SurfaceModel::friction_work(std::size_t i) const {
+    return frictional_work(contact_state_[i],
+                           {tangential_.traction.x[i], tangential_.traction.y[i]},
+                           {slip_.x[i], slip_.y[i]});
+}
+
 Surface SurfaceModel::surface() const {
     const ContactPoints& points = this->points();
     Surface s;
@@ -52,12 +62,13 @@ Surface SurfaceModel::surface() const {
     for (auto* field : {&s.slip_x, &s.slip_y, &s.dissipation}) field->resize(bound_.size());
     for (std::size_t i = 0; i < bound_.size(); ++i) {
         s.gap[i] = coupling_.bare_height()[i] + displacement_z_[i] - normal_->indentation;
-        const Vector2 t = {tangential_.traction.x[i], tangential_.traction.y[i]};
-        const Vector2 slip = told_slip(contact_state_[i], {slip_.x[i], slip_.y[i]});
-        s.slip_x[i] = slip[0];
-        s.slip_y[i] = slip[1];
-        s.dissipation[i] = frictional_work(contact_state_[i], t, slip);
+        const Vector2 told = slip(i);
+        s.slip_x[i] = told[0];
+        s.slip_y[i] = told[1];
+        s.dissipation[i] = friction_work(i);
     }
+    s.slip_path = slip_path_;
+    s.friction_work = friction_work_;
     s.contact_state = contact_state_;
     if (s.layout != Surface::Layout::nodes) return s;
 
@@ -80,7 +91,7 @@ std::string SurfaceModel::write_state() const {
          {&normal_->pressure, &normal_->displacement, &bound_, &tangential_.traction.x,
           &tangential_.traction.y, &tangential_.displacement.x, &tangential_.displacement.y,
           &displacement_.x, &displacement_.y, &displacement_z_, &slip_.x, &slip_.y,
-          &least_pressure_})
+          &least_pressure_, &slip_path_, &friction_work_})
         out.add(*field);
     for (const double value : {phase_, normal_->indentation, normal_->length, normal_->force,
                                normal_->residual, tangential_.residual, tangential_.force_residual,
@@ -101,10 +112,11 @@ void SurfaceModel::read_state(std::string_view bytes) {
     StateReader in(bytes);
     NormalSolution normal;
     for (Vector2* v : {&offset_, &shift_, &tangential_.shift_increment}) in.get(*v);
-    for (auto* field : {&normal.pressure, &normal.displacement, &bound_, &tangential_.traction.x,
-                        &tangential_.traction.y, &tangential_.displacement.x,
-                        &tangential_.displacement.y, &displacement_.x, &displacement_.y,
-                        &displacement_z_, &slip_.x, &slip_.y, &least_pressure_})
+    for (auto* field :
+         {&normal.pressure, &normal.displacement, &bound_, &tangential_.traction.x,
+          &tangential_.traction.y, &tangential_.displacement.x, &tangential_.displacement.y,
+          &displacement_.x, &displacement_.y, &displacement_z_, &slip_.x, &slip_.y,
+          &least_pressure_, &slip_path_, &friction_work_})
         in.get(*field);
     for (double* value : {&phase_, &normal.indentation, &normal.length, &normal.force,
                           &normal.residual, &tangential_.residual, &tangential_.force_residual,

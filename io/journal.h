@@ -42,6 +42,7 @@ class JournalledModel final : public contact::Model {
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override;
     void start_limit() override;
+    void start_period() override { model_->start_period(); }  // its sums are part of the state
 
     std::string name() const override { return model_->name(); }
     bool is_coupled() const override { return model_->is_coupled(); }

@@ -32,6 +32,8 @@ void add_fields(vtkFieldData& data, const Surface& s) {
     add_scalar(data, "gap_m", s.gap, n);
     add_vector(data, "slip_m", {s.slip_x, s.slip_y, {}}, n);
     add_scalar(data, "dissipation_J_per_m2", s.dissipation, n);
+    add_scalar(data, "slip_path_m", s.slip_path, n);
+    add_scalar(data, "friction_work_J_per_m2", s.friction_work, n);
     std::vector<std::uint8_t> states;
     for (const auto state : s.contact_state) states.push_back(static_cast<std::uint8_t>(state));
     add_bytes(data, "contact_state", states, n);

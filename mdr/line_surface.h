@@ -10,7 +10,11 @@ namespace tricontact::mdr {
 /// A picture needs no more points; their transforms cost points times pieces.
 inline constexpr int most_surface_points = 500, most_surface_pieces = 250;
 
-/// Gives every field of a surface in line layout its length, zero; all open.
+/// Gives every field of a surface in line layout its length, zero; all open. `slip_path` and
+/// `friction_work` stay empty, since springs are no points of the surface and have no area: before
+/// rolling, a point at r slips by 2/pi ∫_0^r s(x)/sqrt(r^2 - x^2) dx of the springs' slips s, a
+/// mean over parts of either sign (Popov and Hess 2015), from which no sum of |s| gives its path;
+/// once the contact has rolled, no radius belongs to a spring.
 void resize_fields(contact::Surface& surface);
 
 /// What springs or elements on a line show, one value each.

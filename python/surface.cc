@@ -21,7 +21,7 @@ struct Field {
     std::vector<double> Surface::*values;
 };
 
-constexpr std::array<Field, 16> fields{{
+constexpr std::array<Field, 18> fields{{
     {"normal_traction_Pa", &Surface::normal_traction},
     {"tangential_traction_x_Pa", &Surface::tangential_traction_x},
     {"tangential_traction_y_Pa", &Surface::tangential_traction_y},
@@ -33,6 +33,8 @@ constexpr std::array<Field, 16> fields{{
     {"slip_x_m", &Surface::slip_x},
     {"slip_y_m", &Surface::slip_y},
     {"dissipation_J_per_m2", &Surface::dissipation},
+    {"slip_path_m", &Surface::slip_path},
+    {"friction_work_J_per_m2", &Surface::friction_work},
     {"normal_traction_consistent_Pa", &Surface::normal_traction_consistent},
     {"tangential_traction_x_consistent_Pa", &Surface::tangential_traction_x_consistent},
     {"tangential_traction_y_consistent_Pa", &Surface::tangential_traction_y_consistent},

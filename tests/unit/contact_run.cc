@@ -36,14 +36,18 @@ class GeometricModel final : public contact::Model {
             record.dissipation = 10 * (shift_ - before);
         }
         record.shift[0] = shift_;
+        path_ += shift_ - before;
         audit_.record("sound", step.phase > fails_after ? 2e-3 : 0, 1e-6);
         return record;
     }
     void release() override { shift_ = 0; }
+    void start_period() override { path_ = 0; }
     contact::Scales scales() const override { return {20, 1, 1, 1, 1}; }
     contact::Surface surface() const override {
         contact::Surface s;
         s.offset = steps.back().offset;
+        s.slip_path = {path_ / 2, path_, 0};
+        s.friction_work = {0, path_, 7 * path_};
         return s;
     }
     double limit_tangential_ratio() const override { return limit_started_at / 100.; }
@@ -56,7 +60,7 @@ class GeometricModel final : public contact::Model {
     static constexpr int steps_per_period = 8;
 
   private:
-    double ratio_, shift_ = 0;
+    double ratio_, shift_ = 0, path_ = 0;
     contact::Audit audit_;
 };
 
@@ -93,6 +97,8 @@ TEST(Run, KeepsTheBooks) {
         shift += .1 * std::pow(.9, n);
         EXPECT_NEAR(h.shift_per_period[n - 1], shift, 1e-14);
         EXPECT_NEAR(h.dissipation_per_period[n - 1], std::pow(.9, n), 1e-13);
+        EXPECT_NEAR(h.slip_path_per_period.at(n - 1), .1 * std::pow(.9, n), 1e-14);
+        EXPECT_NEAR(h.friction_work_per_period.at(n - 1), .7 * std::pow(.9, n), 1e-13);
         // roller upright at the end of each period, phases count on
         EXPECT_EQ(h.steps[1 + 8 * n].phase, n);
         EXPECT_EQ(model.steps[1 + 8 * n].offset[0], 0);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bem/model.h"
@@ -40,6 +41,11 @@ std::vector<LoadStep> steps_of(const Case& c) {
             steps.push_back(step);
         }
     return steps;
+}
+
+/// Of steps_of(), by turning points.
+bool starts_period(std::size_t step) {
+    return step >= 2 && (step - 2) % 4 == 0;
 }
 
 std::unique_ptr<contact::Model> make_layer(const Case& c) {
@@ -88,13 +94,38 @@ TEST(SurfaceModel, GoesOnFromItsBytes) {
     const auto model = make_layer(c), resumed = make_layer(c);
     const auto steps = steps_of(c);
     for (std::size_t k = 0; k < steps.size(); ++k) {
+        for (auto* each : {model.get(), resumed.get()})
+            if (starts_period(k)) each->start_period();
         model->advance(steps[k]);
         if (k < steps.size() / 2)
             resumed->read_state(model->write_state());
         else
             resumed->advance(steps[k]);
         ASSERT_EQ(resumed->write_state(), model->write_state()) << k;
+        ASSERT_EQ(resumed->surface().slip_path, model->surface().slip_path) << k;
+        ASSERT_EQ(resumed->surface().friction_work, model->surface().friction_work) << k;
     }
+}
+
+// The work on all points is what friction dissipates in the period, each period from zero.
+TEST(SurfaceModel, FrictionalWorkOfAllPointsIsTheDissipationOfThePeriod) {
+    Case c = layer_case();
+    c.rolling->periods = 3;
+    c.rolling->run_all = true;
+    const auto history = contact::run(c, *make_layer(c));
+    EXPECT_TRUE(history.snapshots.front().surface.slip_path.empty());  // not yet rolling
+    int n_ends = 0;
+    for (const auto& [phase, s] : history.snapshots) {
+        if (phase != std::round(phase) || phase == 0) continue;
+        const std::size_t n = std::lround(phase) - 1;
+        double work = 0;
+        for (const double each : s.friction_work) work += s.spacing[0] * s.spacing[1] * each;
+        EXPECT_NEAR(work / history.dissipation_per_period[n], 1, 1e-12) << n;  // rounding of sums
+        EXPECT_EQ(history.slip_path_per_period.at(n), std::ranges::max(s.slip_path));
+        EXPECT_EQ(history.friction_work_per_period.at(n), std::ranges::max(s.friction_work));
+        ++n_ends;
+    }
+    EXPECT_EQ(n_ends, 3);
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ class FakeModel final : public contact::Model {
                    (control.kind == contact::TangentialControl::Kind::force ? 1 : 6);
         state_ = 0.9 * state_ + (step.friction ? sum : sum / 3);
         least_ = std::min(least_, state_);
+        path_ += state_;
         return record(step);
     }
     bool is_coupled() const override { return true; }
@@ -50,6 +51,7 @@ class FakeModel final : public contact::Model {
     }
     double limit_tangential_ratio() const override { return least_; }
     void start_limit() override { least_ = state_; }
+    void start_period() override { path_ = 0; }
     std::unique_ptr<const contact::Interior> interior() override {
         auto in = std::make_unique<contact::Interior>();
         in->strain_energy = state_;
@@ -57,15 +59,17 @@ class FakeModel final : public contact::Model {
     }
     std::string write_state() const override {
         if (!with_state_) return {};
-        std::string bytes(16, '\0');
+        std::string bytes(24, '\0');
         std::memcpy(bytes.data(), &state_, 8);
         std::memcpy(bytes.data() + 8, &least_, 8);
+        std::memcpy(bytes.data() + 16, &path_, 8);
         return bytes;
     }
     void read_state(std::string_view bytes) override {
-        ASSERT_EQ(bytes.size(), 16U);
+        ASSERT_EQ(bytes.size(), 24U);
         std::memcpy(&state_, bytes.data(), 8);
         std::memcpy(&least_, bytes.data() + 8, 8);
+        std::memcpy(&path_, bytes.data() + 16, 8);
     }
     const contact::Audit& audit() const override { return audit_; }
 
@@ -87,7 +91,7 @@ class FakeModel final : public contact::Model {
 
     Count& count_;
     bool with_state_;
-    double state_ = 0, least_ = 1e300;
+    double state_ = 0, least_ = 1e300, path_ = 0;
     contact::Audit audit_;
 };
 

@@ -43,7 +43,7 @@ void expect_same(const StepRecord& a, const StepRecord& b) {
 }
 
 // A run: a trial press, release, then a path; all controls appear. Calls 0 ... n_calls - 1.
-constexpr int n_calls = 10, release_at = 1, limit_at = 5;
+constexpr int n_calls = 10, release_at = 1, limit_at = 5, period_at = 7;
 constexpr int n_steps = n_calls - 2;
 
 LoadStep step_of(int i) {
@@ -66,7 +66,9 @@ struct Outcome {
     std::string state;
 };
 
+// A period begins before step `period_at`; the journal has no entry for it.
 void call(contact::Model& model, int i, const LoadStep& step, Outcome& out) {
+    if (i == period_at) model.start_period();
     if (i == release_at)
         model.release();
     else if (i == limit_at)

@@ -70,8 +70,8 @@ Surface element_surface() {
     for (auto* values :
          {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y, &s.friction_bound,
           &s.displacement_x, &s.displacement_y, &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y,
-          &s.dissipation, &s.normal_traction_consistent, &s.tangential_traction_x_consistent,
-          &s.tangential_traction_y_consistent}) {
+          &s.dissipation, &s.slip_path, &s.friction_work, &s.normal_traction_consistent,
+          &s.tangential_traction_x_consistent, &s.tangential_traction_y_consistent}) {
         ++field;
         for (int i = 0; i < 15; ++i) values->push_back(field + i / 17.);
     }
@@ -103,6 +103,8 @@ TEST_F(VtkElements, AnElementSurfaceReadsBackExactlyAsPointDataOfQuadrilaterals)
     expect_scalar(data, "gap_m", s.gap);
     expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
     expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
+    expect_scalar(data, "slip_path_m", s.slip_path);
+    expect_scalar(data, "friction_work_J_per_m2", s.friction_work);
     expect_bytes(data, "contact_state", {0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2});
     expect_numbers(grid->GetFieldData(), "TimeValue", {1. / 3});
     expect_numbers(grid->GetFieldData(), "indenter_position_m", {0.0011, -0.0007, 0});
@@ -124,16 +126,17 @@ TEST_F(VtkElements, NodesOfAQuadrilateralStandInVtksOrder) {
     EXPECT_NEAR(x[1], 1.5 / 7e3, 1e-18);
 }
 
-TEST_F(VtkElements, TractionsThatAModelLacksAreLeftOut) {
+TEST_F(VtkElements, FieldsThatAModelLacksAreLeftOut) {
     Surface s = element_surface();
-    s.normal_traction_consistent.clear();
-    s.tangential_traction_x_consistent.clear();
-    s.tangential_traction_y_consistent.clear();
+    for (auto* field : {&s.slip_path, &s.friction_work, &s.normal_traction_consistent,
+                        &s.tangential_traction_x_consistent, &s.tangential_traction_y_consistent})
+        field->clear();
     VtkSeries out = series("surface");
     out.add(0, s);
     vtkPointData* data = read("surface_000000.vtu")->GetPointData();
-    EXPECT_FALSE(data->GetArray("normal_traction_consistent_Pa"));
-    EXPECT_FALSE(data->GetArray("tangential_traction_consistent_Pa"));
+    for (const char* name : {"slip_path_m", "friction_work_J_per_m2",
+                             "normal_traction_consistent_Pa", "tangential_traction_consistent_Pa"})
+        EXPECT_FALSE(data->GetArray(name)) << name;
     EXPECT_TRUE(data->GetArray("normal_traction_Pa"));
 }
 

@@ -43,9 +43,10 @@ Surface surface_of(Surface::Layout layout, int n_x, int n_y) {
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = field + static_cast<double>(i) / 7;
     };
-    for (auto* values : {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y,
-                         &s.friction_bound, &s.displacement_x, &s.displacement_y, &s.displacement_z,
-                         &s.gap, &s.slip_x, &s.slip_y, &s.dissipation})
+    for (auto* values :
+         {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y, &s.friction_bound,
+          &s.displacement_x, &s.displacement_y, &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y,
+          &s.dissipation, &s.slip_path, &s.friction_work})
         fill(*values);
     if (layout == Surface::Layout::line)
         for (auto* values : {&s.normal_line_load, &s.tangential_line_load}) fill(*values);
@@ -65,6 +66,8 @@ void expect_fields(vtkFieldData* data, const Surface& s) {
     expect_scalar(data, "gap_m", s.gap);
     expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
     expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
+    expect_scalar(data, "slip_path_m", s.slip_path);
+    expect_scalar(data, "friction_work_J_per_m2", s.friction_work);
     vtkDataArray* states = data->GetArray("contact_state");
     ASSERT_TRUE(states);
     EXPECT_EQ(states->GetDataType(), VTK_UNSIGNED_CHAR);

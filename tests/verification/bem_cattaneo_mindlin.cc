@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "contact/load_path.h"
 #include "tests/verification/bem_rig.h"
@@ -46,6 +47,14 @@ class Loaded {
         contact::LoadStep step = contact::press_step(case_);
         step.tangential[0].value = f * case_.friction_coefficient * hertz_.normal_force;
         return model_->advance(step);
+    }
+    /// Of the cycle from f to -f and back in equal steps, once the contact has been at f.
+    contact::Surface cycle_surface(double f, int steps_per_half = 1) {
+        load(f);
+        model_->start_period();
+        for (const double from : {f, -f})
+            for (int k = 1; k <= steps_per_half; ++k) load(from * (1 - 2. * k / steps_per_half));
+        return surface();
     }
     contact::Surface surface() const { return model_->surface(); }
     const contact::HalfSpaceScales& hertz() const { return hertz_; }
@@ -122,6 +131,66 @@ TEST(BemCattaneoMindlin, CycleDissipation) {
         EXPECT_NEAR(Loaded(equal_bodies(0, f, 22.5)).cycle_ratio(f), 1, 2e-3) << f;
         EXPECT_NEAR(Loaded(equal_bodies(0, f, 45)).cycle_ratio(f), 1, 5e-4) << f;
     }
+}
+
+/// Slip over U_max at rho > c/a under F_T applied once: U less the displacements under the two
+/// elliptic tractions, Johnson (1985), eqs. 3.42. In a cycle between -f and f each half slips by
+/// twice that, always one way.
+double annulus_slip(double rho, double f) {
+    const double c = theory::stick_radius_ratio(f);
+    if (rho <= c) return 0;
+    return ((rho * rho - 2 * c * c) * std::acos(c / rho) + c * std::sqrt(rho * rho - c * c)) /
+           std::numbers::pi;
+}
+
+struct CycleError {
+    double path, work;  // of all points, over the values at the edge and at rho = (1 + c/a)/2
+};
+
+/// Root mean squares over all points of six grids, see mean_shift_error().
+CycleError cycle_error(double f, double cells_per_radius) {
+    double path = 0, work = 0;
+    int n = 0;
+    for (int g = 0; g < 6; ++g) {
+        Loaded contact(equal_bodies(0, f, cells_per_radius * (1 + g / 48.)));
+        const auto s = contact.cycle_surface(f);
+        auto due_work = [&](double rho) {
+            return contact.peak_bound() * std::sqrt(std::max(0., 1 - rho * rho)) * 4 *
+                   annulus_slip(rho, f) * contact.hertz().unit_shift;
+        };
+        const double most_work = due_work((1 + theory::stick_radius_ratio(f)) / 2);
+        for (int j = 0; j < s.n_y; ++j)
+            for (int i = 0; i < s.n_x; ++i) {
+                const double rho = std::hypot(s.x(i), s.y(j)) / contact.hertz().contact_radius;
+                if (rho >= 1) continue;
+                const std::size_t k = j * s.n_x + i;
+                const double slip = s.slip_path[k] / contact.hertz().unit_shift / 4;
+                path += std::pow((slip - annulus_slip(rho, f)) / annulus_slip(1, f), 2);
+                work += std::pow((s.friction_work[k] - due_work(rho)) / most_work, 2);
+                ++n;
+            }
+    }
+    return {std::sqrt(path / n), std::sqrt(work / n)};
+}
+
+TEST(BemCattaneoMindlin, SlipPathAndWorkOfACycle) {
+    for (const double f : {.56, .9}) {
+        const CycleError coarse = cycle_error(f, 8), fine = cycle_error(f, 32);
+        EXPECT_LT(fine.path, 1e-3) << f;
+        EXPECT_LT(fine.work, .02) << f;
+        // Over two doublings. Slip: second order, as the shift. Work: cells cut by the contact's
+        // edge, a part h of all, are off by sqrt(h): first order of the mean square's root.
+        EXPECT_GT(std::log2(coarse.path / fine.path) / 2, 1.5) << f;
+        EXPECT_NEAR(std::log2(coarse.work / fine.work) / 2, 1, .2) << f;
+    }
+}
+
+TEST(BemCattaneoMindlin, SlipPathOfACycleInManySteps) {
+    const auto once = Loaded(equal_bodies(0, .7, 12)).cycle_surface(.7);
+    const auto often = Loaded(equal_bodies(0, .7, 12)).cycle_surface(.7, 9);
+    const double most = std::ranges::max(once.slip_path);
+    for (std::size_t k = 0; k < once.size(); ++k)  // slip below ten tolerances, 1e-6, is none
+        ASSERT_NEAR(often.slip_path[k] / most, once.slip_path[k] / most, 2e-5) << k;
 }
 
 struct Neglected {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -88,6 +89,25 @@ TEST(BemSteps, TurningPointsSettleWhereFineStepsDo) {
     c.rolling->steps_per_quarter = 6;
     // Uncoupled shakedown depends on the turning points only; the rest is solver tolerance.
     EXPECT_NEAR(final_ratio(run_bem(c)), coarse, 1e-4);
+}
+
+// Below the limit everything sticks in the end: points slip less from period to period, then not at
+// all. Above it the indenter moves on over all points, and slips back and forth on the way.
+TEST(BemSlipPath, GoesToZeroInShakedownAndBeyondTheIncrementInRatcheting) {
+    contact::Case c = rig_case(.24, .56, 40);
+    c.bem.spacing = 5e-4;
+    const contact::History settled = run_bem(c);
+    const auto& path = settled.slip_path_per_period;
+    ASSERT_EQ(path.size(), settled.shift_per_period.size());
+    EXPECT_TRUE(std::is_sorted(path.rbegin(), path.rend()));
+    EXPECT_GT(path.front(), .05 * settled.scales.unit_shift);
+    EXPECT_EQ(path.back(), 0);
+    EXPECT_EQ(settled.friction_work_per_period.back(), 0);
+    c = rig_case(.24, .8, 6);
+    c.bem.spacing = 5e-4;
+    const contact::History ratchets = run_bem(c);
+    EXPECT_GT(ratchets.slip_path_per_period.back(),
+              increment_ratio(ratchets) * ratchets.scales.unit_shift);
 }
 
 TEST(BemSteps, ObliqueRollingLiesBetween) {
