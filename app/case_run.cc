@@ -28,9 +28,8 @@ CaseRun run_models(const contact::Case& c, const RunOptions& options, const Say&
 std::string summary_of(const CaseRun& run) {
     using json = nlohmann::ordered_json;
     const contact::Case& c = run.c;
-    std::vector<comparisons::ModelSummary> summaries;
-    for (const contact::History& history : run.histories)
-        summaries.push_back(comparisons::summarise(c, history));
+    std::vector<comparisons::Results> summaries;
+    for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
     return comparisons::summary_json(
         TRICONTACT_VERSION, case_json(run.resolved), summaries,

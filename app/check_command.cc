@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/models.h"
 #include "app/walk_text.h"
+#include "comparisons/quantities/glossary.h"
 #include "comparisons/reference.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "contact/error.h"
@@ -94,8 +95,14 @@ void list_command(const std::optional<std::string>& given) {
     }
 }
 
-void keys_command(bool walking) {
-    std::cout << io::key_reference(walking ? io::walk_key_list() : io::case_key_list());
+void keys_command(const std::string& kind) {
+    if (kind == "results")
+        std::cout << comparisons::glossary();
+    else if (kind == "summary")
+        std::cout << comparisons::summary_keys();
+    else
+        std::cout << io::key_reference(kind == "walking" ? io::walk_key_list()
+                                                         : io::case_key_list());
 }
 
 }  // namespace tricontact::app

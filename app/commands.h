@@ -218,9 +218,9 @@ struct IdentifyOptions {
 /// prints a table and the answer to standard output. Throws InputError, NotConverged.
 void identify_command(const IdentifyOptions& options);
 
-/// Prints the reference of all keys of case files, or of those of walking machines, as Markdown to
-/// standard output.
-void keys_command(bool walking);
+/// Prints a reference as Markdown to standard output: all keys of "case" files, of "walking" machines,
+/// all "results", or those of "summary".json.
+void keys_command(const std::string& kind);
 
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those
 /// below "cases" if there is one. Throws InputError.

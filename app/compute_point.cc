@@ -6,7 +6,6 @@
 
 #include "app/case_run.h"
 #include "app/run_model.h"
-#include "comparisons/point_results.h"
 #include "io/atomic_file.h"
 #include "io/case_writer.h"
 
@@ -36,7 +35,7 @@ json computed(const SweepPoint& point, const std::string& folder) {
     const contact::History history =
         folder.empty() ? history_of(point.model, point.c, 1, [](const std::string&) {})
                        : history_with_files(point, folder);
-    return {{"results", comparisons::point_results(point.c, history)},
+    return {{"results", comparisons::stored_results({point.c, history})},
             {"cpu_s", history.cpu_s},
             {"wall_s", history.wall_s}};
 }
@@ -58,6 +57,10 @@ std::string compute_point(const SweepPoint& point, const std::string& folder) no
     } catch (const std::exception& error) {
         return failed(error.what());
     }
+}
+
+comparisons::Results results_of(const io::PointOutcome& outcome) {
+    return comparisons::read_stored_results(json::parse(*outcome.results));
 }
 
 io::PointOutcome outcome_of(const SweepPoint& point, const WorkerReport& report) {

@@ -4,6 +4,7 @@
 
 #include "app/sweep_points.h"
 #include "app/worker_pool.h"
+#include "comparisons/quantities/results.h"
 #include "io/result_store.h"
 
 namespace tricontact::app {
@@ -15,6 +16,9 @@ std::string surface_file(const SweepPoint& point);
 /// folder of a sweep it also writes the point's files: resolved case, history, ParaView. Throws
 /// nothing.
 std::string compute_point(const SweepPoint& point, const std::string& folder) noexcept;
+
+/// What a point that did not fail gave.
+comparisons::Results results_of(const io::PointOutcome& outcome);
 
 /// What that line, or the end of the process that should have written it, says of the point.
 io::PointOutcome outcome_of(const SweepPoint& point, const WorkerReport& report);

@@ -6,7 +6,7 @@
 #include "app/sweep_points.h"
 #include "app/sweep_report.h"
 #include "app/sweep_table.h"
-#include "comparisons/point_results.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/sweep_document.h"
 #include "contact/error.h"
 
@@ -56,7 +56,10 @@ class ContactStudy : public StudyRun {
             TableRow& row = rows.emplace_back(point.values, point.key);
             row.fields.insert(row.fields.end(), {point.model, std::to_string(point.level)});
         }
-        return sweep_table(headings, comparisons::point_result_names(), rows, store);
+        std::vector<std::string> names;
+        for (const auto* quantity : comparisons::column_quantities())
+            names.emplace_back(quantity->key);
+        return sweep_table(headings, names, rows, store);
     }
 
     comparisons::Document report(const io::ResultStore& store,

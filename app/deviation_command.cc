@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/compute_point.h"
 #include "app/point_runs.h"
 #include "comparisons/deviation_output.h"
 #include "contact/error.h"
@@ -59,8 +59,8 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const auto outcome = store.find(points[i].key);
         results.push_back({runs[i], outcome && outcome->results
-                                        ? nlohmann::ordered_json::parse(*outcome->results)
-                                        : nullptr});
+                                        ? std::optional(results_of(*outcome))
+                                        : std::nullopt});
     }
     comparisons::add_rolled(results, deviation);
 }

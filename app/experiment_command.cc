@@ -145,8 +145,11 @@ class Predictions {
     void add_shift(const std::string& name, const Case& c) {
         say(fmt::format("{}: {} periods", name, evaluation_.periods));
         const contact::History history = run(name, c);
-        comparisons::ModelPrediction prediction{
-            name, shift_of(history), history.verdict.state, comparisons::model_wobble(c, history), {}};
+        comparisons::ModelPrediction prediction{name,
+                                                shift_of(history),
+                                                history.verdict.state,
+                                                comparisons::model_wobble(c, history),
+                                                {}};
         const Loads loads{history.friction_limit / c.friction_coefficient, history.amplitude};
         const Case set = comparisons::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
         for (const CaseQuantity& quantity : quantities_of(input_, c, loads))

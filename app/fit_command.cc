@@ -5,9 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/compute_point.h"
 #include "app/point_runs.h"
 #include "app/sweep_points.h"
 #include "comparisons/line_fit_document.h"
@@ -85,13 +85,14 @@ std::optional<double> line_shift_factor(const io::Study& study,
     return factor;
 }
 
-RollingRun run_of(const io::Study& study, const SweepPoint& point, const std::string& results) {
+RollingRun run_of(const io::Study& study, const SweepPoint& point,
+                  const comparisons::Results& results) {
     RollingRun run{.model = point.model,
                    .group = comparisons::direction_name(point.c.rolling->angle),
                    .point = {},
                    .angle = point.c.rolling->angle,
                    .level = point.level,
-                   .results = nlohmann::ordered_json::parse(results)};
+                   .results = results};
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
         const io::Key& key = *study.axes[i].key;
         if (is_one_of(key.path, step_keys)) continue;
@@ -100,10 +101,8 @@ RollingRun run_of(const io::Study& study, const SweepPoint& point, const std::st
         if (!is_one_of(key.path, variables) && key.path != angle_key)
             run.group = joined(run.group, item);
     }
-    const auto amplitude = run.results.find("amplitude_m");
-    if (amplitude != run.results.end() && amplitude->is_number())
-        run.steps_per_quarter =
-            contact::steps_in_quarter(*point.c.rolling, amplitude->get<double>());
+    if (const auto amplitude = results.number(comparisons::quantities::amplitude))
+        run.steps_per_quarter = contact::steps_in_quarter(*point.c.rolling, *amplitude);
     return run;
 }
 
@@ -122,7 +121,7 @@ std::vector<RollingRun> stored_runs(const io::Study& study, const std::vector<Sw
         const auto found = store.find(point.key);
         n_missing += !found;
         n_failed += found && !found->results;
-        if (found && found->results) runs.push_back(run_of(study, point, *found->results));
+        if (found && found->results) runs.push_back(run_of(study, point, results_of(*found)));
     }
     if (n_missing > 0)
         throw contact::InputError(

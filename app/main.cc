@@ -217,10 +217,12 @@ struct ListOptions {
 
 void add_references(Commands& commands) {
     commands
-        .add<KeysOptions>("keys", "Print the reference of all keys of an input file",
-                          [](const auto& o) { keys_command(o.kind == "walking"); })
-        .word("kind", &KeysOptions::kind, "case, or walking for the micro-walking machine",
-              {"case", "walking"});
+        .add<KeysOptions>("keys",
+                          "Print the reference of all keys of an input file, or of all results",
+                          [](const auto& o) { keys_command(o.kind); })
+        .word("kind", &KeysOptions::kind,
+              "case, walking for the micro-walking machine, results, or summary",
+              {"case", "walking", "results", "summary"});
     commands
         .add<ListOptions>("list", "List the models and the case files of a folder",
                           [](const auto& o) { list_command(o.folder); })

@@ -23,7 +23,7 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::LevelValues;
+using comparisons::Results;
 using json = nlohmann::ordered_json;
 
 const std::string version = TRICONTACT_VERSION;
@@ -32,7 +32,7 @@ const std::vector<std::string> results{resolved_case_name, "report.html", "refin
 
 /// The numbers of a finished level.
 struct Finished {
-    LevelValues values;
+    Results values;
     double cpu_s = 0;
 };
 
@@ -51,7 +51,7 @@ std::string read_text(const std::string& path) {
 json document_of(const Level& level, const Finished& done) {
     json document{{"version", version},     {"numerics", numerics_digest()},
                   {"case", level.resolved}, {"files", file_digests(level.c)},
-                  {"cpu_s", done.cpu_s},    {"values", done.values}};
+                  {"cpu_s", done.cpu_s},    {"values", comparisons::stored_results(done.values)}};
     document["digest"] = files::digest_of(document.dump());
     return document;
 }
@@ -80,7 +80,7 @@ class Levels {
         return run_model(options_.model, level.c, level.resolved, options, study);
     }
     Finished keep(const Level& level, const contact::History& history) const {
-        const Finished done{comparisons::level_values(level.c, history), history.cpu_s};
+        const Finished done{Results(level.c, history), history.cpu_s};
         io::write_file(file(level), document_of(level, done).dump(2) + "\n");
         return done;
     }
@@ -88,7 +88,7 @@ class Levels {
         const json found = json::parse(read_text(file(level)), nullptr, false);
         if (found.is_discarded() || !found.is_object()) return {};
         try {
-            const Finished done{found.at("values").get<LevelValues>(),
+            const Finished done{comparisons::read_stored_results(found.at("values")),
                                 found.at("cpu_s").get<double>()};
             if (found != document_of(level, done)) return {};
             say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
@@ -164,7 +164,7 @@ comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
     }
     comparisons::ReportExtras extras;
     const contact::History history = levels.run(finest, &extras.study);
-    const Finished done{comparisons::level_values(finest.c, history), history.cpu_s};
+    const Finished done{Results(finest.c, history), history.cpu_s};
     add(finest, done, refined);
     extras.refinement = make_refinement(refined);
     write_report(finest, history, extras, output);

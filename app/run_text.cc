@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "comparisons/format.h"
-#include "comparisons/summary.h"
+#include "comparisons/quantities/results.h"
 
 namespace tricontact::app {
 
@@ -20,24 +20,28 @@ std::string metres(double value) {
     return fmt::format("{:.3g} {}", value / unit.factor, symbol);
 }
 
-std::string line_of(const comparisons::ModelSummary& s) {
-    std::string line = s.model + ": ";
-    if (s.state) fmt::format_to(std::back_inserter(line), "{}, ", contact::name_of(*s.state));
-    if (s.state || s.final_shift != 0)
-        fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", metres(s.final_shift),
-                       s.final_shift_ratio);
+std::string line_of(const comparisons::Results& r) {
+    using namespace comparisons::quantities;
+    std::string line = r.model + ": ";
+    const auto length = [&r](const comparisons::Quantity& q) {
+        return metres(r.number(q).value_or(0));
+    };
+    if (const auto state = r.state())
+        fmt::format_to(std::back_inserter(line), "{}, ", contact::name_of(*state));
+    if (r.state() || r.number(final_shift) != 0.)
+        fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
+                       r.number(final_shift_ratio).value_or(0));
     else
-        fmt::format_to(std::back_inserter(line), "d = {}, a = {}", metres(s.indentation),
-                       metres(s.contact_radius));
-    return line + fmt::format("; {:.1f} s\n", s.wall_s);
+        fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(indentation),
+                       length(contact_radius));
+    return line + fmt::format("; {:.1f} s\n", r.number(wall_time).value_or(0));
 }
 
 }  // namespace
 
 std::string run_text(const CaseRun& run) {
     std::string text;
-    for (const contact::History& history : run.histories)
-        text += line_of(comparisons::summarise(run.c, history));
+    for (const contact::History& history : run.histories) text += line_of({run.c, history});
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include "comparisons/deviation_output.h"
 #include "comparisons/deviation_rows.h"
 #include "comparisons/format.h"
+#include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons {
 
@@ -91,14 +92,15 @@ DocumentTable rolled_table(const HalfSpaceDeviation& deviation) {
             "Layer over half-space of the same nu and coupling, minus 1, in percent, with the "
             "numerical error. Empty: not defined, such as the settled shift of what ratchets. "
             "State: of the run that settles on the half-space.",
-        .columns = {{"b/D_c", 3}, {"nu"}, {"coupling"}, {"state"}},
+        .columns = {{"b/D_c", 3}, {"nu"}, {"coupling"}, {quantities::state.key}},
         .rows = {}};
     for (const RolledQuantity q : rolled_quantities())
         table.columns.push_back({describe(q).symbol, 3});
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points) {
             std::vector<Cell> row{point.body.thickness_ratio, curve.poisson,
-                                  std::string(curve.coupled ? "yes" : "no"), point.state};
+                                  std::string(curve.coupled ? "yes" : "no"),
+                                  std::string(point.state ? contact::name_of(*point.state) : "")};
             for (const auto& ratio : point.ratios) row.push_back(percent_cell(ratio, true));
             table.rows.push_back(row);
         }

@@ -119,7 +119,7 @@ std::vector<Figure> material_figures(const HalfSpaceDeviation& deviation) {
     std::vector<Figure> figures;
     for (const ExactQuantity q : {ExactQuantity::indentation, ExactQuantity::unit_shift}) {
         Figure figure = over_thickness(
-            fmt::format("materials_{}", describe(q).key),
+            fmt::format("materials_{}", ratio_key(describe(q))),
             fmt::format("{} by Poisson's ratio and base", describe(q).symbol),
             fmt::format("Exact {} of the layer over that of the half-space of the same material "
                         "under the same force; bonded base where nothing else is said.",
@@ -146,7 +146,7 @@ std::vector<Figure> map_figures(const HalfSpaceDeviation& deviation) {
             contours.values.push_back(100 * (*ratios.at(i) - 1));
         contours.levels = map_levels;
         Figure figure = over_thickness(
-            fmt::format("map_{}", describe(q).key),
+            fmt::format("map_{}", ratio_key(describe(q))),
             fmt::format("{}: {}", describe(q).symbol, describe(q).name),
             "Layer over half-space minus 1 in percent, exact, bonded base, same force.",
             {"Poisson ratio nu [-]"});
@@ -165,7 +165,7 @@ std::vector<Figure> rolled_figures(const HalfSpaceDeviation& deviation) {
     std::vector<Figure> figures;
     for (const RolledQuantity q : rolled_quantities()) {
         Figure figure = over_thickness(
-            fmt::format("computed_{}", describe(q).key),
+            fmt::format("computed_{}", ratio_key(describe(q))),
             fmt::format("{}: {}", describe(q).symbol, describe(q).name),
             fmt::format(
                 "Boundary elements of the bonded layer over those of the half-space, "

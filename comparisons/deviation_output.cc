@@ -8,6 +8,7 @@
 #include "comparisons/deviation_rows.h"
 #include "comparisons/format.h"
 #include "comparisons/json_number.h"
+#include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons {
 
@@ -24,9 +25,10 @@ struct Body {
     std::string coupled;
 };
 
-std::string row(const Body& body, const DeviationQuantity& q, double ratio, double error) {
+std::string row(const Body& body, const Quantity& q, double ratio, double error) {
     return csv_line({body.part, name_of(body.base), csv_field(body.poisson), body.coupled,
-                     csv_field(body.thickness_ratio), q.key, csv_field(ratio), csv_field(error)});
+                     csv_field(body.thickness_ratio), ratio_key(q), csv_field(ratio),
+                     csv_field(error)});
 }
 
 std::string rows(const Body& body, const ExactRatios& ratios) {
@@ -56,7 +58,7 @@ json needed_json(const NeededThicknesses& needed) {
 json rows_json(const HalfSpaceDeviation& deviation) {
     json result = json::object();
     for (const DeviationRow& r : rows_here(deviation))
-        result[r.computed ? "computed" : "exact"][r.quantity->key] = ratio_json(r.ratio);
+        result[r.computed ? "computed" : "exact"][ratio_key(*r.quantity)] = ratio_json(r.ratio);
     return result;
 }
 
@@ -64,7 +66,7 @@ json exact_curve_json(const ExactCurve& curve) {
     json needed = json::object();
     for (const ExactQuantity q : exact_quantities())
         if (const auto& n = curve.needed.at(static_cast<std::size_t>(q)))
-            needed[describe(q).key] = needed_json(*n);
+            needed[ratio_key(describe(q))] = needed_json(*n);
     return {{"part", "exact"},
             {"base", name_of(curve.base)},
             {"poisson", curve.poisson},
@@ -75,14 +77,16 @@ json rolled_curve_json(const RolledCurve& curve) {
     json needed = json::object(), points = json::array();
     for (const RolledQuantity q : rolled_quantities())
         if (const auto& n = curve.needed.at(static_cast<std::size_t>(q)))
-            needed[describe(q).key] = needed_json(*n);
+            needed[ratio_key(describe(q))] = needed_json(*n);
     for (const RolledDeviation& point : curve.points) {
         json ratios = json::object();
         for (const RolledQuantity q : rolled_quantities())
-            ratios[describe(q).key] = ratio_json(point.ratios.at(static_cast<std::size_t>(q)));
-        points.push_back({{"thickness_ratio", number(point.body.thickness_ratio)},
-                          {"state", point.state.empty() ? json() : json(point.state)},
-                          {"ratios", ratios}});
+            ratios[ratio_key(describe(q))] =
+                ratio_json(point.ratios.at(static_cast<std::size_t>(q)));
+        points.push_back(
+            {{"thickness_ratio", number(point.body.thickness_ratio)},
+             {quantities::state.key, point.state ? json(contact::name_of(*point.state)) : json()},
+             {"ratios", ratios}});
     }
     return {{"part", "computed"},       {"base", "bonded"}, {"poisson", curve.poisson},
             {"coupled", curve.coupled}, {"needed", needed}, {"points", points}};
@@ -118,23 +122,24 @@ std::string deviation_json(const std::string& version, const std::string& case_t
     for (const ExactCurve& curve : deviation.curves) curves.push_back(exact_curve_json(curve));
     for (const RolledCurve& curve : deviation.rolled) curves.push_back(rolled_curve_json(curve));
     const ApparentModuli& apparent = deviation.apparent;
-    const json document{{"version", version},
-                        {"case", case_text},
-                        {"hertz_diameter_m", number(deviation.contact.hertz_diameter)},
-                        {"normal_force_N", number(deviation.contact.normal_force)},
-                        {"thickness_ratio", number(deviation.thickness_ratio)},
-                        {"base", name_of(deviation.base)},
-                        {"tangential_ratio", number(deviation.contact.tangential_ratio)},
-                        {"amplitude_ratio", number(deviation.contact.amplitude_ratio)},
-                        {"settling_amplitude_ratio", number(deviation.amplitudes.settling)},
-                        {"ratcheting_amplitude_ratio", number(deviation.amplitudes.ratcheting)},
-                        {"layer", rows_json(deviation)},
-                        {"apparent_young_Pa",
-                         {{"from_indentation", number(apparent.from_indentation)},
-                          {"from_contact_radius", number(apparent.from_contact_radius)},
-                          {"from_unit_shift", number(apparent.from_unit_shift)}}},
-                        {"curves", curves},
-                        {"failed_runs", deviation.n_failed_runs}};
+    const json document{
+        {"version", version},
+        {"case", case_text},
+        {"hertz_diameter_m", number(deviation.contact.hertz_diameter)},
+        {quantities::normal_force.key, number(deviation.contact.normal_force)},
+        {"thickness_ratio", number(deviation.thickness_ratio)},
+        {"base", name_of(deviation.base)},
+        {quantities::tangential_ratio.key, number(deviation.contact.tangential_ratio)},
+        {quantities::amplitude_ratio.key, number(deviation.contact.amplitude_ratio)},
+        {"settling_amplitude_ratio", number(deviation.amplitudes.settling)},
+        {"ratcheting_amplitude_ratio", number(deviation.amplitudes.ratcheting)},
+        {"layer", rows_json(deviation)},
+        {"apparent_young_Pa",
+         {{"from_indentation", number(apparent.from_indentation)},
+          {"from_contact_radius", number(apparent.from_contact_radius)},
+          {"from_unit_shift", number(apparent.from_unit_shift)}}},
+        {"curves", curves},
+        {"failed_runs", deviation.n_failed_runs}};
     return document.dump(2) + "\n";
 }
 

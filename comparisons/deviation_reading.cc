@@ -103,7 +103,8 @@ std::optional<Verdict> rolled_verdict(const HalfSpaceDeviation& deviation) {
     text += differs.empty() ? "nothing differs by more than its numerical error"
                             : fmt::format("{}", fmt::join(differs, ", "));
     if (!same.empty()) text += fmt::format("; no difference in {}", fmt::join(same, ", "));
-    if (point->state == "ratcheting" && point->half_space_state == "shakedown")
+    if (point->state == contact::State::ratcheting &&
+        point->half_space_state == contact::State::shakedown)
         text += "; at w = " + significant(deviation.amplitudes.settling, 3) +
                 " it ratchets, the half-space shakes down";
     return Verdict{Standing::finding, text + "."};
@@ -132,7 +133,7 @@ std::string deviation_text(const HalfSpaceDeviation& deviation) {
                 needed.push_back(needed_text(n, thinnest_of(deviation, row)));
         text += fmt::format(
             "{:<34}{:>10}{:>11}   {}\n",
-            fmt::format("{} ({})", row.quantity->key, row.quantity->symbol),
+            fmt::format("{} ({})", ratio_key(*row.quantity), row.quantity->symbol),
             row.ratio ? fmt::format("{:.4f}", row.ratio->value) : "-",
             !row.computed ? "exact" : (row.ratio ? fmt::format("{:.4f}", row.ratio->error) : "-"),
             needed.empty() ? "-" : fmt::format("{}", fmt::join(needed, ", ")));

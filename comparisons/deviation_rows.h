@@ -10,7 +10,7 @@ namespace tricontact::comparisons {
 
 /// One quantity on the case's own layer.
 struct DeviationRow {
-    const DeviationQuantity* quantity = nullptr;
+    const Quantity* quantity = nullptr;
     bool computed = false;             ///< by boundary elements, else exact
     std::optional<RolledRatio> ratio;  ///< layer over half-space
     /// On layers of its material and base; empty where unknown.

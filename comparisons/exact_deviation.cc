@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
 #include "theory/layer_shakedown.h"
 #include "theory/sticking_contact.h"
@@ -16,22 +17,21 @@ using theory::StickTractions;
 /// Diameters of Hertz' contact from which on a layer is a half-space: deviations fall as 1/b.
 constexpr double half_space_thickness = 1e9;
 
-constexpr std::array<DeviationQuantity, n_exact_quantities> descriptions{{
-    {"contact_radius", "a", "contact radius"},
-    {"indentation", "d", "indentation"},
-    {"peak_pressure", "p0", "peak pressure"},
-    {"unit_shift", "U_max", "unit of shift"},
-    {"normal_stiffness", "k_n", "normal stiffness"},
-    {"tangential_stiffness", "k_t", "tangential stiffness, uncoupled"},
-    {"coupled_tangential_stiffness", "k_t,c", "tangential stiffness, coupled"},
-    {"limit_tangential_ratio", "f_T,lim", "shakedown limit of the load"},
-    {"limit_amplitude_ratio", "w_lim", "shakedown limit of the amplitude"},
-}};
+const std::array<const Quantity*, n_exact_quantities> descriptions{
+    &quantities::contact_radius,
+    &quantities::indentation,
+    &quantities::peak_pressure,
+    &quantities::unit_shift,
+    &quantities::normal_stiffness,
+    &quantities::tangential_stiffness,
+    &quantities::coupled_tangential_stiffness,
+    &quantities::limit_tangential_ratio,
+    &quantities::limit_amplitude_ratio};
 
 }  // namespace
 
-const DeviationQuantity& describe(ExactQuantity q) {
-    return descriptions.at(static_cast<std::size_t>(q));
+const Quantity& describe(ExactQuantity q) {
+    return *descriptions.at(static_cast<std::size_t>(q));
 }
 
 const std::array<ExactQuantity, n_exact_quantities>& exact_quantities() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "comparisons/quantities/quantity.h"
 #include "contact/case.h"
 #include "contact/indenter.h"
 #include "theory/elastic_layer.h"
@@ -24,12 +25,7 @@ enum class ExactQuantity {
 };
 inline constexpr std::size_t n_exact_quantities = 9;
 
-struct DeviationQuantity {
-    const char* key;     ///< in files
-    const char* symbol;  ///< plain text, "U_max"
-    const char* name;    ///< "unit of shift"
-};
-const DeviationQuantity& describe(ExactQuantity q);
+const Quantity& describe(ExactQuantity q);
 /// All, in the order of the enumeration.
 const std::array<ExactQuantity, n_exact_quantities>& exact_quantities();
 

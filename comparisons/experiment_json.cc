@@ -2,6 +2,7 @@
 
 #include "comparisons/experiment_report.h"
 #include "comparisons/json_number.h"
+#include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons {
 
@@ -51,14 +52,14 @@ json drift_json(const Drift& d) {
 }
 
 json stage_json(const StageEvaluation& s) {
-    return {{"amplitude_m", s.amplitude > 0 ? json(s.amplitude) : json()},
+    return {{quantities::amplitude.key, s.amplitude > 0 ? json(s.amplitude) : json()},
             {"period_s", s.period},
             {"time_s", numbers(s.time)},
             {"shift_m", numbers(s.shift)},
             {"shift_standard_error_m", numbers(s.shift_error)},
             {"increment_m", estimate(s.increment)},
             {"steady_walk_m", estimate(s.settling.increment)},
-            {"settled_shift_m", estimate(s.settling.settled)},
+            {quantities::settled_shift.key, estimate(s.settling.settled)},
             {"transient_ratio", number(s.settling.ratio)},
             {"residual_deviation_m", number(s.settling.residual_deviation)},
             {"state_by_walk", contact::name_of(s.by_walk)},
@@ -100,18 +101,18 @@ json limits_json(const ExperimentEvaluation& e) {
     };
     return {{"runs", runs},
             {"runs_by_curvature", by_curvature},
-            {"amplitude_m", all(e.limit_amplitude)},
+            {quantities::amplitude.key, all(e.limit_amplitude)},
             {"last_shakedown_m", all(e.last_shakedown)},
             {"shift_m", all(e.limit_shift)}};
 }
 
 json normalised_json(const std::optional<NormalisedResults>& n) {
     if (!n) return nullptr;
-    return {{"tangential_ratio", uncertain(n->tangential_ratio)},
-            {"amplitude_ratio", uncertain(n->amplitude_ratio)},
-            {"unit_shift_m", uncertain(n->unit_shift)},
-            {"static_shift_ratio", uncertain(n->static_ratio)},
-            {"final_shift_ratio", uncertain(n->final_ratio)},
+    return {{quantities::tangential_ratio.key, uncertain(n->tangential_ratio)},
+            {quantities::amplitude_ratio.key, uncertain(n->amplitude_ratio)},
+            {quantities::unit_shift.key, uncertain(n->unit_shift)},
+            {quantities::static_shift_ratio.key, uncertain(n->static_ratio)},
+            {quantities::final_shift_ratio.key, uncertain(n->final_ratio)},
             {"increment_ratio", uncertain(n->increment_ratio)},
             {"exact_amplitude_limit", uncertain(n->exact_limit)},
             {"thesis_amplitude_limit", uncertain(n->thesis_limit)}};
@@ -130,7 +131,7 @@ json models_json(const ExperimentEvaluation& e) {
                                       {"differs", d.differs() ? json(*d.differs()) : json()}});
         models.push_back(
             {{"model", p.model},
-             {"state", contact::name_of(p.state)},
+             {quantities::state.key, contact::name_of(p.state)},
              {"shift_m", numbers(p.shift)},
              {"wobble_ratio", number(p.wobble)},
              {"pivot_height_m", e.wobble ? uncertain(pivot_height(e, p.wobble)) : json()},
@@ -157,12 +158,12 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
                         {"title", e.title},
                         {"confidence", e.confidence},
                         {"verdict_confidence", verdict_confidence},
-                        {"state", contact::name_of(e.state)},
-                        {"periods", e.periods},
-                        {"amplitude_m", e.amplitude > 0 ? json(e.amplitude) : json()},
-                        {"static_shift_m", repeated_json(e.static_shift)},
-                        {"final_shift_m", repeated_json(e.final_shift)},
-                        {"settled_shift_m", repeated_json(e.settled_shift)},
+                        {quantities::state.key, contact::name_of(e.state)},
+                        {quantities::periods.key, e.periods},
+                        {quantities::amplitude.key, e.amplitude > 0 ? json(e.amplitude) : json()},
+                        {quantities::static_shift.key, repeated_json(e.static_shift)},
+                        {quantities::final_shift.key, repeated_json(e.final_shift)},
+                        {quantities::settled_shift.key, repeated_json(e.settled_shift)},
                         {"increment_m", repeated_json(e.increment)},
                         {"shift_per_period_m", shift},
                         {"increment_per_period_m", increments},

@@ -56,25 +56,27 @@ Place once_per_amplitude(const Place& place) {
     };
 }
 
-std::optional<std::pair<double, Computed>> settled_over_load(const RollingPoint& p) {
-    return p.settled_shift ? std::optional(std::pair(p.tangential_ratio, *p.settled_shift))
-                           : std::nullopt;
+Place over_load(const Quantity& q) {
+    return [&q](const RollingPoint& p) -> std::optional<std::pair<double, Computed>> {
+        const Computed* value = p.find(q);
+        if (!value) return {};
+        return std::pair(p.tangential_ratio, *value);
+    };
 }
 
 Place settled_near_limit(double share) {
     return [=](const RollingPoint& p) {
-        return p.tangential_ratio < share * p.limit.value ? std::nullopt : settled_over_load(p);
+        return p.tangential_ratio < share * p.at(quantities::limit_tangential_ratio).value
+                   ? std::nullopt
+                   : over_load(quantities::settled_shift_ratio)(p);
     };
 }
 
 Place amplitude_over_limit() {
     return once_per_amplitude([](const RollingPoint& p) {
-        return std::optional(std::pair(p.limit.value, Computed{p.amplitude_ratio}));
+        return std::optional(
+            std::pair(p.at(quantities::limit_tangential_ratio).value, Computed{p.amplitude_ratio}));
     });
-}
-
-std::optional<std::pair<double, Computed>> increment_over_load(const RollingPoint& p) {
-    return p.increment ? std::optional(std::pair(p.tangential_ratio, *p.increment)) : std::nullopt;
 }
 
 std::vector<Figure> with_model_points(const std::vector<Figure>& figures) {

@@ -29,13 +29,12 @@ Place once_per_amplitude(const Place& place);
 // Places in the figures that round bodies and line contacts have alike.
 
 /// u_sd over f_T.
-std::optional<std::pair<double, Computed>> settled_over_load(const RollingPoint& p);
+Place over_load(const Quantity& q);
 /// The same from loads of `share` of the model's limit on.
 Place settled_near_limit(double share);
 /// w over the model's f_T,lim, once per amplitude.
 Place amplitude_over_limit();
 /// Du over f_T.
-std::optional<std::pair<double, Computed>> increment_over_load(const RollingPoint& p);
 
 /// Those in which a model has points, without empty curves.
 std::vector<Figure> with_model_points(const std::vector<Figure>& figures);

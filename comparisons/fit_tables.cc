@@ -106,8 +106,8 @@ DocumentTable difference_table(const StudyFit& fit) {
         .rows = {}};
     for (const ModelDifference& d : fit.differences)
         table.rows.push_back(
-            {d.quantity, display_name(d.first), display_name(d.second), d.group, 100 * d.median(),
-             WithError{100 * d.worst().relative(), 100 * d.worst().bar()},
+            {d.quantity->symbol, display_name(d.first), display_name(d.second), d.group,
+             100 * d.median(), WithError{100 * d.worst().relative(), 100 * d.worst().bar()},
              static_cast<double>(d.points.size()), static_cast<double>(d.n_with_bars()),
              static_cast<double>(d.n_different())});
     return table;
@@ -128,10 +128,11 @@ DocumentTable point_difference_table(const StudyFit& fit) {
                                     {"verdict"}},
                         .rows = {}};
     for (const ModelDifference& d : fit.differences) {
-        if (d.quantity != "u_sd" && d.quantity != "Du") continue;
+        if (d.quantity != &quantities::settled_shift && d.quantity != &quantities::shift_increment)
+            continue;
         for (const PointDifference& p : d.points) {
             const bool known = p.first.has_bar() && p.second.has_bar();
-            table.rows.push_back({d.quantity, display_name(d.first), display_name(d.second),
+            table.rows.push_back({d.quantity->symbol, display_name(d.first), display_name(d.second),
                                   d.group, p.amplitude_ratio, p.tangential_ratio,
                                   WithError{p.first.value, p.first.error},
                                   WithError{p.second.value, p.second.error},

@@ -139,7 +139,9 @@ void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const Ratche
                                                   : theory::thesis_mapping_perpendicular;
     const RollingPoint* worst = nullptr;
     const auto excess = [&](const RollingPoint& p) {
-        return theory::shakedown_limit(p.amplitude_ratio, kappa) / p.limit.value - 1;
+        return theory::shakedown_limit(p.amplitude_ratio, kappa) /
+                   p.at(quantities::limit_tangential_ratio).value -
+               1;
     };
     for (const RollingPoint* p : points_of(fit.points, group))
         if (!worst || std::abs(excess(*p)) > std::abs(excess(*worst))) worst = p;
@@ -152,7 +154,7 @@ void add_limit(std::vector<Verdict>& verdicts, const StudyFit& fit, const Ratche
                      share(std::abs(excess(*worst))), excess(*worst) < 0 ? "below" : "above",
                      as_given(worst->amplitude_ratio),
                      significant(theory::shakedown_limit(worst->amplitude_ratio, kappa), 3),
-                     significant(worst->limit.value, 3))});
+                     significant(worst->at(quantities::limit_tangential_ratio).value, 3))});
 }
 
 }  // namespace
@@ -171,7 +173,7 @@ std::vector<Verdict> fit_verdicts(const StudyFit& fit) {
         add_root(verdicts, group, elastic);
     }
     for (const ModelDifference& d : fit.differences)
-        if (d.quantity == "u_sd" || d.quantity == "Du")
+        if (d.quantity == &quantities::settled_shift || d.quantity == &quantities::shift_increment)
             verdicts.push_back({d.n_with_bars() == 0 ? Standing::cannot_tell : Standing::finding,
                                 difference_sentence(d)});
     return verdicts;

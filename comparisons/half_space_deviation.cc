@@ -190,8 +190,7 @@ std::vector<RolledBody> rolled_bodies(const HalfSpaceDeviation& deviation) {
 }
 
 void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& deviation) {
-    for (const RolledDeviation& point :
-         rolled_deviations(results, deviation.contact, deviation.amplitudes)) {
+    for (const RolledDeviation& point : rolled_deviations(results)) {
         auto& curves = deviation.rolled;
         const auto mine = std::find_if(curves.begin(), curves.end(), [&](const RolledCurve& curve) {
             return curve.poisson == point.body.poisson && curve.coupled == point.body.coupled;
@@ -205,9 +204,8 @@ void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& de
         curve.points.push_back(point);
     }
     for (RolledCurve& curve : deviation.rolled) add_needed(curve);
-    deviation.n_failed_runs = static_cast<std::size_t>(
-        std::count_if(results.begin(), results.end(),
-                      [](const RolledResult& result) { return !result.values.is_object(); }));
+    deviation.n_failed_runs = static_cast<std::size_t>(std::count_if(
+        results.begin(), results.end(), [](const RolledResult& result) { return !result.values; }));
 }
 
 const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation) {

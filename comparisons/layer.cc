@@ -117,21 +117,14 @@ std::string why_no_exact_theory(const Case& c) {
 const std::vector<PressedQuantity>& pressed_quantities() {
     using Values = const PressedValues&;
     using Value = std::optional<double>;
-    static const std::vector<PressedQuantity> quantities{
-        {"contact_radius_m", "contact_radius", "contact radius <i>a</i>", "m",
-         [](Values v) -> Value { return v.contact_radius; }},
-        {"indentation_m", "indentation", "indentation <i>d</i>", "m",
-         [](Values v) -> Value { return v.indentation; }},
-        {"normal_force_N", "normal_force", "normal force <i>F</i><sub>N</sub>", "N",
-         [](Values v) -> Value { return v.normal_force; }},
-        {"peak_pressure_Pa", "peak_pressure", "peak pressure <i>p</i><sub>0</sub>", "Pa",
-         [](Values v) -> Value { return v.peak_pressure; }},
-        {"unit_shift_m", "unit_shift", "unit of shift <i>U</i><sub>max</sub>", "m",
-         [](Values v) { return v.unit_shift; }},
-        {"normal_stiffness_N_per_m", "normal_stiffness",
-         "stiffness d<i>F</i><sub>N</sub>/d<i>d</i>", "N/m",
-         [](Values v) { return v.normal_stiffness; }}};
-    return quantities;
+    static const std::vector<PressedQuantity> pressed{
+        {&quantities::contact_radius, [](Values v) -> Value { return v.contact_radius; }},
+        {&quantities::indentation, [](Values v) -> Value { return v.indentation; }},
+        {&quantities::normal_force, [](Values v) -> Value { return v.normal_force; }},
+        {&quantities::peak_pressure, [](Values v) -> Value { return v.peak_pressure; }},
+        {&quantities::unit_shift, [](Values v) { return v.unit_shift; }},
+        {&quantities::normal_stiffness, [](Values v) { return v.normal_stiffness; }}};
+    return pressed;
 }
 
 PressedValues hertz_values(const Case& c) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparisons/loading_study.h"
+#include "comparisons/quantities/quantities.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "theory/elastic_layer.h"
@@ -25,10 +26,7 @@ struct PressedValues {
 
 /// A quantity of PressedValues, for tables and files.
 struct PressedQuantity {
-    const char* key;    ///< in files, with unit
-    const char* name;   ///< in files, of a ratio
-    const char* label;  ///< HTML
-    const char* base;   ///< unit
+    const Quantity* quantity;
     std::optional<double> (*get)(const PressedValues&);
 };
 /// In the order of their members.

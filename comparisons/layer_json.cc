@@ -12,7 +12,8 @@ using json = nlohmann::ordered_json;
 
 json values_json(const PressedValues& values) {
     json result = json::object();
-    for (const PressedQuantity& q : pressed_quantities()) result[q.key] = number(q.get(values));
+    for (const PressedQuantity& q : pressed_quantities())
+        result[q.quantity->key] = number(q.get(values));
     return result;
 }
 
@@ -22,7 +23,8 @@ json difference_json(const PressedValues& values, const std::optional<PressedVal
     json result = json::object();
     for (const PressedQuantity& q : pressed_quantities()) {
         const auto value = q.get(values), reference = q.get(*base);
-        result[q.name] = value && reference ? number(*value / *reference - 1) : json();
+        result[ratio_key(*q.quantity)] =
+            value && reference ? number(*value / *reference - 1) : json();
     }
     return result;
 }

@@ -17,7 +17,7 @@ Unit common_unit(const PressedQuantity& q, const LayerComparison& layer) {
     double largest = q.get(layer.half_space).value_or(0);
     for (const auto& model : layer.models)
         largest = std::max(largest, q.get(model.values).value_or(0));
-    return fitting_unit(largest, q.base);
+    return fitting_unit(largest, q.quantity->unit);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ Table layer_table(const LayerComparison& layer) {
     }
     for (const PressedQuantity& q : pressed_quantities()) {
         const Unit unit = common_unit(q, layer);
-        Table::Row row{q.label, unit.symbol, {}};
+        Table::Row row{typeset(label_of(*q.quantity)), unit.symbol, {}};
         const auto add = [&](const PressedValues& values) {
             const Value value = q.get(values);
             row.cells.push_back(significant(value ? Value(*value / unit.factor) : Value()));

@@ -19,10 +19,4 @@ struct LimitPoint {
 /// fit. Empty below two points.
 std::optional<FittedForm> fit_limit(const std::vector<LimitPoint>& limits, double confidence);
 
-/// Largest w that settles at f_T in [0, 1], the inverse of a model's own limit: k of the form above
-/// is interpolated linearly between the amplitudes and constant beyond them, so that what is
-/// interpolated is almost constant. Bar: that of the nearest limit, and what leaving it out would
-/// change; unknown with one amplitude. Empty without any limit at 0 < w < 1.
-std::optional<Computed> amplitude_limit(const std::vector<LimitPoint>& limits, double f);
-
 }  // namespace tricontact::comparisons

@@ -6,6 +6,7 @@
 #include "comparisons/format.h"
 #include "comparisons/json_number.h"
 #include "comparisons/limit.h"
+#include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons {
 
@@ -14,14 +15,15 @@ namespace {
 using json = nlohmann::ordered_json;
 
 const char* name_of(LimitVariable variable) {
-    return variable == LimitVariable::load ? "tangential_ratio" : "amplitude_ratio";
+    return variable == LimitVariable::load ? quantities::tangential_ratio.key
+                                           : quantities::amplitude_ratio.key;
 }
 
 json to_json(const LimitRun& run) {
     return {{"value", run.value},
-            {"state", contact::name_of(run.state)},
-            {"periods", run.periods},
-            {"final_shift_ratio", number(run.final_shift_ratio)}};
+            {quantities::state.key, contact::name_of(run.state)},
+            {quantities::periods.key, run.periods},
+            {quantities::final_shift_ratio.key, number(run.final_shift_ratio)}};
 }
 
 json to_json(const ModelLimit& m) {
@@ -49,11 +51,12 @@ json limit_json(const std::string& version, const LimitStudy& study) {
     json models = json::object();
     for (const ModelLimit& m : study.models) models[m.model] = to_json(m);
     const bool load = study.variable == LimitVariable::load;
-    return {{"version", version},
-            {"limit_of", name_of(study.variable)},
-            {load ? "amplitude_ratio" : "tangential_ratio", study.given},
-            {"thesis", number(study.thesis)},
-            {"models", models}};
+    return {
+        {"version", version},
+        {"limit_of", name_of(study.variable)},
+        {load ? quantities::amplitude_ratio.key : quantities::tangential_ratio.key, study.given},
+        {"thesis", number(study.thesis)},
+        {"models", models}};
 }
 
 std::string limit_csv(const LimitStudy& study) {

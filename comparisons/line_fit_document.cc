@@ -70,9 +70,7 @@ class LineFigures {
             add("exact, half-space", w, theory::line_stick_force, exact_colour());
             add("thesis (3.5.24)", w, theory::thesis_line_stick_force, thesis_colour());
         }
-        add_points(f, [](const RollingPoint& p) {
-            return p.stick ? std::optional(std::pair(p.tangential_ratio, *p.stick)) : std::nullopt;
-        });
+        add_points(f, over_load(quantities::stick_ratio));
         return f;
     }
 
@@ -101,7 +99,7 @@ class LineFigures {
                 },
                 thesis_colour()));
         }
-        add_points(f, settled_over_load);
+        add_points(f, over_load(quantities::settled_shift_ratio));
         return f;
     }
 
@@ -153,7 +151,7 @@ class LineFigures {
                 "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, same,
                 [&](double load) { return theory::thesis_line_increment(w, load); },
                 thesis_colour()));
-        add_points(f, increment_over_load);
+        add_points(f, over_load(quantities::shift_increment_ratio));
         return f;
     }
 
@@ -190,13 +188,14 @@ DocumentTable settled_table(const StudyFit& fit, double lambda) {
                                     {"difference [%]", 2}},
                         .rows = {}};
     for (const RollingPoint& p : fit.points) {
-        if (!p.settled_shift) continue;
-        const double w = p.amplitude_ratio, f = p.tangential_ratio, u = p.settled_shift->value;
+        const Computed* settled = p.find(quantities::settled_shift_ratio);
+        if (!settled) continue;
+        const double w = p.amplitude_ratio, f = p.tangential_ratio, u = settled->value;
         const double exact = exact_shift(w, f, lambda);
         const double thesis = theory::thesis_line_settled_shift_ratio(w, f).value_or(std::nan(""));
-        table.rows.push_back({display_name(p.model), p.group, w, f, p.limit.value,
-                              cell(*p.settled_shift), exact, percent_above(exact / u), thesis,
-                              percent_above(thesis / u)});
+        table.rows.push_back({display_name(p.model), p.group, w, f,
+                              p.at(quantities::limit_tangential_ratio).value, cell(*settled), exact,
+                              percent_above(exact / u), thesis, percent_above(thesis / u)});
     }
     return table;
 }
@@ -212,10 +211,11 @@ DocumentTable stick_table(const StudyFit& fit) {
             {{"model"}, {"group"}, {"w", 3}, {"f_T", 3}, {"c_sd/a"}, {"exact", 4}, {"(3.5.24)", 4}},
         .rows = {}};
     for (const RollingPoint& p : fit.points) {
-        if (!p.stick) continue;
+        const Computed* stick = p.find(quantities::stick_ratio);
+        if (!stick) continue;
         const double w = p.amplitude_ratio, f = p.tangential_ratio;
         const auto number = [](std::optional<double> c) { return c.value_or(std::nan("")); };
-        table.rows.push_back({display_name(p.model), p.group, w, f, cell(*p.stick),
+        table.rows.push_back({display_name(p.model), p.group, w, f, cell(*stick),
                               number(theory::line_stick_half_width(w, f)),
                               number(theory::thesis_line_stick_half_width(w, f))});
     }
@@ -240,12 +240,13 @@ DocumentTable increment_table(const StudyFit& fit, double lambda) {
                                     {"difference [%]", 2}},
                         .rows = {}};
     for (const RollingPoint& p : fit.points) {
-        if (!p.increment) continue;
-        const double w = p.amplitude_ratio, f = p.tangential_ratio, du = p.increment->value;
+        const Computed* increment = p.find(quantities::shift_increment_ratio);
+        if (!increment) continue;
+        const double w = p.amplitude_ratio, f = p.tangential_ratio, du = increment->value;
         const double excess = w - theory::line_amplitude_limit(f);
         const double thesis = theory::thesis_line_increment(w, f);
         table.rows.push_back(
-            {display_name(p.model), p.group, w, f, cell(*p.increment),
+            {display_name(p.model), p.group, w, f, cell(*increment),
              excess > 0 ? du / (f * excess) : std::nan(""),
              is_half_space(p.model) ? theory::line_steady_slope(f, lambda) / f : std::nan(""),
              thesis, percent_above(thesis / du)});

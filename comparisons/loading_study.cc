@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "comparisons/quantities/quantities.h"
+
 namespace tricontact::comparisons {
 
 namespace {
@@ -21,10 +23,10 @@ json change_json(std::optional<double> ratio) {
 json outcome_json(const std::optional<LoadingOutcome>& outcome) {
     if (!outcome) return nullptr;
     const bool rolled = outcome->state.has_value();
-    return {{"static_shift_m", outcome->static_shift},
-            {"state", rolled ? json(contact::name_of(*outcome->state)) : json()},
-            {"final_shift_m", rolled ? json(outcome->final_shift) : json()},
-            {"shift_increment_m", rolled ? json(outcome->increment) : json()}};
+    return {{quantities::static_shift.key, outcome->static_shift},
+            {quantities::state.key, rolled ? json(contact::name_of(*outcome->state)) : json()},
+            {quantities::final_shift.key, rolled ? json(outcome->final_shift) : json()},
+            {quantities::shift_increment.key, rolled ? json(outcome->increment) : json()}};
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "comparisons/grouping.h"
+#include "comparisons/quantities/mapping.h"
 #include "comparisons/reference.h"
-#include "comparisons/summary.h"
 #include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -34,9 +34,9 @@ Computed mapping_of(double w, double f, const Computed& u) {
 
 MappingPoint mapping_point(const RollingPoint& p) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
-    const Computed& u = *p.settled_shift;
+    const Computed& u = p.at(quantities::settled_shift_ratio);
     MappingPoint point{.at = p,
-                       .limit_ratio = f / p.limit.value,
+                       .limit_ratio = f / p.at(quantities::limit_tangential_ratio).value,
                        .low = std::nan(""),
                        .high = std::nan(""),
                        .kappa = mapping_of(w, f, u)};
@@ -50,14 +50,14 @@ MappingPoint mapping_point(const RollingPoint& p) {
 }
 
 bool has_mapping(const RollingPoint& p) {
-    return p.settled_shift && in_unit_range(p.settled_shift->value) &&
-           p.amplitude_ratio * p.settled_shift->value > least_mapping_product;
+    const Computed* u = p.find(quantities::settled_shift_ratio);
+    return u && mapping_parameter(p.amplitude_ratio, p.tangential_ratio, u->value);
 }
 
 void fit(MappingGroup& group, double confidence) {
     std::vector<double> f, offset, product, times_w, times_f;
     for (const MappingPoint& p : group.points) {
-        const double u = p.at.settled_shift->value, w = p.at.amplitude_ratio;
+        const double u = p.at.at(quantities::settled_shift_ratio).value, w = p.at.amplitude_ratio;
         f.push_back(p.at.tangential_ratio);
         offset.push_back(1 - static_force(u));
         product.push_back(-w * u);
@@ -76,7 +76,7 @@ MappingUse use_of(const MappingGroup& group, const std::string& name, double kap
     std::vector<double> magnitudes;
     for (const MappingPoint& p : group.points) {
         const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
-        const Computed& u = *p.at.settled_shift;
+        const Computed& u = p.at.at(quantities::settled_shift_ratio);
         const auto predicted = theory::settled_shift_ratio(w, f, use.kappa);
         if (!predicted) {
             ++use.n_ratcheting;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "comparisons/format.h"
 #include "comparisons/format_share.h"
@@ -14,15 +13,12 @@ namespace tricontact::comparisons {
 
 namespace {
 
-struct Quantity {
-    const char* name;
-    std::optional<Computed> (*of)(const RollingPoint& p);
-};
-constexpr Quantity quantities[] = {
-    {"u_stat", [](const RollingPoint& p) { return std::optional(p.static_shift); }},
-    {"u_sd", [](const RollingPoint& p) { return p.settled_shift; }},
-    {"Du", [](const RollingPoint& p) { return p.increment; }},
-    {"f_T,lim", [](const RollingPoint& p) { return std::optional(p.limit); }}};
+/// Lengths first: U_max differs between models.
+const Quantity* const compared_quantities[] = {
+    &quantities::static_shift,          &quantities::static_shift_ratio,
+    &quantities::settled_shift,         &quantities::settled_shift_ratio,
+    &quantities::shift_increment,       &quantities::shift_increment_ratio,
+    &quantities::limit_tangential_ratio};
 
 struct ModelAndGroup {
     std::string model, group;
@@ -31,7 +27,7 @@ struct ModelAndGroup {
 
 /// What changes nothing of a limit: it is compared once per amplitude.
 bool is_repeated(const ModelDifference& difference, const PointDifference& candidate) {
-    return difference.quantity == "f_T,lim" &&
+    return difference.quantity == &quantities::limit_tangential_ratio &&
            std::any_of(difference.points.begin(), difference.points.end(), [&](const auto& p) {
                return p.amplitude_ratio == candidate.amplitude_ratio &&
                       p.first.value == candidate.first.value &&
@@ -41,7 +37,7 @@ bool is_repeated(const ModelDifference& difference, const PointDifference& candi
 
 ModelDifference compared(const Quantity& quantity, const std::vector<const RollingPoint*>& first,
                          const std::vector<const RollingPoint*>& second) {
-    ModelDifference result{.quantity = quantity.name,
+    ModelDifference result{.quantity = &quantity,
                            .first = first.front()->model,
                            .second = second.front()->model,
                            .group = first.front()->group,
@@ -50,7 +46,7 @@ ModelDifference compared(const Quantity& quantity, const std::vector<const Rolli
         const auto b = std::find_if(second.begin(), second.end(),
                                     [&](const RollingPoint* p) { return p->point == a->point; });
         if (b == second.end()) continue;
-        const auto value = quantity.of(*a), other = quantity.of(**b);
+        const Computed *value = a->find(quantity), *other = (*b)->find(quantity);
         if (!value || !other || other->value == 0) continue;
         PointDifference point{.point = a->point,
                               .amplitude_ratio = (*b)->amplitude_ratio,
@@ -100,8 +96,8 @@ std::vector<ModelDifference> model_differences(const std::vector<RollingPoint>& 
         for (std::size_t j = i + 1; j < groups.size(); ++j) {
             if (groups[i].group != groups[j].group) continue;
             const auto first = points_of(points, groups[i]), second = points_of(points, groups[j]);
-            for (const Quantity& quantity : quantities) {
-                ModelDifference difference = compared(quantity, first, second);
+            for (const Quantity* quantity : compared_quantities) {
+                ModelDifference difference = compared(*quantity, first, second);
                 if (!difference.points.empty()) result.push_back(std::move(difference));
             }
         }
@@ -110,7 +106,7 @@ std::vector<ModelDifference> model_differences(const std::vector<RollingPoint>& 
 
 std::string difference_sentence(const ModelDifference& d) {
     const std::string names = fmt::format("{} and {}, {}: {}", display_name(d.first),
-                                          display_name(d.second), d.group, d.quantity);
+                                          display_name(d.second), d.group, d.quantity->symbol);
     if (d.n_with_bars() == 0)
         return names +
                " cannot be said to differ: no numerical error bars (levels = 1, or steps "

@@ -20,7 +20,7 @@ struct PointDifference {
 
 /// Two models side by side in one group: a quantity at the points where both have it.
 struct ModelDifference {
-    std::string quantity;  ///< "u_stat", "u_sd", "Du" or "f_T,lim"
+    const Quantity* quantity = nullptr;
     std::string first, second, group;
     std::vector<PointDifference> points;  ///< not empty
 

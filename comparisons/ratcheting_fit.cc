@@ -6,6 +6,7 @@
 #include <map>
 
 #include "comparisons/grouping.h"
+#include "comparisons/quantities/mapping.h"
 #include "theory/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -16,24 +17,19 @@ constexpr std::size_t least_amplitudes = 2, least_points = 3;
 
 using Members = std::vector<const RollingPoint*>;
 
+const Quantity& increment = quantities::shift_increment_ratio;
+
 /// Loads that are equal but for the rounding of a solver's force balance.
 long load_key(const RollingPoint& p) {
     return std::lround(p.tangential_ratio * 1e6);
 }
 
-/// Limits over w at one load: on a coupled layer pressures, hence limits, depend on the load too.
-std::vector<LimitPoint> limits_at(const Members& members, const RollingPoint& at) {
-    std::vector<LimitPoint> limits;
-    for (const RollingPoint* p : members)
-        if (load_key(*p) == load_key(at)) limits.push_back({p->amplitude_ratio, p->limit});
-    return limits;
-}
-
 double thesis_ratio(const RollingPoint& p) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
-    if (is_parallel(p.angle)) return theory::thesis_increment_parallel(w, f) / p.increment->value;
+    if (is_parallel(p.angle))
+        return theory::thesis_increment_parallel(w, f) / p.at(increment).value;
     if (is_perpendicular(p.angle))
-        return theory::thesis_increment_perpendicular(w, f) / p.increment->value;
+        return theory::thesis_increment_perpendicular(w, f) / p.at(increment).value;
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -43,8 +39,10 @@ std::optional<FittedForm> slope_form(const std::vector<const RatchetingPoint*>& 
     std::vector<double> column, observed;
     for (const RatchetingPoint* p : points) {
         const double excess = p->at.amplitude_ratio - p->amplitude_limit.value;
-        column.push_back(with_root ? std::sqrt(p->at.static_shift.value) * excess : excess);
-        observed.push_back(p->at.increment->value);
+        column.push_back(with_root
+                             ? std::sqrt(p->at.at(quantities::static_shift_ratio).value) * excess
+                             : excess);
+        observed.push_back(p->at.at(increment).value);
     }
     const char* form = with_root ? "Du = c u_stat^(1/2) (w - w_lim)" : "Du = eta (w - w_lim)";
     return fit_form(form, {with_root ? "c" : "eta"}, {column}, observed,
@@ -63,11 +61,11 @@ std::optional<FittedForm> eta_form(const std::vector<RatchetingLoad>& loads, dou
 }
 
 void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& limit) {
-    const double excess = p.amplitude_ratio - limit.value;
-    if (excess <= 0) return;
-    const double eta = p.increment->value / excess;
-    const double error = (p.increment->error + eta * limit.error) / excess;
-    group.points.push_back({.at = p, .amplitude_limit = limit, .eta = {eta, error}});
+    const auto eta = ratcheting_slope(p.at(increment).value, p.amplitude_ratio, limit.value);
+    if (!eta) return;
+    const double error =
+        (p.at(increment).error + *eta * limit.error) / (p.amplitude_ratio - limit.value);
+    group.points.push_back({.at = p, .amplitude_limit = limit, .eta = {*eta, error}});
     group.thesis_ratio.push_back(thesis_ratio(p));
 }
 
@@ -75,10 +73,11 @@ void add_loads(RatchetingGroup& group, double confidence) {
     std::map<long, std::vector<const RatchetingPoint*>> by_load;
     for (const RatchetingPoint& p : group.points) by_load[load_key(p.at)].push_back(&p);
     for (const auto& [key, points] : by_load)
-        group.loads.push_back({.tangential_ratio = points.front()->at.tangential_ratio,
-                               .static_shift_ratio = points.front()->at.static_shift.value,
-                               .amplitude_limit = points.front()->amplitude_limit,
-                               .slope = slope_form(points, false, confidence, least_amplitudes)});
+        group.loads.push_back(
+            {.tangential_ratio = points.front()->at.tangential_ratio,
+             .static_shift_ratio = points.front()->at.at(quantities::static_shift_ratio).value,
+             .amplitude_limit = points.front()->amplitude_limit,
+             .slope = slope_form(points, false, confidence, least_amplitudes)});
 }
 
 std::vector<const RatchetingPoint*> all_of(const RatchetingGroup& group) {
@@ -96,11 +95,12 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
         const Members members = points_of(points, group);
         std::vector<LimitPoint> limits;
         for (const RollingPoint* p : members) {
-            limits.push_back({p->amplitude_ratio, p->limit});
-            if (p->behaviour != Behaviour::ratcheting) continue;
-            group.n_turning_points_only += !p->increment;
-            const auto limit = amplitude_limit(limits_at(members, *p), p->tangential_ratio);
-            if (p->increment && limit) add_point(group, *p, *limit);
+            limits.push_back({p->amplitude_ratio, p->at(quantities::limit_tangential_ratio)});
+            if (p->state != contact::State::ratcheting) continue;
+            const Computed* limit = p->find(quantities::limit_amplitude_ratio);
+            const bool followed = p->find(increment);
+            group.n_turning_points_only += !followed;
+            if (followed && limit) add_point(group, *p, *limit);
         }
         group.limit = fit_limit(limits, confidence);
         add_loads(group, confidence);

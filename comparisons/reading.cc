@@ -21,12 +21,12 @@ using contact::State;
 constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
 constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
 
-using Summaries = std::vector<ModelSummary>;
+using Summaries = std::vector<Results>;
 
 /// Models for which a closed form of uncoupled, elastic half-spaces decides.
 std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> models;
-    for (const ModelSummary& s : summaries)
+    for (const Results& s : summaries)
         if (is_uncoupled_half_space(c, s.model)) models.push_back(s.model);
     return models;
 }
@@ -69,17 +69,24 @@ std::string limit_sentence(const contact::Case& c, const Summaries& summaries, c
 }
 
 /// MDR's springs have the exact limit where the pressure falls from the centre on.
-bool has_exact_limit(const contact::Case& c, const ModelSummary& s, const Reference& r) {
+bool has_exact_limit(const contact::Case& c, const Results& s, const Reference& r) {
     return r.limit_tangential_ratio && !c.relaxation && is_uncoupled_half_space(c, s.model) &&
            (s.model != "mdr" || contact::pressure_falls(c));
 }
 
-std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
-    std::string text = fmt::format(
-        "{} is undecided after {} {}: the last one still added Δu = {}. Run more (raise "
-        "rolling.periods and rerun).",
-        display_name(s.model), s.periods, s.periods == 1 ? "period" : "periods",
-        significant(s.shift_increment_ratio, 3));
+/// "55.9 µm (0.4755 U_max)": a length beside its ratio.
+std::string shown(const Results& s, const Quantity& length, const Quantity& ratio) {
+    return fmt::format("{} ({} {})", quantity(s.number(length).value_or(0), "m"),
+                       significant(s.number(ratio)), ratio.over);
+}
+
+std::string undecided_sentence(const contact::Case& c, const Results& s, const Reference& r) {
+    std::string text =
+        fmt::format("{} is undecided after {} {}: the last one still added {}. {}.",
+                    display_name(s.model), s.periods(), s.periods() == 1 ? "period" : "periods",
+                    shown(s, quantities::shift_increment, quantities::shift_increment_ratio),
+                    s.verdict.missing.empty() ? "Run more (raise rolling.periods and rerun)"
+                                              : s.verdict.missing);
     if (has_exact_limit(c, s, r))
         text += r.tangential_ratio <= *r.limit_tangential_ratio
                     ? " By the exact limit it must shake down in the end."
@@ -87,27 +94,34 @@ std::string undecided_sentence(const contact::Case& c, const ModelSummary& s, co
     return text;
 }
 
-std::string verdict_sentence(const contact::Case& c, const ModelSummary& s, const Reference& r) {
+/// "; kappa = 1.2", empty where undefined.
+std::string factor(const Results& s, const Quantity& q, const char* letter) {
+    const auto value = s.number(q);
+    return value ? fmt::format("; {} = {}", letter, significant(value, 3)) : "";
+}
+
+std::string verdict_sentence(const contact::Case& c, const Results& s, const Reference& r) {
+    using namespace quantities;
     const std::string name = display_name(s.model);
-    if (!s.state && s.tangential_ratio == 0)
+    if (!s.state() && s.number(quantities::tangential_ratio) == 0.)
         return fmt::format("{}: pressed without a tangential force.", name);
-    if (!s.state)
-        return fmt::format("{}: the tangential force shifts the indenter by u = {} ({}).", name,
-                           significant(s.static_shift_ratio), quantity(s.static_shift, "m"));
-    if (*s.state == State::undecided) return undecided_sentence(c, s, r);
-    if (*s.state == State::ratcheting)
-        return fmt::format("{} ratchets: every period adds Δu = {} ({}) to the shift{}.", name,
-                           significant(s.shift_increment_ratio),
-                           quantity(s.shift_increment_ratio.value_or(0) * s.unit_shift, "m"),
-                           s.eta ? "; η = " + significant(s.eta, 3) : "");
+    if (!s.state())
+        return fmt::format("{}: the tangential force shifts the indenter by {}.", name,
+                           shown(s, static_shift, static_shift_ratio));
+    if (*s.state() == State::undecided) return undecided_sentence(c, s, r);
+    if (*s.state() == State::ratcheting)
+        return fmt::format("{} ratchets: every period adds {} to the shift{}.", name,
+                           shown(s, shift_increment, shift_increment_ratio), factor(s, eta, "η"));
+    const double u_stat = s.number(static_shift_ratio).value_or(0);
     std::string growth;
-    if (s.static_shift_ratio > negligible_shift)
+    if (u_stat > negligible_shift)
         growth = fmt::format(", {} times the static shift",
-                             significant(s.final_shift_ratio / s.static_shift_ratio, 3));
-    return fmt::format("{} shakes down within {} {} at u = {} ({}){}{}.", name, s.periods,
-                       s.periods == 1 ? "period" : "periods", significant(s.final_shift_ratio),
-                       quantity(s.final_shift, "m"), growth,
-                       s.kappa ? "; κ = " + significant(s.kappa, 3) : "");
+                             significant(s.number(final_shift_ratio).value_or(0) / u_stat, 3));
+    return fmt::format(
+        "{} {} within {} {} at {}{}{}.", name,
+        *s.state() == State::shakedown ? "shakes down" : "settles, slipping to and fro for ever,",
+        s.periods(), s.periods() == 1 ? "period" : "periods",
+        shown(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
 }
 
 /// "16.5 % higher than".
@@ -117,28 +131,44 @@ std::string relation(double ratio) {
                        ratio > 1 ? "higher" : "lower");
 }
 
-std::string comparison_sentence(const ModelSummary& s, const ModelSummary& base) {
+/// "3.2 % higher than BEM's in metres (+1.2 % in U_max, each of its own)".
+std::string comparison_of(const Results& s, const Results& base, const Quantity& length,
+                          const Quantity& ratio) {
+    const double lengths = s.number(length).value_or(0) / base.number(length).value_or(0);
+    const double ratios = s.number(ratio).value_or(0) / base.number(ratio).value_or(0);
+    return fmt::format("{} {}'s in metres ({} in U_max, each of its own)", relation(lengths),
+                       display_name(base.model), percent(ratios));
+}
+
+std::string comparison_sentence(const Results& s, const Results& base) {
+    using namespace quantities;
     const std::string name = display_name(s.model), other = display_name(base.model);
-    const bool decided = s.state != State::undecided && base.state != State::undecided;
-    if (s.state && base.state && decided && s.state != base.state)
+    const auto state = s.state(), base_state = base.state();
+    const bool decided = state != State::undecided && base_state != State::undecided;
+    if (state && base_state && decided && state != base_state)
         return fmt::format(
             "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
             "limit, the periods run and the resolution.",
-            name, other, contact::name_of(*s.state), contact::name_of(*base.state));
-    if (s.state == State::ratcheting && base.state == s.state &&
-        base.shift_increment_ratio.value_or(0) > 0)
-        return fmt::format("{} ratchets {} times as fast as {} (Δu per period).", name,
-                           significant(*s.shift_increment_ratio / *base.shift_increment_ratio, 3),
-                           other);
-    if (!(base.final_shift_ratio > negligible_shift)) return {};
-    const bool settled = s.state == State::shakedown && base.state == s.state;
-    const char* verb = !s.state ? "lies" : settled ? "settles" : "now stands";
-    std::string text = fmt::format("{} {} {} {}", name, verb,
-                                   relation(s.final_shift_ratio / base.final_shift_ratio), other);
-    if (s.kappa && base.kappa)
-        text +=
-            fmt::format(": κ = {} against {}", significant(s.kappa, 3), significant(base.kappa, 3));
+            name, other, contact::name_of(*state), contact::name_of(*base_state));
+    if (state == State::ratcheting && base_state == state &&
+        base.number(shift_increment_ratio).value_or(0) > 0)
+        return fmt::format("{}'s shift per period is {}.", name,
+                           comparison_of(s, base, shift_increment, shift_increment_ratio));
+    if (!(base.number(final_shift_ratio).value_or(0) > negligible_shift)) return {};
+    const bool settled = s.number(settled_shift) && base.number(settled_shift);
+    std::string text = fmt::format("{}'s {}shift is {}", name,
+                                   !state    ? ""
+                                   : settled ? "settled "
+                                             : "present ",
+                                   comparison_of(s, base, final_shift, final_shift_ratio));
+    const auto own = s.number(kappa), of_base = base.number(kappa);
+    if (own && of_base)
+        text += fmt::format(": κ = {} against {}", significant(own, 3), significant(of_base, 3));
     return text + ".";
+}
+
+double static_ratio(const Results& s) {
+    return s.number(quantities::static_shift_ratio).value_or(0);
 }
 
 /// Elastic bodies: closed form and models side by side.
@@ -147,10 +177,9 @@ std::string elastic_static_sentence(const contact::Case& c, const Summaries& sum
     std::string text = fmt::format("{}u_stat = {} by {}{}", c.rolling ? "Before rolling: " : "",
                                    significant(r.static_shift_ratio), static_theory(c),
                                    c.layer.thickness ? " on a half-space" : "");
-    for (const ModelSummary& s : summaries)
-        text +=
-            fmt::format("; {} {} ({})", display_name(s.model), significant(s.static_shift_ratio),
-                        percent(s.static_shift_ratio / r.static_shift_ratio));
+    for (const Results& s : summaries)
+        text += fmt::format("; {} {} ({})", display_name(s.model), significant(static_ratio(s)),
+                            percent(static_ratio(s) / r.static_shift_ratio));
     return text + ".";
 }
 
@@ -158,9 +187,9 @@ std::string elastic_static_sentence(const contact::Case& c, const Summaries& sum
 std::string relaxing_static_sentence(const contact::Case& c, const Summaries& summaries,
                                      const Reference& r) {
     std::string text;
-    for (const ModelSummary& s : summaries)
+    for (const Results& s : summaries)
         text += fmt::format("{}{} {}", text.empty() ? "" : "; ", display_name(s.model),
-                            significant(s.static_shift_ratio));
+                            significant(static_ratio(s)));
     return fmt::format(
         "{}u_stat, {} after F_T has come, of a substrate that still relaxes: {}. "
         "Relaxed it would be {} by {}{}.",
@@ -177,7 +206,7 @@ std::string static_sentence(const contact::Case& c, const Summaries& summaries,
 }
 
 bool has_model(const Summaries& summaries, const std::string& name) {
-    return std::ranges::find(summaries, name, &ModelSummary::model) != summaries.end();
+    return std::ranges::find(summaries, name, &Results::model) != summaries.end();
 }
 
 /// "All models take", "MDR and BEM take", "MDR takes".
@@ -189,7 +218,7 @@ std::string taking(const std::vector<std::string>& models, const Summaries& summ
 
 std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> models;
-    for (const ModelSummary& s : summaries)
+    for (const Results& s : summaries)
         if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
     if (models.empty()) return {};
     const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
@@ -255,7 +284,7 @@ void add_limitations(const contact::Case& c, const Summaries& summaries,
 
 std::string audit_sentence(const Summaries& summaries) {
     std::size_t checks = 0, failed = 0;
-    for (const ModelSummary& s : summaries)
+    for (const Results& s : summaries)
         for (const auto& check : s.audit) {
             ++checks;
             failed += check.passed() ? 0 : 1;
@@ -278,7 +307,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     const std::string audit = audit_sentence(summaries);
     const bool failed = audit.starts_with("Do not");
     if (failed) add(audit);
-    for (const ModelSummary& s : summaries) add(verdict_sentence(c, s, r));
+    for (const Results& s : summaries) add(verdict_sentence(c, s, r));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
     add(limit_sentence(c, summaries, r));

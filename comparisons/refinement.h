@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/quantity.h"
+
 namespace tricontact::comparisons {
 
 /// How values behave on finer and finer levels.
@@ -47,14 +49,11 @@ LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const doub
 
 /// One quantity on all levels.
 struct RefinedQuantity {
-    std::string name;            ///< key in files: "indentation_m"
-    std::string label;           ///< HTML, without unit
-    std::string symbol;          ///< plain text: "d"
-    std::string base;            ///< unit, "" of a ratio
-    std::vector<double> values;  ///< per level
-    LimitEstimate limit;
-    std::optional<double> exact;  ///< by theory
-    std::optional<double> wide;   ///< on the wide block, at the finest level but one
+    const Quantity* quantity = nullptr;
+    std::vector<double> values = {};  ///< per level
+    LimitEstimate limit = {};
+    std::optional<double> exact = {};  ///< by theory
+    std::optional<double> wide = {};   ///< on the wide block, at the finest level but one
     /// What the wider block changes: over the same level's value, minus 1.
     std::optional<double> wide_change() const;
 };

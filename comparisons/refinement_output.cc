@@ -43,11 +43,11 @@ std::string relative(double error, double value) {
 }
 
 std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {
-    const Unit unit = q.base.empty() ? Unit{} : fitting_unit(q.values.back(), q.base);
+    const Unit unit = fitting_unit(q.values.back(), q.quantity->unit);
     const auto shown = [&](std::optional<double> value) {
         return padded(significant(value ? std::optional(*value / unit.factor) : value, 6), 10);
     };
-    std::string line = fmt::format("{:<8}{:<4}", q.symbol, unit.symbol);
+    std::string line = fmt::format("{:<8}{:<4}", q.quantity->symbol, unit.symbol);
     for (const double value : q.values) line += shown(value);
     line += padded(significant(q.limit.order, 3), 7);
     line += shown(q.limit.convergence == Convergence::ordered ? std::optional(q.limit.value)
@@ -71,7 +71,7 @@ std::string trimmed(std::string line) {
 
 std::string refinement_json(const std::string& version, const Refinement& r) {
     json quantities = json::object();
-    for (const RefinedQuantity& q : r.quantities) quantities[q.name] = to_json(q);
+    for (const RefinedQuantity& q : r.quantities) quantities[q.quantity->key] = to_json(q);
     const json document{{"version", version},
                         {"model", r.model},
                         {"key", r.key},
@@ -88,7 +88,7 @@ std::string refinement_csv(const Refinement& r) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
     fmt::format_to(out, "row,size_m");
-    for (const RefinedQuantity& q : r.quantities) fmt::format_to(out, ",{}", q.name);
+    for (const RefinedQuantity& q : r.quantities) fmt::format_to(out, ",{}", q.quantity->key);
     fmt::format_to(out, "\n");
     const auto row = [&](const std::string& name, std::optional<double> size, const auto& get) {
         fmt::format_to(out, "{},{}", name, csv_field(size));

@@ -33,7 +33,7 @@ std::string error_sentence(const Refinement& r) {
         if (!worst || share_of(q) > share_of(*worst)) worst = &q;
     if (!worst) return {};
     return fmt::format("The estimated error of the finest level is at most {} (of {}).",
-                       relative(worst->limit.error, worst->values.back()), worst->symbol);
+                       relative(worst->limit.error, worst->values.back()), worst->quantity->symbol);
 }
 
 std::string doubt_sentence(const Refinement& r) {
@@ -41,7 +41,7 @@ std::string doubt_sentence(const Refinement& r) {
     for (const RefinedQuantity& q : r.quantities)
         if (q.limit.convergence == Convergence::oscillating ||
             q.limit.convergence == Convergence::irregular)
-            doubtful.push_back(q.symbol);
+            doubtful.push_back(q.quantity->symbol);
     if (doubtful.empty()) return {};
     return fmt::format(
         "No order can be relied on for {}: nothing is extrapolated there, and the error is the "
@@ -57,7 +57,8 @@ std::string exact_sentence(const Refinement& r) {
         if (q.limit.convergence == Convergence::unchanged && error <= q.limit.error)
             continue;  // prescribed
         (error <= q.limit.error ? within : outside)
-            .push_back(fmt::format("{} ({})", q.symbol, percent(q.values.back() / *q.exact)));
+            .push_back(
+                fmt::format("{} ({})", q.quantity->symbol, percent(q.values.back() / *q.exact)));
     }
     std::string text;
     if (!within.empty())
@@ -80,12 +81,12 @@ std::string wide_sentence(const Refinement& r) {
     return fmt::format(
         "A block {} times as wide and deep, at the level before the finest, changes them by at "
         "most {} (of {}).",
-        significant(r.wide_factor, 2), percent(1 + *most->wide_change()), most->symbol);
+        significant(r.wide_factor, 2), percent(1 + *most->wide_change()), most->quantity->symbol);
 }
 
 Table::Row table_row(const Refinement& r, const RefinedQuantity& q) {
-    const Unit unit = q.base.empty() ? Unit{} : fitting_unit(q.values.back(), q.base);
-    Table::Row row{q.label, unit.symbol, {}};
+    const Unit unit = fitting_unit(q.values.back(), q.quantity->unit);
+    Table::Row row{typeset(label_of(*q.quantity)), unit.symbol, {}};
     const auto add = [&](Value value) {
         row.cells.push_back(significant(value ? Value(*value / unit.factor) : value, 5));
     };

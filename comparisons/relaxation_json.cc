@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "comparisons/json_number.h"
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/relaxation_report.h"
 
 namespace tricontact::comparisons {
@@ -22,9 +23,12 @@ json branches_json(const Case& c) {
 
 json drive_json(const std::optional<DriveValues>& drive) {
     if (!drive) return nullptr;
-    return {{"amplitude_m", drive->amplitude},       {"frequency_Hz", drive->frequency},
-            {"storage_modulus_Pa", drive->storage},  {"loss_modulus_Pa", drive->loss},
-            {"loss_tangent", drive->loss_tangent()}, {"deborah_numbers", drive->deborah}};
+    return {{quantities::amplitude.key, drive->amplitude},
+            {quantities::frequency.key, drive->frequency},
+            {quantities::storage_modulus.key, drive->storage},
+            {quantities::loss_modulus.key, drive->loss},
+            {"loss_tangent", drive->loss_tangent()},
+            {"deborah_numbers", drive->deborah}};
 }
 
 json elastic_json(const std::optional<RunValues>& elastic) {

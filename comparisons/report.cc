@@ -1,5 +1,7 @@
 #include "comparisons/report.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
@@ -12,11 +14,11 @@
 #include "comparisons/page_templates.h"
 #include "comparisons/plot_style.h"
 #include "comparisons/plots.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/reading.h"
 #include "comparisons/refinement_report.h"
 #include "comparisons/relaxation_report.h"
 #include "comparisons/report_tables.h"
-#include "comparisons/summary.h"
 
 namespace tricontact::comparisons {
 
@@ -42,7 +44,8 @@ data typeset_list(const std::vector<std::string>& sentences) {
 
 /// A cell's class: verdicts stand out, words align left.
 std::string cell_class(const std::string& cell) {
-    for (const char* word : {"shakedown", "ratcheting", "undecided", "passed", "FAILED"})
+    for (const char* word :
+         {"shakedown", "cyclic-slip", "ratcheting", "undecided", "passed", "FAILED"})
         if (cell == word) return std::string("verdict ") + word;
     return "";
 }
@@ -84,28 +87,35 @@ data to_data(const Table& table) {
 }
 
 /// The number that answers the case, with its name.
-std::pair<std::string, std::string> headline(const ModelSummary& s) {
-    if (s.state == State::ratcheting)
-        return {significant(s.shift_increment_ratio), "shift Δu per period, in U_max"};
-    if (!s.state) return {significant(s.static_shift_ratio), "static shift u, in U_max"};
-    return {significant(s.final_shift_ratio),
-            s.state == State::shakedown ? "settled shift u, in U_max" : "shift u so far, in U_max"};
+std::pair<std::string, std::string> headline(const Results& s) {
+    using namespace quantities;
+    const auto shown = [&s](const Quantity& length, const Quantity& ratio, const char* meaning) {
+        return std::pair(
+            quantity(s.number(length).value_or(0), "m"),
+            fmt::format("{} ({} {})", meaning, significant(s.number(ratio)), ratio.over));
+    };
+    if (s.state() == State::ratcheting)
+        return shown(shift_increment, shift_increment_ratio, "shift per period");
+    if (!s.state()) return shown(static_shift, static_shift_ratio, "static shift");
+    if (s.number(settled_shift)) return shown(settled_shift, settled_shift_ratio, "settled shift");
+    return shown(final_shift, final_shift_ratio, "shift so far");
 }
 
-data cards(const std::vector<ModelSummary>& summaries) {
+data cards(const std::vector<Results>& summaries) {
     data result{data::type::list};
     for (std::size_t i = 0; i < summaries.size(); ++i) {
-        const ModelSummary& s = summaries[i];
+        const Results& s = summaries[i];
         const auto [value, meaning] = headline(s);
         data card{data::type::object};
         card.set("model", display_name(s.model));
         card.set("colour", model_colour(i));
-        card.set("state", s.state ? contact::name_of(*s.state) : "static");
+        card.set("state", s.state() ? contact::name_of(*s.state()) : "static");
         card.set("value", value);
         card.set("meaning", typeset(meaning));
-        if (s.kappa) card.set("factor", "κ = " + significant(s.kappa, 3));
-        if (s.eta) card.set("factor", "η = " + significant(s.eta, 3));
-        card.set("has_factor", s.kappa || s.eta);
+        const auto kappa = s.number(quantities::kappa), eta = s.number(quantities::eta);
+        if (kappa) card.set("factor", "κ = " + significant(kappa, 3));
+        if (eta) card.set("factor", "η = " + significant(eta, 3));
+        card.set("has_factor", kappa || eta);
         result << card;
     }
     return result;
@@ -163,7 +173,7 @@ void set_refinement(const std::optional<Refinement>& refinement, data& page) {
 
 /// Everything but figures, layer, loading, relaxation and refinement.
 data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
-          const std::vector<ModelSummary>& summaries) {
+          const std::vector<Results>& summaries) {
     data settings{data::type::list};
     for (const Table& table : setting_tables(c)) settings << to_data(table);
     data result{data::type::object};
@@ -178,7 +188,7 @@ data page(const contact::Case& c, const std::string& resolved_case, const std::s
     result.set("results", to_data(results_table(c, summaries)));
     result.set("rolling", c.rolling.has_value());
     int periods = 0;
-    for (const ModelSummary& s : summaries) periods = std::max(periods, s.periods);
+    for (const Results& s : summaries) periods = std::max(periods, s.periods());
     result.set("has_periods", periods > 0);
     result.set("few_periods", periods <= most_open_periods);
     result.set("period_table", to_data(period_table(summaries)));
@@ -205,9 +215,8 @@ std::vector<ReportFile> make_report(const contact::Case& c, const std::string& r
                                     const std::string& version,
                                     const std::vector<contact::History>& histories,
                                     const ReportExtras& extras) {
-    std::vector<ModelSummary> summaries;
-    summaries.reserve(histories.size());
-    for (const contact::History& history : histories) summaries.push_back(summarise(c, history));
+    std::vector<Results> summaries;
+    for (const contact::History& history : histories) summaries.emplace_back(c, history);
     std::vector<Plot> plots = make_plots(c, histories);
     if (c.relaxation) plots.push_back(modulus_plot(c, extras.relaxation));
     const std::vector<Drawing> drawings = draw_all(plots);

@@ -265,28 +265,28 @@ std::vector<Table> setting_tables(const Case& c) {
     return {bodies_table(c), load_table(c), derived_table(c)};
 }
 
-Table period_table(const std::vector<ModelSummary>& summaries) {
+Table period_table(const std::vector<Results>& results) {
     Table table{"Shift and frictional work after each period", {}, {{}}};
     std::size_t periods = 0;
-    for (const ModelSummary& s : summaries) {
+    for (const Results& s : results) {
         const std::string name = display_name(s.model);
         for (const char* column : {" u", " Δu", " W/W₀"}) table.columns.push_back(name + column);
-        periods = std::max(periods, s.shift_ratio_per_period.size());
+        periods = std::max(periods, s.list(quantities::shift_ratio_per_period).size());
     }
     for (std::size_t n = 0; n <= periods; ++n) {
         Row line{std::to_string(n), "", {}};
-        for (const ModelSummary& s : summaries) {
-            const auto& u = s.shift_ratio_per_period;
+        for (const Results& s : results) {
+            const Numbers& u = s.list(quantities::shift_ratio_per_period);
+            const auto u_stat = s.number(quantities::static_shift_ratio);
             if (n == 0 || n > u.size()) {
-                line.cells.push_back(
-                    significant(n == 0 ? std::optional(s.static_shift_ratio) : std::nullopt));
+                line.cells.push_back(significant(n == 0 ? u_stat : std::nullopt));
                 line.cells.insert(line.cells.end(), 2, significant({}));
                 continue;
             }
             line.cells.push_back(significant(u[n - 1]));
-            const double before = n > 1 ? u[n - 2] : s.static_shift_ratio;
-            line.cells.push_back(significant(u[n - 1] - before, 3));
-            const auto& work = s.dissipation_ratio_per_period;
+            const double before = (n > 1 ? u[n - 2] : u_stat).value_or(0);
+            line.cells.push_back(significant(u[n - 1].value_or(0) - before, 3));
+            const Numbers& work = s.list(quantities::dissipation_ratio_per_period);
             line.cells.push_back(significant(n <= work.size() ? work[n - 1] : std::nullopt, 3));
         }
         table.groups.front().rows.push_back(line);
@@ -294,9 +294,9 @@ Table period_table(const std::vector<ModelSummary>& summaries) {
     return table;
 }
 
-Table audit_table(const std::vector<ModelSummary>& summaries) {
+Table audit_table(const std::vector<Results>& results) {
     Table table{"Audit of all solutions", {"worst", "allowed", "verdict"}, {}};
-    for (const ModelSummary& s : summaries) {
+    for (const Results& s : results) {
         Table::Group group{display_name(s.model), {}};
         for (const auto& check : s.audit)
             group.rows.push_back({readable(check.name),

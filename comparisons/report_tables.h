@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/summary.h"
+#include "comparisons/quantities/results.h"
 #include "contact/case.h"
 
 namespace tricontact::comparisons {
@@ -29,12 +29,12 @@ std::vector<Table> setting_tables(const contact::Case& c);
 
 /// Models side by side, the closed forms, and differences to the last model (with one model: to
 /// the closed forms).
-Table results_table(const contact::Case& c, const std::vector<ModelSummary>& summaries);
+Table results_table(const contact::Case& c, const std::vector<Results>& results);
 
 /// u, its increment and the frictional work after each period.
-Table period_table(const std::vector<ModelSummary>& summaries);
+Table period_table(const std::vector<Results>& results);
 
 /// Each model's checks: worst violation, what is allowed, verdict.
-Table audit_table(const std::vector<ModelSummary>& summaries);
+Table audit_table(const std::vector<Results>& results);
 
 }  // namespace tricontact::comparisons

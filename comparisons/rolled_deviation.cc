@@ -3,72 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
-#include "theory/layer_shakedown.h"
-#include "theory/oscillating_rolling.h"
-
 namespace tricontact::comparisons {
 
 namespace {
 
-using json = nlohmann::ordered_json;
 using Kind = RolledRun::Kind;
 using Value = std::optional<double>;
 using Values = std::array<Value, n_rolled_quantities>;
 
-constexpr std::array<DeviationQuantity, n_rolled_quantities> descriptions{{
-    {"static_shift", "U_stat", "static shift"},
-    {"static_shift_ratio", "u_stat", "static shift over U_max"},
-    {"settled_shift", "U_sd", "settled shift"},
-    {"settled_shift_ratio", "u_sd", "settled shift over U_max"},
-    {"kappa", "kappa", "mapping parameter"},
-    {"shift_increment", "DU", "shift per period"},
-    {"shift_increment_ratio", "Du", "shift per period over U_max"},
-    {"eta", "eta", "ratcheting slope"},
-    {"limit_tangential_ratio", "f_T,lim", "shakedown limit of the load"},
-}};
-
-/// Shift per period over U_max below which a contact counts as settled, even if some of it slips to
-/// and fro for ever, which the verdict calls undecided.
-constexpr double settled_increment = 1e-6;
+const std::array<const Quantity*, n_rolled_quantities> descriptions{
+    &quantities::static_shift,
+    &quantities::static_shift_ratio,
+    &quantities::settled_shift,
+    &quantities::settled_shift_ratio,
+    &quantities::kappa,
+    &quantities::shift_increment,
+    &quantities::shift_increment_ratio,
+    &quantities::eta,
+    &quantities::limit_tangential_ratio};
 
 std::size_t index(RolledQuantity q) {
     return static_cast<std::size_t>(q);
 }
 
-Value number(const json& values, const char* name) {
-    const auto found = values.find(name);
-    if (found == values.end() || !found->is_number()) return {};
-    return found->get<double>();
-}
-
-std::string state_of(const json& values) {
-    return values.is_object() && values["state"].is_string() ? values["state"].get<std::string>()
-                                                             : "";
-}
-
-void add_settling(const json& v, double w, double f, Values& result) {
-    const Value unit = number(v, "unit_shift_m");
-    if (!unit) return;
-    result[index(RolledQuantity::static_shift)] = number(v, "static_shift_m");
-    result[index(RolledQuantity::static_shift_ratio)] = number(v, "static_shift_ratio");
-    if (w == 0) return;
-    result[index(RolledQuantity::limit_tangential_ratio)] = number(v, "limit_tangential_ratio");
-    const Value increment = number(v, "shift_increment_ratio"), u = number(v, "final_shift_ratio");
-    const bool settled =
-        state_of(v) == "shakedown" || (increment && std::abs(*increment) < settled_increment);
-    if (!settled || !u) return;
-    result[index(RolledQuantity::settled_shift)] = number(v, "final_shift_m");
-    result[index(RolledQuantity::settled_shift_ratio)] = u;
-    if (*u > 0 && *u <= 1)
-        result[index(RolledQuantity::kappa)] = theory::mapping_parameter(w, f, *u);
-}
-
-void add_ratcheting(const json& v, double w, double w_limit, Values& result) {
-    const Value unit = number(v, "unit_shift_m"), du = number(v, "shift_increment_ratio");
-    if (!unit || !du || state_of(v) != "ratcheting") return;
-    result[index(RolledQuantity::shift_increment)] = *du * *unit;
-    result[index(RolledQuantity::shift_increment_ratio)] = du;
-    if (w > w_limit) result[index(RolledQuantity::eta)] = *du / (w - w_limit);
+/// Of a run that is to settle or to ratchet, whatever it does: static shift and, with rolling,
+/// limit come from the former, what ratcheting tells from the latter.
+void add(const Results& results, bool settling, Values& values) {
+    for (const RolledQuantity q : rolled_quantities()) {
+        const bool of_ratcheting = q >= RolledQuantity::shift_increment && q <= RolledQuantity::eta;
+        const bool unrolled = q == RolledQuantity::limit_tangential_ratio && results.periods() == 0;
+        if (of_ratcheting != settling && !unrolled) values[index(q)] = results.told(describe(q));
+    }
 }
 
 /// What the runs on one body gave, by level, and on the coarsest by half steps.
@@ -76,30 +41,18 @@ struct BodyValues {
     RolledBody body;
     std::array<Values, n_rolled_levels> levels;
     Values half_steps;
-    std::string state;
+    std::optional<contact::State> state;
 };
 
-double amplitude_limit_on(const RolledBody& body, const DeviationContact& contact) {
-    const ExactDeviation exact(contact, body.poisson, theory::LayerBase::bonded);
-    return theory::amplitude_limit(
-        body.half_space() ? exact.half_space() : exact.contact_at(body.thickness_ratio),
-        contact.tangential_ratio);
-}
-
-BodyValues values_on(const RolledBody& body, const std::vector<RolledResult>& results,
-                     const DeviationContact& contact, const RolledAmplitudes& amplitudes) {
+BodyValues values_on(const RolledBody& body, const std::vector<RolledResult>& results) {
     BodyValues values{.body = body, .levels = {}, .half_steps = {}, .state = {}};
-    const double w_limit = amplitudes.ratcheting > 0 ? amplitude_limit_on(body, contact) : 1;
-    for (const auto& [run, v] : results) {
-        if (!(run.body == body) || !v.is_object()) continue;
+    for (const auto& [run, found] : results) {
+        if (!(run.body == body) || !found) continue;
         Values& level = values.levels.at(static_cast<std::size_t>(run.level));
-        if (run.kind == Kind::settling) {
-            add_settling(v, amplitudes.settling, contact.tangential_ratio, level);
-            values.state = state_of(v);
-        } else {
-            add_ratcheting(v, amplitudes.ratcheting, w_limit,
-                           run.kind == Kind::ratcheting ? level : values.half_steps);
-        }
+        const bool settling = run.kind == Kind::settling;
+        if (settling) values.state = found->state();
+        add(*found, settling,
+            run.kind == Kind::ratcheting_by_half_steps ? values.half_steps : level);
     }
     return values;
 }
@@ -128,8 +81,8 @@ std::optional<RolledRatio> ratio_of(std::size_t q, const BodyValues& layer,
 
 }  // namespace
 
-const DeviationQuantity& describe(RolledQuantity q) {
-    return descriptions.at(index(q));
+const Quantity& describe(RolledQuantity q) {
+    return *descriptions.at(index(q));
 }
 
 const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities() {
@@ -141,14 +94,12 @@ const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities() {
     return all;
 }
 
-std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results,
-                                               const DeviationContact& contact,
-                                               const RolledAmplitudes& amplitudes) {
+std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results) {
     std::vector<BodyValues> bodies;
     for (const RolledResult& result : results) {
         const auto same = [&](const BodyValues& known) { return known.body == result.run.body; };
         if (std::none_of(bodies.begin(), bodies.end(), same))
-            bodies.push_back(values_on(result.run.body, results, contact, amplitudes));
+            bodies.push_back(values_on(result.run.body, results));
     }
     std::vector<RolledDeviation> deviations;
     for (const BodyValues& layer : bodies) {
@@ -157,7 +108,7 @@ std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& 
         const auto half_space = std::find_if(
             bodies.begin(), bodies.end(), [&](const BodyValues& b) { return b.body == reference; });
         RolledDeviation& deviation =
-            deviations.emplace_back(layer.body, RolledRatios{}, layer.state, std::string());
+            deviations.emplace_back(layer.body, RolledRatios{}, layer.state, std::nullopt);
         if (half_space == bodies.end()) continue;
         deviation.half_space_state = half_space->state;
         for (const RolledQuantity q : rolled_quantities())

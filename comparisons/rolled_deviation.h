@@ -2,12 +2,12 @@
 
 #include <array>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "comparisons/exact_deviation.h"
+#include "comparisons/quantities/results.h"
 #include "contact/case.h"
 
 namespace tricontact::comparisons {
@@ -26,7 +26,7 @@ enum class RolledQuantity {
 };
 inline constexpr std::size_t n_rolled_quantities = 9;
 
-const DeviationQuantity& describe(RolledQuantity q);
+const Quantity& describe(RolledQuantity q);
 /// All, in the order of the enumeration.
 const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities();
 
@@ -68,10 +68,10 @@ std::vector<RolledRun> runs_on(const RolledBody& body, const RolledAmplitudes& a
 contact::Case rolled_case(const contact::Case& base, const DeviationContact& contact,
                           const RolledAmplitudes& amplitudes, const RolledRun& run);
 
-/// A run and what it gave, as point_results says it; null if it failed.
+/// A run and what it gave; empty if it failed.
 struct RolledResult {
     RolledRun run;
-    nlohmann::ordered_json values;
+    std::optional<Results> values;
 };
 
 /// Ratio of body and half-space of the same poisson and coupling.
@@ -85,15 +85,12 @@ using RolledRatios = std::array<std::optional<RolledRatio>, n_rolled_quantities>
 struct RolledDeviation {
     RolledBody body;
     RolledRatios ratios;
-    /// In words, of the settling run on the finest level: "shakedown", "ratcheting", "undecided";
-    /// empty without rolling.
-    std::string state;
-    std::string half_space_state = {};  ///< the same of the half-space
+    /// Of the settling run on the finest level; empty without rolling.
+    std::optional<contact::State> state = {};
+    std::optional<contact::State> half_space_state = {};  ///< the same of the half-space
 };
 
 /// The bodies' ratios, in the order of their runs; half-spaces are what they are compared with.
-std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results,
-                                               const DeviationContact& contact,
-                                               const RolledAmplitudes& amplitudes);
+std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results);
 
 }  // namespace tricontact::comparisons

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "comparisons/numerical_bar.h"
+#include "comparisons/quantities/results.h"
 
 namespace tricontact::comparisons {
 
@@ -18,35 +18,34 @@ struct RollingRun {
     std::string point;  ///< equal for the runs of one point, whatever the model, level and steps
     double angle = 0;   ///< between rolling and load [rad]
     int level = 0;
-    int steps_per_quarter = 1;       ///< 1: turning points only
-    nlohmann::ordered_json results;  ///< see point_results
+    int steps_per_quarter = 1;  ///< 1: turning points only
+    Results results;
 };
 
-/// What became of a point. A coupled contact may keep slipping to and fro without its shift
-/// changing any more: the verdict leaves it undecided, its shift has settled all the same.
-enum class Behaviour { settled, ratcheting, undecided };
-
-/// A point as one model sees it at infinitely fine resolution, as far as its runs tell. Ratios as
-/// in ModelSummary.
+/// A point as one model sees it at infinitely fine resolution, as far as its runs tell.
 struct RollingPoint {
     std::string model, group, point;
     double angle = 0;             ///< [rad]
     double amplitude_ratio = 0;   ///< w
     double tangential_ratio = 0;  ///< f_T
-    Behaviour behaviour = Behaviour::undecided;
-    Computed static_shift = {};  ///< u_stat
-    /// u_sd; the bar includes what was still to come when the run ended. Empty unless settled.
-    std::optional<Computed> settled_shift = {};
-    /// c_sd/a of a line contact; empty unless it shook down.
-    std::optional<Computed> stick = {};
-    /// Du of the last period. Empty unless ratcheting in steps finer than the turning points.
-    std::optional<Computed> increment = {};
-    Computed limit = {};  ///< f_T,lim from the model's own pressures
+    contact::State state = contact::State::undecided;
+    /// Of point_quantities(), where the finest run tells them; the bar of a settled shift includes
+    /// what was still to come when the run ended. The shift per period, of ratcheting, needs steps
+    /// finer than the turning points.
+    std::map<const Quantity*, Computed> values = {};
+
+    /// Null where undefined.
+    const Computed* find(const Quantity& q) const;
+    /// Throws std::out_of_range where undefined.
+    const Computed& at(const Quantity& q) const { return values.at(&q); }
 };
 
+/// What a point is asked for: shifts in metres and in U_max, limits, stick.
+const std::vector<const Quantity*>& point_quantities();
+
 /// What the runs of each model and point say together, in the order of their first runs. Runs
-/// without w and f_T in [0, 1] are left out. Behaviour is that of the finest run; coarser ones
-/// that behave otherwise do not count for its value.
+/// without w and f_T in [0, 1] are left out. The state is that of the finest run; a coarser one in
+/// whose state a value tells nothing does not count for it.
 std::vector<RollingPoint> rolling_points(const std::vector<RollingRun>& runs);
 
 /// "parallel", "perpendicular" or "30 deg": the direction of the load to the rolling.

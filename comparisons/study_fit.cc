@@ -16,21 +16,6 @@ json computed(const Computed& value) {
     return {{"value", number(value.value)}, {"numerical_error", number(value.error)}};
 }
 
-json computed(const std::optional<Computed>& value) {
-    return value ? computed(*value) : json();
-}
-
-const char* name_of(Behaviour behaviour) {
-    switch (behaviour) {
-        case Behaviour::settled:
-            return "settled";
-        case Behaviour::ratcheting:
-            return "ratcheting";
-        default:
-            return "undecided";
-    }
-}
-
 json form_json(const std::optional<FittedForm>& form) {
     if (!form) return nullptr;
     json parameters = json::object();
@@ -53,17 +38,16 @@ json form_json(const std::optional<FittedForm>& form) {
 
 json points_json(const std::vector<RollingPoint>& points) {
     json all = json::array();
-    for (const RollingPoint& p : points)
-        all.push_back({{"model", p.model},
-                       {"group", p.group},
-                       {"amplitude_ratio", number(p.amplitude_ratio)},
-                       {"tangential_ratio", number(p.tangential_ratio)},
-                       {"behaviour", name_of(p.behaviour)},
-                       {"static_shift_ratio", computed(p.static_shift)},
-                       {"settled_shift_ratio", computed(p.settled_shift)},
-                       {"shift_increment_ratio", computed(p.increment)},
-                       {"limit_tangential_ratio", computed(p.limit)},
-                       {"stick_ratio", computed(p.stick)}});
+    for (const RollingPoint& p : points) {
+        json point{{"model", p.model},
+                   {"group", p.group},
+                   {quantities::amplitude_ratio.key, number(p.amplitude_ratio)},
+                   {quantities::tangential_ratio.key, number(p.tangential_ratio)},
+                   {quantities::state.key, contact::name_of(p.state)}};
+        for (const Quantity* q : point_quantities())
+            point[q->key] = p.find(*q) ? computed(p.at(*q)) : json();
+        all.push_back(point);
+    }
     return all;
 }
 
@@ -71,7 +55,7 @@ json uses_json(const std::vector<MappingUse>& uses) {
     json all = json::array();
     for (const MappingUse& use : uses)
         all.push_back({{"name", use.name},
-                       {"kappa", number(use.kappa)},
+                       {quantities::kappa.key, number(use.kappa)},
                        {"median_error", number(use.median)},
                        {"worst_error", number(use.worst)},
                        {"worst_amplitude_ratio", number(use.worst_amplitude_ratio)},
@@ -99,10 +83,10 @@ json mapping_json(const std::vector<MappingGroup>& groups) {
     for (const MappingGroup& group : groups) {
         json points = json::array();
         for (const MappingPoint& p : group.points)
-            points.push_back({{"amplitude_ratio", number(p.at.amplitude_ratio)},
-                              {"tangential_ratio", number(p.at.tangential_ratio)},
+            points.push_back({{quantities::amplitude_ratio.key, number(p.at.amplitude_ratio)},
+                              {quantities::tangential_ratio.key, number(p.at.tangential_ratio)},
                               {"over_limit", number(p.limit_ratio)},
-                              {"kappa", computed(p.kappa)}});
+                              {quantities::kappa.key, computed(p.kappa)}});
         all.push_back({{"model", group.model},
                        {"group", group.group},
                        {"points", points},
@@ -120,17 +104,18 @@ json ratcheting_json(const std::vector<RatchetingGroup>& groups) {
         json points = json::array(), loads = json::array();
         for (std::size_t i = 0; i < group.points.size(); ++i) {
             const RatchetingPoint& p = group.points[i];
-            points.push_back({{"amplitude_ratio", number(p.at.amplitude_ratio)},
-                              {"tangential_ratio", number(p.at.tangential_ratio)},
-                              {"limit_amplitude_ratio", computed(p.amplitude_limit)},
-                              {"eta", computed(p.eta)},
+            points.push_back({{quantities::amplitude_ratio.key, number(p.at.amplitude_ratio)},
+                              {quantities::tangential_ratio.key, number(p.at.tangential_ratio)},
+                              {quantities::limit_amplitude_ratio.key, computed(p.amplitude_limit)},
+                              {quantities::eta.key, computed(p.eta)},
                               {"thesis_increment_over_model", number(group.thesis_ratio[i])}});
         }
         for (const RatchetingLoad& load : group.loads)
-            loads.push_back({{"tangential_ratio", number(load.tangential_ratio)},
-                             {"static_shift_ratio", number(load.static_shift_ratio)},
-                             {"limit_amplitude_ratio", computed(load.amplitude_limit)},
-                             {"slope", form_json(load.slope)}});
+            loads.push_back(
+                {{quantities::tangential_ratio.key, number(load.tangential_ratio)},
+                 {quantities::static_shift_ratio.key, number(load.static_shift_ratio)},
+                 {quantities::limit_amplitude_ratio.key, computed(load.amplitude_limit)},
+                 {"slope", form_json(load.slope)}});
         all.push_back({{"model", group.model},
                        {"group", group.group},
                        {"limit", form_json(group.limit)},
@@ -148,14 +133,14 @@ json differences_json(const std::vector<ModelDifference>& differences) {
     for (const ModelDifference& d : differences) {
         json points = json::array();
         for (const PointDifference& p : d.points)
-            points.push_back({{"amplitude_ratio", number(p.amplitude_ratio)},
-                              {"tangential_ratio", number(p.tangential_ratio)},
+            points.push_back({{quantities::amplitude_ratio.key, number(p.amplitude_ratio)},
+                              {quantities::tangential_ratio.key, number(p.tangential_ratio)},
                               {"first", computed(p.first)},
                               {"second", computed(p.second)},
                               {"relative_difference", number(p.relative())},
                               {"relative_error", number(p.bar())},
                               {"differs", differs(p.first, p.second)}});
-        all.push_back({{"quantity", d.quantity},
+        all.push_back({{"quantity", d.quantity->symbol},
                        {"first", d.first},
                        {"second", d.second},
                        {"group", d.group},
@@ -189,29 +174,27 @@ std::string fit_json(const StudyFit& fit) {
                       {"confidence", fit.confidence},
                       {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
                       {"points", points_json(fit.points)},
-                      {"kappa", mapping_json(fit.mapping)},
-                      {"eta", ratcheting_json(fit.ratcheting)},
+                      {quantities::kappa.key, mapping_json(fit.mapping)},
+                      {quantities::eta.key, ratcheting_json(fit.ratcheting)},
                       {"differences", differences_json(fit.differences)}};
     return all.dump(2) + '\n';
 }
 
 std::string points_csv(const StudyFit& fit) {
-    std::vector<std::string> heading{"model", "group", "amplitude_ratio", "tangential_ratio",
-                                     "behaviour"};
-    for (const std::string result :
-         {"static_shift_ratio", "settled_shift_ratio", "shift_increment_ratio",
-          "limit_tangential_ratio", "stick_ratio"})
-        heading.insert(heading.end(), {result, result + "_error"});
+    std::vector<std::string> heading{"model", "group", quantities::amplitude_ratio.key,
+                                     quantities::tangential_ratio.key, quantities::state.key};
+    for (const Quantity* q : point_quantities())
+        heading.insert(heading.end(), {q->key, std::string(q->key) + "_error"});
     heading.emplace_back("caveat");
     std::string text = csv_line(heading);
     for (const RollingPoint& p : fit.points) {
         std::vector<std::string> row{csv_field(p.model), csv_field(p.group),
                                      csv_field(p.amplitude_ratio), csv_field(p.tangential_ratio),
-                                     name_of(p.behaviour)};
-        for (const std::optional<Computed>& c : {std::optional(p.static_shift), p.settled_shift,
-                                                 p.increment, std::optional(p.limit), p.stick}) {
-            row.push_back(c ? csv_field(c->value) : "");
-            row.push_back(c ? csv_field(c->error) : "");
+                                     contact::name_of(p.state)};
+        for (const Quantity* q : point_quantities()) {
+            const Computed* value = p.find(*q);
+            row.push_back(value ? csv_field(value->value) : "");
+            row.push_back(value ? csv_field(value->error) : "");
         }
         row.push_back(csv_field(fit.caveat));
         text += csv_line(row);

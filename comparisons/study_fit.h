@@ -40,7 +40,7 @@ std::string fit_json(const StudyFit& fit);
 /// about zero of what the parameters multiply, number of observations, degrees of freedom, caveat.
 std::string fits_csv(const StudyFit& fit);
 
-/// points.csv: a row per point of a model: model, group, w, f_T, behaviour, then each result and
+/// points.csv: a row per point of a model: model, group, w, f_T, state, then each result and
 /// its numerical error, both empty where undefined; the caveat.
 std::string points_csv(const StudyFit& fit);
 

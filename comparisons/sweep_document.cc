@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -39,25 +40,37 @@ Cell in_unit(const Cell& value, const SweepScale& scale) {
     return number ? Cell(*number / scale.unit.factor) : value;
 }
 
+/// What `plotted` quantities some point knows.
+std::vector<const Quantity*> shown_quantities(const Sweep& sweep) {
+    std::vector<const Quantity*> shown;
+    for (const Quantity* q : all_quantities())
+        if (q->is_plotted && std::ranges::any_of(sweep.points, [q](const Sweep::Point& p) {
+                return p.results.told(*q).has_value();
+            }))
+            shown.push_back(q);
+    return shown;
+}
+
+/// Empty without rolling.
+std::string state_of(const Sweep::Point& point) {
+    const auto state = point.results.state();
+    return state ? contact::name_of(*state) : "";
+}
+
 /// The points that `wanted` wants, with their results or errors.
 template <class Wanted>
 DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales, bool failures,
                        const Wanted& wanted) {
-    constexpr std::pair<double Sweep::Point::*, const char*> results[] = {
-        {&Sweep::Point::static_shift_ratio, "u_stat [U_max]"},
-        {&Sweep::Point::final_shift_ratio, "u_end [U_max]"},
-        {&Sweep::Point::shift_increment_ratio, "Δu [U_max]"},
-        {&Sweep::Point::kappa, "κ [1]"},
-        {&Sweep::Point::eta, "η [1]"}};
+    const std::vector<const Quantity*> shown = shown_quantities(sweep);
     DocumentTable table{.id = failures ? "failed_points" : "points",
                         .title = failures ? "Points that failed" : "Points",
                         .columns = {{"model"}},
                         .rows = {}};
     for (std::size_t i = 0; i < scales.size(); ++i)
         table.columns.push_back({heading_of(sweep.axes[i], scales[i])});
-    table.columns.push_back({failures ? "error" : "state"});
+    table.columns.push_back({failures ? "error" : quantities::state.key});
     if (!failures)
-        for (const auto& [value, heading] : results) table.columns.push_back({heading});
+        for (const Quantity* q : shown) table.columns.push_back({heading_of(*q)});
     const bool has_files =
         !failures && std::any_of(sweep.points.begin(), sweep.points.end(),
                                  [](const auto& p) { return !p.surface.empty(); });
@@ -68,9 +81,9 @@ DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales
         row.emplace_back(name_of(point, sweep));
         for (std::size_t i = 0; i < scales.size(); ++i)
             row.push_back(in_unit(point.values[i], scales[i]));
-        row.emplace_back(failures ? *point.error : point.state);
+        row.emplace_back(failures ? *point.error : state_of(point));
         if (!failures)
-            for (const auto& [value, heading] : results) row.emplace_back(point.*value);
+            for (const Quantity* q : shown) row.emplace_back(point.results.told(*q).value_or(NAN));
         if (has_files)
             row.push_back(point.surface.empty() ? Cell("") : Cell(Link{"surface", point.surface}));
     }
@@ -96,21 +109,26 @@ std::vector<Verdict> verdicts_of(const Sweep& sweep) {
     else
         verdicts.push_back({Verdict::Standing::fails, fmt::format("{} of {} failed.", n_failed,
                                                                   counted(n, "point", "points"))});
+    using enum contact::State;
     std::vector<std::string> models;
-    std::map<std::string, std::map<std::string, int>> states;
+    std::map<std::string, std::map<contact::State, int>> states;
     for (const Sweep::Point& point : sweep.points) {
+        const auto state = point.results.state();
+        if (!state) continue;
         if (!states.contains(point.model)) models.push_back(point.model);
-        ++states[point.model][point.state];
+        ++states[point.model][*state];
     }
     for (const std::string& model : models) {
         auto& of_model = states[model];
-        const int n_rolled = of_model["shakedown"] + of_model["ratcheting"] + of_model["undecided"];
-        if (n_rolled == 0) continue;
-        verdicts.push_back(
-            {Verdict::Standing::finding,
-             fmt::format("{}: of {} rolling {}, {} shake down, {} ratchet, {} stay undecided.",
-                         display_name(model), n_rolled, n_rolled == 1 ? "point" : "points",
-                         of_model["shakedown"], of_model["ratcheting"], of_model["undecided"])});
+        const int n = of_model[shakedown] + of_model[cyclic_slip] + of_model[ratcheting] +
+                      of_model[undecided];
+        std::string text = fmt::format("{}: of {} rolling {}, {} shake down, ", display_name(model),
+                                       n, n == 1 ? "point" : "points", of_model[shakedown]);
+        if (of_model[cyclic_slip] > 0)
+            text += fmt::format("{} end in cyclic slip, ", of_model[cyclic_slip]);
+        text += fmt::format("{} ratchet, {} stay undecided.", of_model[ratcheting],
+                            of_model[undecided]);
+        verdicts.push_back({Verdict::Standing::finding, text});
     }
     return verdicts;
 }
@@ -120,8 +138,8 @@ DocumentSection points_section(const Sweep& sweep, const std::vector<SweepScale>
     if (sweep.points.size() <= most_rows) {
         section.tables.push_back(table_of(sweep, scales, false, [](const auto&) { return true; }));
         section.tables.back().note =
-            "u_stat before rolling, u_end and Δu after and during the last period; κ only after "
-            "shakedown, η only while ratcheting.";
+            "Ratios are over each model's own U_max. What a point does not tell is left empty: a "
+            "contact that ratchets has no settled shift.";
     } else {
         section.paragraphs.push_back(fmt::format(
             "{} points are too many for a page: results.csv has them all.", sweep.points.size()));

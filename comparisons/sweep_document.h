@@ -1,12 +1,12 @@
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "comparisons/document.h"
+#include "comparisons/quantities/results.h"
 
 namespace tricontact::comparisons {
 
@@ -17,15 +17,12 @@ struct Sweep {
         std::string unit;  ///< SI unit of its values; empty: none, or words
         bool logarithmic = false;
     };
-    /// Results as in point_results; NaN where undefined.
     struct Point {
         std::vector<Cell> values;  ///< one per axis, SI unit
         std::string model;
         int level = 0;                          ///< of refinement
         std::optional<std::string> error = {};  ///< of a point that failed
-        std::string state = {};  ///< "shakedown", "ratcheting", "undecided"; empty without rolling
-        double static_shift_ratio = NAN, final_shift_ratio = NAN, shift_increment_ratio = NAN;
-        double kappa = NAN, eta = NAN;
+        Results results = {};
         std::string surface = {};  ///< its file for ParaView, from the report; empty: none
     };
     std::string title;

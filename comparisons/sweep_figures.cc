@@ -16,22 +16,15 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// What is drawn over the axes, in points of one state (empty: whatever the state).
-struct Quantity {
-    const char* id;
-    double Sweep::Point::*value;
-    const char *state, *title, *label;
-};
-constexpr Quantity quantities[] = {
-    {"settled", &Sweep::Point::final_shift_ratio, "shakedown", "Settled shift", "u [U_max]"},
-    {"increment", &Sweep::Point::shift_increment_ratio, "ratcheting", "Shift per period",
-     "Δu [U_max]"},
-    {"static_shift", &Sweep::Point::static_shift_ratio, "", "Static shift", "u_stat [U_max]"},
-};
-
 double value_of(const Sweep::Point& point, const Quantity& quantity) {
-    const std::string state = quantity.state;
-    return state.empty() || point.state == state ? point.*quantity.value : nan;
+    return point.results.told(quantity).value_or(nan);
+}
+
+/// "Settled shift u_sd".
+std::string title_of(const Quantity& quantity) {
+    std::string title = label_of(quantity);
+    title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
+    return title;
 }
 
 SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
@@ -99,12 +92,12 @@ std::string caption_of(const Sweep& sweep, const Quantity& quantity,
     const bool lines = std::any_of(curves.begin(), curves.end(), [](const Curve& curve) {
         return curve.kind == Curve::Kind::line_and_points;
     });
-    const std::string state = quantity.state;
-    std::string text = state == "shakedown"    ? "Points that shake down. "
-                       : state == "ratcheting" ? "Points that ratchet, last period. "
-                                               : "Before rolling. ";
+    std::string text = std::string(quantity.meaning) + " ";
     if (lines && sweep.axes.size() > 1) text += "Lines join points that differ in nothing else. ";
-    return text + "U_max is each model's own.";
+    if (std::string(quantity.defined) != "always")
+        text += fmt::format("Defined {}. ", quantity.defined);
+    text.pop_back();
+    return text;
 }
 
 std::vector<Figure> figures_of(const Sweep& sweep, const std::vector<SweepScale>& scales,
@@ -119,10 +112,10 @@ std::vector<Figure> figures_of(const Sweep& sweep, const std::vector<SweepScale>
         if (!scale.is_number || scale.values.size() < 2) continue;
         const std::string& key = sweep.axes[axis].key;
         Figure& figure = figures.emplace_back();
-        figure.id = fmt::format("{}_{}", quantity.id, axis + 1);
-        figure.title = fmt::format("{} over {}", quantity.title, key);
+        figure.id = fmt::format("{}_{}", quantity.key, axis + 1);
+        figure.title = fmt::format("{} over {}", title_of(quantity), key);
         figure.x = {heading_of(sweep.axes[axis], scale), sweep.axes[axis].logarithmic};
-        figure.y.label = quantity.label;
+        figure.y.label = heading_of(quantity);
         figure.curves = curves_over(sweep, axis, scale, quantity);
         figure.caption = caption_of(sweep, quantity, figure.curves);
     }
@@ -150,10 +143,11 @@ std::string name_of(const Sweep::Point& point, const Sweep& sweep) {
 std::vector<DocumentSection> shift_sections(const Sweep& sweep,
                                             const std::vector<SweepScale>& scales) {
     std::vector<DocumentSection> sections;
-    for (const Quantity& quantity : quantities) {
-        std::vector<Figure> figures = figures_of(sweep, scales, quantity);
+    for (const Quantity* quantity : all_quantities()) {
+        if (!quantity->is_plotted) continue;
+        std::vector<Figure> figures = figures_of(sweep, scales, *quantity);
         if (figures.empty()) continue;
-        sections.push_back({quantity.id, quantity.title, {}, std::move(figures)});
+        sections.push_back({quantity->key, title_of(*quantity), {}, std::move(figures)});
     }
     return sections;
 }

@@ -73,7 +73,7 @@ class GroupFigures {
                 "thesis", 0, 1 - w * w,
                 [&](double u) { return 1 - kappa_ * w * u - std::pow(1 - u, 1.5); },
                 [](double u) { return u; }, thesis_colour()));
-        add_points(f, settled_over_load);
+        add_points(f, over_load(quantities::settled_shift_ratio));
         return f;
     }
 
@@ -163,7 +163,7 @@ class GroupFigures {
             f.curves.push_back(closed_form(
                 "thesis", theory::shakedown_limit(w, kappa_), 1, [](double load) { return load; },
                 [&](double load) { return formula(w, load); }, thesis_colour()));
-        add_points(f, increment_over_load);
+        add_points(f, over_load(quantities::shift_increment_ratio));
         return f;
     }
 

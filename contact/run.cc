@@ -218,6 +218,7 @@ class Run {
             dissipation.push_back(value / energy);
         const Evolution evolution{history_.static_shift / unit, shift, dissipation};
         history_.verdict.state = judge(evolution);
+        history_.verdict.remaining_error = 0;
         nearly_settled_ = last_increment(evolution) < 1e-4;  // keep surfaces from now on
         return has_settled(evolution);
     }

@@ -80,8 +80,9 @@ void add_history(py::module_& module) {
         .def("__len__", [](const History& history) { return history.steps.size(); })
         .def("to_pandas", to_pandas, "All columns as a DataFrame. Raises ImportError.")
         .def_readonly("model", &History::model, "Name of the model.")
-        .def_property_readonly("state", state_of,
-                               "\"shakedown\", \"ratcheting\", \"undecided\"; None: no rolling.")
+        .def_property_readonly(
+            "state", state_of,
+            "\"shakedown\", \"cyclic-slip\", \"ratcheting\", \"undecided\"; None: no rolling.")
         .def_readonly("scales", &History::scales, "Its pressed state.")
         .def_readonly("amplitude", &History::amplitude, "W of the rolling [m]")
         .def_readonly("tangential_force", &History::tangential_force, "F_T after loading [N]")

@@ -9,6 +9,7 @@
 
 #include "app/case_run.h"
 #include "app/commands.h"
+#include "comparisons/quantities/results.h"
 #include "io/case_reader.h"
 #include "io/case_writer.h"
 #include "python/bindings.h"
@@ -62,6 +63,37 @@ py::object history(const py::object& self, const std::string& model) {
     throw py::key_error(model);
 }
 
+comparisons::Results results(const Result& result, const std::string& model) {
+    for (const contact::History& history : result.run.histories)
+        if (history.model == model) return {result.run.c, history};
+    throw py::key_error(model);
+}
+
+struct ToPython {
+    py::object operator()(std::monostate) const { return py::none(); }
+    py::object operator()(contact::State state) const { return py::str(contact::name_of(state)); }
+    template <class Value>
+    py::object operator()(const Value& value) const {
+        return py::cast(value);
+    }
+};
+
+void add_results(py::module_& module) {
+    auto results = py::class_<comparisons::Results>(
+        module, "Results",
+        "What one model came to: the quantities of summary.json; None: undefined.");
+    for (const comparisons::Quantity* q : comparisons::all_quantities()) {
+        const std::string text = std::string(q->meaning) + " Defined " + q->defined + ". Unit: " +
+                                 (*q->unit   ? q->unit
+                                  : *q->over ? q->over
+                                             : "1") +
+                                 ".";
+        results.def_property_readonly(
+            q->key, [q](const comparisons::Results& r) { return std::visit(ToPython{}, r[*q]); },
+            text.c_str());
+    }
+}
+
 }  // namespace
 
 Case with_models(const Case& c, const std::optional<std::vector<std::string>>& models) {
@@ -76,11 +108,13 @@ int thread_count(std::optional<int> threads) {
 }
 
 void add_run(py::module_& module) {
+    add_results(module);
     py::class_<Result>(module, "Result", "What the models of a case came to: histories by name.")
         .def_property_readonly(
             "models", [](const Result& result) { return result.run.c.models; },
             "Names of the models.")
         .def("__getitem__", history, py::arg("model"), "History of a model. Raises KeyError.")
+        .def("results", results, py::arg("model"), "Quantities of a model. Raises KeyError.")
         .def_property_readonly(
             "case", [](const Result& result) { return result.run.c; }, "The case as it was run.")
         .def_property_readonly(

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes the tables of keys in docs/case-file.md and docs/walking.md anew, from the declarations of the
-# keys; whoever adds a key runs it.
+# Writes the tables of keys in docs/case-file.md, docs/walking.md, docs/quantities.md and README.md anew, from
+# the declarations of keys and results; whoever adds one runs it.
 # usage: key_reference.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
@@ -23,3 +23,20 @@ renew() {
 }
 renew case "$root/docs/case-file.md"
 renew walking "$root/docs/walking.md"
+renew results "$root/docs/quantities.md"
+
+# between DOCUMENT BEGIN END: the lines between those that begin so.
+between() {
+    awk -v tables="$tables" -v begin="$2" -v end="$3" '
+        index($0, end) == 1 { inside = 0 }
+        !inside { print }
+        index($0, begin) == 1 {
+            inside = 1
+            while ((getline line < tables) > 0) print line
+        }' "$1" >"$1.new"
+    mv "$1.new" "$1"
+}
+"$program" keys summary >"$tables"
+between "$root/README.md" '<!-- results:' '<!-- end of results'
+"$program" keys results | sed -n '/^### Of layers/q; s/^| `\([^`]*\)`.*/    @property\n    def \1(self) -> _Quantity: .../p' >"$tables"
+between "$root/python/tricontact/_core.pyi" 'class Results:' '# end of Results'

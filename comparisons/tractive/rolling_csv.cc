@@ -3,6 +3,7 @@
 #include <array>
 
 #include "comparisons/csv.h"
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/tractive/creep_theory.h"
 
 namespace tricontact::comparisons::tractive {
@@ -16,18 +17,18 @@ struct Column {
     double (*value)(const RollingState&);
 };
 
-constexpr std::array<Column, 19> columns{{
+const std::array<Column, 19> columns{{
     {"longitudinal_creepage", [](const RollingState& s) { return s.creepage.longitudinal; }},
     {"lateral_creepage", [](const RollingState& s) { return s.creepage.lateral; }},
     {"spin_per_m", [](const RollingState& s) { return s.creepage.spin; }},
     {"tangential_force_x_N", [](const RollingState& s) { return s.force[0]; }},
     {"tangential_force_y_N", [](const RollingState& s) { return s.force[1]; }},
     {"spin_moment_Nm", [](const RollingState& s) { return s.spin_moment; }},
-    {"normal_force_N", [](const RollingState& s) { return s.normal_force; }},
-    {"indentation_m", [](const RollingState& s) { return s.indentation; }},
+    {quantities::normal_force.key, [](const RollingState& s) { return s.normal_force; }},
+    {quantities::indentation.key, [](const RollingState& s) { return s.indentation; }},
     {"half_length_m", [](const RollingState& s) { return s.half_length; }},
     {"half_width_m", [](const RollingState& s) { return s.half_width; }},
-    {"peak_pressure_Pa", [](const RollingState& s) { return s.peak_pressure; }},
+    {quantities::peak_pressure.key, [](const RollingState& s) { return s.peak_pressure; }},
     {"contact_area_m2", [](const RollingState& s) { return s.contact_area; }},
     {"stick_area_m2", [](const RollingState& s) { return s.stick_area; }},
     {"slip_area_m2", [](const RollingState& s) { return s.slip_area; }},

@@ -1,6 +1,7 @@
 #include "comparisons/tractive/rolling_json.h"
 
 #include "comparisons/json_number.h"
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
@@ -20,11 +21,11 @@ Json steady_json(const RollingState& s, double friction_coefficient) {
             {"tangential_force_N", numbers(s.force)},
             {"force_ratio", number(force_ratio(s, friction_coefficient))},
             {"spin_moment_Nm", number(s.spin_moment)},
-            {"normal_force_N", number(s.normal_force)},
-            {"indentation_m", number(s.indentation)},
+            {quantities::normal_force.key, number(s.normal_force)},
+            {quantities::indentation.key, number(s.indentation)},
             {"half_length_m", number(s.half_length)},
             {"half_width_m", number(s.half_width)},
-            {"peak_pressure_Pa", number(s.peak_pressure)},
+            {quantities::peak_pressure.key, number(s.peak_pressure)},
             {"contact_area_m2", number(s.contact_area)},
             {"stick_share", number(s.stick_area / s.contact_area)},
             {"dissipation_J_per_m", number(s.dissipation)},

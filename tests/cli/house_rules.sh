@@ -74,6 +74,16 @@ if [ -e "$sources" ]; then
     done < <(grep '^comparisons/' "$sources")
 fi
 
+# Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.
+while read -r key; do
+    found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" app bem comparisons contact dynamics fem files io mdr \
+        meshes python rig rolling theory | grep -vE '^(comparisons/(quantities|walking)/|io/(history_columns|key_guess).cc|python/)' || true)
+    [ -z "$found" ] || complain "a key of a result stands as a string: $found"
+done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
+found=$(grep -nE '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/*_json.cc comparisons/*_output.cc \
+    comparisons/*_csv.cc comparisons/study_fit.cc app/*.cc || true)
+[ -z "$found" ] || complain "a key of a result stands as a string: $found"
+
 # Debian's Python has the packages; the first python3 in PATH may be another one.
 found=$(grep -nE '(^ *|[;&|({] *)python3? ' tests/cli/*.sh tests/installed/*.sh scripts/*.sh || true)
 [ -z "$found" ] || complain "$found: take \"\$python\" of prepare.bash, or /usr/bin/python3"

@@ -41,7 +41,7 @@ for name in final_shift_ratio contact_radius_m limit_tangential_ratio; do
 done
 
 grep -q '12 points computed, none failed' a/report.html || complain "the report's verdict"
-[ "$(grep -c '<figure id="figure_static_shift_[12]"' a/report.html)" -eq 2 ] || complain "figures of the report"
+[ "$(grep -c '<figure id="figure_static_shift_ratio_[12]"' a/report.html)" -eq 2 ] || complain "figures of the report"
 
 # Files for ParaView: of points that have results too, which stay as they are; the report names them.
 before=$(md5sum <a/results.csv)

@@ -32,48 +32,44 @@ TEST(ErrorBars, OfAnOrderThatIsTooGoodAreThoseOfTheLargestTrusted) {
     EXPECT_NEAR(limit.error, 1.25 * change / (std::pow(2, largest_trusted_order) - 1), 1e-12);
 }
 
-// The limit 1 - 3/2 w + 1/2 w^3 has the slope -3/2 (1 - w^2).
-TEST(ErrorBars, OfALimitBecomeThoseOfTheAmplitudeAndOfEta) {
-    constexpr double error = 1e-4, du_error = 2e-4, w = 0.6, f = 0.5;
-    std::vector<LimitPoint> limits;
+TEST(ErrorBars, OfTheLimitOfTheAmplitudeBecomeThoseOfEta) {
+    constexpr double error = 1e-4, du_error = 2e-4, f = 0.5;
+    const double limit = theory::amplitude_limit(f);
     std::vector<RollingPoint> points;
-    for (const double a : {0.2, 0.4, w, 0.8}) {
-        limits.push_back({a, {1 - 1.5 * a + 0.5 * a * a * a, error}});
-        points.push_back({.model = "bem",
-                          .group = "parallel",
-                          .point = std::to_string(a),
-                          .amplitude_ratio = a,
-                          .tangential_ratio = f,
-                          .behaviour = a < w ? Behaviour::settled : Behaviour::ratcheting,
-                          .static_shift = {0.37, 0},
-                          .limit = limits.back().limit});
-        if (a >= w) points.back().increment = Computed{0.3 * a, du_error};
-    }
-    const Computed limit = *amplitude_limit(limits, f);
-    const double slope = 1.5 * (1 - limit.value * limit.value);
-    EXPECT_NEAR(limit.error, error / slope, 1e-3 * error);
+    for (const double a : {0.6, 0.8})
+        points.push_back(
+            {.model = "bem",
+             .group = "parallel",
+             .point = std::to_string(a),
+             .amplitude_ratio = a,
+             .tangential_ratio = f,
+             .state = contact::State::ratcheting,
+             .values = {{&quantities::static_shift_ratio, {0.37, 0}},
+                        {&quantities::shift_increment_ratio, {0.3 * a, du_error}},
+                        {&quantities::limit_tangential_ratio, {theory::shakedown_limit(a), error}},
+                        {&quantities::limit_amplitude_ratio, {limit, error}}}});
     const auto groups = ratcheting_fits(points, 0.95);
+    ASSERT_EQ(groups.at(0).points.size(), 2u);
     for (const RatchetingPoint& p : groups.at(0).points) {
         const double a = p.at.amplitude_ratio;
         const auto eta = [&](double du, double at) { return du / (a - at); };
-        const double by_limit = eta(0.3 * a, limit.value + 1e-6) - eta(0.3 * a, limit.value - 1e-6);
-        const double expected = du_error / (a - limit.value) + by_limit / 2e-6 * error / slope;
+        const double by_limit = eta(0.3 * a, limit + 1e-6) - eta(0.3 * a, limit - 1e-6);
+        const double expected = du_error / (a - limit) + by_limit / 2e-6 * error;
         EXPECT_NEAR(p.eta.error, expected, 1e-3 * expected);
     }
 }
 
-// A shift that has halved its distance from the end in each of ten periods: the last change is as
-// large as what is to come, whose error counts 1.25 times. The levels agree.
+// The levels agree: what is left is what the run's end left open, in U_max and in metres.
 TEST(ErrorBars, OfAShiftThatWasStillSettling) {
-    const double last = 0.1 / (std::pow(2, 10) - 1);
     std::vector<RollingRun> runs;
     for (const int level : {0, 1}) {
-        runs.push_back(rolling_run("bem", 0.5, 0.2, "shakedown"));
+        runs.push_back(rolling_run("bem", 0.5, 0.2, contact::State::shakedown));
         runs.back().level = level;
-        runs.back().results["shift_increment_ratio"] = last;
+        runs.back().results.set(quantities::settled_shift_error_ratio, 1e-4);
     }
-    // Three digits of the ratio are asked for.
-    EXPECT_NEAR(rolling_points(runs).at(0).settled_shift->error / last, 2.25, 0.02);
+    const RollingPoint point = rolling_points(runs).at(0);
+    EXPECT_DOUBLE_EQ(point.at(quantities::settled_shift_ratio).error, 1e-4);
+    EXPECT_DOUBLE_EQ(point.at(quantities::settled_shift).error, 2e-4);  // U_max = 2
 }
 
 // Five periods leave two degrees of freedom, t = 4.3 and not the 3.2 of three.

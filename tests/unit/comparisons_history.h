@@ -91,7 +91,7 @@ inline contact::History settling_history(const std::string& model, const Options
         gap = n == options.periods ? 0 : gap / 4;
         add_period(history, options, end - gap, 0.1 * std::pow(0.25, n));
     }
-    history.verdict.state = contact::State::shakedown;
+    history.verdict = {.state = contact::State::shakedown, .remaining_error = 0, .missing = {}};
     return history;
 }
 

@@ -87,7 +87,7 @@ TEST(Layer, ThickLayersAreHalfSpaces) {
     for (const PressedQuantity& q : pressed_quantities()) {
         // The indentation at equal force lacks 1.127 a/b = 1.1e-3, the stiffness as much, the
         // others less (series of Garcia and Garcia 2018).
-        EXPECT_NEAR(*q.get(*layer.exact) / *q.get(layer.half_space), 1, 2e-3) << q.key;
+        EXPECT_NEAR(*q.get(*layer.exact) / *q.get(layer.half_space), 1, 2e-3) << q.quantity->key;
     }
     EXPECT_NEAR(layer.apparent->from_indentation, 5.2e6, 2e-3 * 5.2e6);
     EXPECT_NEAR(layer.apparent->from_contact_radius, 5.2e6, 2e-3 * 5.2e6);

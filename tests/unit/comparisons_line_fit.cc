@@ -23,14 +23,15 @@ StudyFit exact_study() {
             RollingPoint p{.model = "bem", .group = "parallel", .point = {}};
             p.amplitude_ratio = w;
             p.tangential_ratio = f;
-            p.limit = {theory::line_shakedown_limit(w), 0};
+            p.values[&quantities::limit_tangential_ratio] = {theory::line_shakedown_limit(w), 0};
             if (const auto c = theory::line_stick_half_width(w, f)) {
-                p.behaviour = Behaviour::settled;
-                p.settled_shift = {theory::line_settled_shift_ratio(w, *c, lambda), 0};
-                p.stick = {*c, 0};
+                p.state = contact::State::shakedown;
+                p.values[&quantities::settled_shift_ratio] = {
+                    theory::line_settled_shift_ratio(w, *c, lambda), 0};
+                p.values[&quantities::stick_ratio] = {*c, 0};
             } else {
-                p.behaviour = Behaviour::ratcheting;
-                p.increment = {.1, .01};
+                p.state = contact::State::ratcheting;
+                p.values[&quantities::shift_increment_ratio] = {.1, .01};
             }
             fit.points.push_back(p);
         }

@@ -22,16 +22,20 @@ TEST(OneMapping, NeverHoldsForWantOfErrors) {
     auto points = settled_points(1.);
     for (RollingPoint& p : points) {
         const double kappa = 0.45 + (p.amplitude_ratio - 0.1) / 0.64 * 0.69;
-        p.settled_shift =
+        p.values[&quantities::settled_shift_ratio] =
             Computed{*theory::settled_shift_ratio(p.amplitude_ratio, p.tangential_ratio, kappa)};
     }
     EXPECT_EQ(one_of(points).finding, Finding::cannot_tell);
     EXPECT_EQ(one_of(points).n_with_bars, 0);
-    for (RollingPoint& p : points) p.settled_shift->error = 1e-3 * p.settled_shift->value;
+    for (RollingPoint& p : points)
+        p.values[&quantities::settled_shift_ratio].error =
+            1e-3 * p.values[&quantities::settled_shift_ratio].value;
     EXPECT_EQ(one_of(points).finding, Finding::fails);
     EXPECT_GT(one_of(points).low, one_of(points).high);
     // Errors so large that everything goes through tell nothing.
-    for (RollingPoint& p : points) p.settled_shift->error = 0.5 * p.settled_shift->value;
+    for (RollingPoint& p : points)
+        p.values[&quantities::settled_shift_ratio].error =
+            0.5 * p.values[&quantities::settled_shift_ratio].value;
     EXPECT_EQ(one_of(points).finding, Finding::cannot_tell);
     StudyFit fit;
     fit.points = points;
@@ -49,7 +53,7 @@ TEST(OneMapping, IsWhatServesAllPointsWithinTheirErrors) {
     for (const double part : {0.9, 5.}) {
         auto points = settled_points(1.1);
         for (RollingPoint& p : points) {
-            Computed& u = *p.settled_shift;
+            Computed& u = p.values[&quantities::settled_shift_ratio];
             u.error = 3e-3 * u.value;
             u.value += part * u.error * even(generator);
         }
@@ -78,7 +82,7 @@ TEST(FittedForm, SumsOfSquaresHaveTheNamesOfTheField) {
     EXPECT_NEAR(form->fit.explained_sum_of_squares, 200457.727272727, 1e-7);
     StudyFit fit;
     fit.points = settled_points(1.5);
-    for (RollingPoint& p : fit.points) p.settled_shift->value *= 1.01;
+    for (RollingPoint& p : fit.points) p.values[&quantities::settled_shift_ratio].value *= 1.01;
     evaluate(fit);
     const auto json = nlohmann::json::parse(fit_json(fit))["kappa"][0]["constant"];
     const auto document = fit_document(fit);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "comparisons/refined_values.h"
@@ -12,23 +13,23 @@
 namespace tricontact::comparisons {
 namespace {
 
-using Numbers = std::vector<double>;
+using Values = std::vector<double>;
 
 /// v + C h^p on the sizes.
-Numbers power_law(const Numbers& sizes, double v, double c, double p) {
-    Numbers values;
+Values power_law(const Values& sizes, double v, double c, double p) {
+    Values values;
     for (const double h : sizes) values.push_back(v + c * std::pow(h, p));
     return values;
 }
 
-Numbers halved(int n) {
-    Numbers sizes;
+Values halved(int n) {
+    Values sizes;
     for (int k = 0; k < n; ++k) sizes.push_back(0.7 * std::pow(2, -k / 2.));
     return sizes;
 }
 
 struct Law {
-    Numbers sizes;
+    Values sizes;
     double v, c, p;
 };
 
@@ -36,7 +37,7 @@ class PowerLaws : public testing::TestWithParam<Law> {};
 
 TEST_P(PowerLaws, AreFound) {
     const auto& [sizes, v, c, p] = GetParam();
-    const Numbers values = power_law(sizes, v, c, p);
+    const Values values = power_law(sizes, v, c, p);
     const LimitEstimate found = estimate_limit(sizes, values);
     EXPECT_EQ(found.convergence, Convergence::ordered);
     // Differences of values of order 1 that are as small as 1e-4 keep 12 digits; the order's error
@@ -58,27 +59,27 @@ INSTANTIATE_TEST_SUITE_P(
                     Law{{1, 0.9, 0.5}, 2, -0.3, 2}, Law{{30, 20, 11, 10}, 700, 0.3, 1.2}));
 
 TEST(LimitEstimate, OnlyTheFinestThreeCount) {
-    Numbers values = power_law(halved(5), 2, 0.3, 1.5);
+    Values values = power_law(halved(5), 2, 0.3, 1.5);
     values[0] = 100;
     values[1] = -3;
     EXPECT_NEAR(estimate_limit(halved(5), values).value, 2, 1e-11);
 }
 
 TEST(LimitEstimate, ConstantSequencesHaveNoErrorButNoise) {
-    const LimitEstimate exact = estimate_limit(halved(3), Numbers{4, 4, 4});
+    const LimitEstimate exact = estimate_limit(halved(3), Values{4, 4, 4});
     EXPECT_EQ(exact.convergence, Convergence::unchanged);
     EXPECT_FALSE(exact.order);
     EXPECT_EQ(exact.value, 4);
     EXPECT_EQ(exact.error, 0);
     // A nicely converging sequence of noise is noise.
     const LimitEstimate noisy =
-        estimate_limit(halved(3), Numbers{4 + 4e-7, 4 + 2e-7, 4 + 1e-7}, 1e-6);
+        estimate_limit(halved(3), Values{4 + 4e-7, 4 + 2e-7, 4 + 1e-7}, 1e-6);
     EXPECT_EQ(noisy.convergence, Convergence::unchanged);
     EXPECT_EQ(noisy.error, 1e-6);
 }
 
 TEST(LimitEstimate, OscillatingSequencesAreNotExtrapolated) {
-    const LimitEstimate found = estimate_limit(halved(3), Numbers{1.1, 0.9, 1.05});
+    const LimitEstimate found = estimate_limit(halved(3), Values{1.1, 0.9, 1.05});
     EXPECT_EQ(found.convergence, Convergence::oscillating);
     EXPECT_FALSE(found.order);
     EXPECT_EQ(found.value, 1.05);
@@ -88,25 +89,25 @@ TEST(LimitEstimate, OscillatingSequencesAreNotExtrapolated) {
 TEST(LimitEstimate, ImplausibleOrdersAreSaidButNotUsed) {
     // p = 6: far more than the elements have; p = 0.1: hardly converging; growing changes: none.
     for (const double p : {6., 0.1}) {
-        const Numbers values = power_law(halved(3), 2, 0.3, p);
+        const Values values = power_law(halved(3), 2, 0.3, p);
         const LimitEstimate found = estimate_limit(halved(3), values);
         EXPECT_EQ(found.convergence, Convergence::irregular);
         EXPECT_NEAR(found.order.value(), p, 1e-8);
         EXPECT_EQ(found.value, values.back());
         EXPECT_NEAR(found.error, std::abs(values.front() - values.back()), 1e-15);
     }
-    const LimitEstimate growing = estimate_limit(halved(3), Numbers{1, 1.1, 1.5});
+    const LimitEstimate growing = estimate_limit(halved(3), Values{1, 1.1, 1.5});
     EXPECT_EQ(growing.convergence, Convergence::irregular);
     EXPECT_FALSE(growing.order);
     EXPECT_NEAR(growing.error, 0.5, 1e-15);
     // The first change is nothing, the second something.
-    EXPECT_EQ(estimate_limit(halved(3), Numbers{1, 1, 1.5}).convergence, Convergence::irregular);
+    EXPECT_EQ(estimate_limit(halved(3), Values{1, 1, 1.5}).convergence, Convergence::irregular);
 }
 
 TEST(LimitEstimate, SmallNoiseMovesTheLimitByLittleMoreThanItself) {
-    const Numbers sizes = halved(3), clean = power_law(sizes, 2, 0.1, 1.5);
+    const Values sizes = halved(3), clean = power_law(sizes, 2, 0.1, 1.5);
     for (const double sign : {-1., 1.}) {
-        Numbers noisy = clean;
+        Values noisy = clean;
         noisy[1] += sign * 1e-4;  // 0.4 % of the change of 0.026 between the first two
         const LimitEstimate found = estimate_limit(sizes, noisy);
         EXPECT_EQ(found.convergence, Convergence::ordered);
@@ -118,8 +119,8 @@ TEST(LimitEstimate, SmallNoiseMovesTheLimitByLittleMoreThanItself) {
 }
 
 TEST(LimitEstimate, ScalesWithItsUnits) {
-    const Numbers sizes = halved(3), values = power_law(sizes, 2, 0.1, 1.5);
-    Numbers micrometres, kilo;
+    const Values sizes = halved(3), values = power_law(sizes, 2, 0.1, 1.5);
+    Values micrometres, kilo;
     for (const double h : sizes) micrometres.push_back(1e6 * h);
     for (const double v : values) kilo.push_back(-1e-3 * v);
     const LimitEstimate a = estimate_limit(sizes, values), b = estimate_limit(micrometres, kilo);
@@ -129,10 +130,10 @@ TEST(LimitEstimate, ScalesWithItsUnits) {
 }
 
 TEST(LimitEstimate, WrongSequencesAreRefused) {
-    EXPECT_THROW(estimate_limit(Numbers{1, 0.5}, Numbers{1, 2}), std::logic_error);
-    EXPECT_THROW(estimate_limit(Numbers{1, 0.5, 0.5}, Numbers{1, 2, 3}), std::logic_error);
-    EXPECT_THROW(estimate_limit(Numbers{1, 0.5, 0.2}, Numbers{1, 2}), std::logic_error);
-    EXPECT_THROW(estimate_limit(Numbers{1, 0.5, 0}, Numbers{1, 2, 3}), std::logic_error);
+    EXPECT_THROW(estimate_limit(Values{1, 0.5}, Values{1, 2}), std::logic_error);
+    EXPECT_THROW(estimate_limit(Values{1, 0.5, 0.5}, Values{1, 2, 3}), std::logic_error);
+    EXPECT_THROW(estimate_limit(Values{1, 0.5, 0.2}, Values{1, 2}), std::logic_error);
+    EXPECT_THROW(estimate_limit(Values{1, 0.5, 0}, Values{1, 2, 3}), std::logic_error);
 }
 
 /// d follows a power law, a oscillates, F_N is prescribed, the wide block adds 2 % to d.
@@ -142,13 +143,16 @@ RefinedLevels example() {
     levels.key = "fem.size";
     levels.sizes = {1e-3, 1e-3 / std::sqrt(2), 5e-4};
     levels.cpu_s = {1, 4, 16};
-    const Numbers d = power_law(levels.sizes, 3e-4, 10, 2), a{4.4e-3, 4.3e-3, 4.35e-3};
-    for (int k = 0; k < 3; ++k)
-        levels.values.push_back(
-            {{"normal_force_N", 21.1}, {"indentation_m", d[k]}, {"contact_radius_m", a[k]}});
-    levels.values.front()["shift_increment_ratio"] = 0.1;  // not on all levels: left out
+    const Values d = power_law(levels.sizes, 3e-4, 10, 2), a{4.4e-3, 4.3e-3, 4.35e-3};
+    for (int k = 0; k < 3; ++k) {
+        Results& values = levels.values.emplace_back();
+        values.set(quantities::normal_force, 21.1);
+        values.set(quantities::indentation, d[k]);
+        values.set(quantities::contact_radius, a[k]);
+    }
+    levels.values.front().set(quantities::static_shift, 0.1);  // not on all levels: left out
     levels.wide = levels.values[1];
-    (*levels.wide)["indentation_m"] *= 1.02;
+    levels.wide->set(quantities::indentation, 1.02 * d[1]);
     levels.wide_factor = 1.5;
     levels.exact = PressedValues{4.36e-3, 3.01e-4, 21.1, 5e5, {}, {}};
     levels.exact_name = "exact layer";
@@ -162,7 +166,7 @@ TEST(Refinement, IsMadeOfWhatAllLevelsHave) {
     EXPECT_EQ(r.quantities[0].limit.convergence, Convergence::unchanged);
     EXPECT_EQ(r.quantities[0].limit.error, 10 * 1e-6 * 21.1);  // ten tolerances
     const RefinedQuantity& d = r.quantities[1];
-    EXPECT_EQ(d.name, "indentation_m");
+    EXPECT_EQ(d.quantity, &quantities::indentation);
     // 10 h^2 of 3e-4: 2.5e-6 at the finest; four digits of the difference are lost.
     EXPECT_NEAR(d.limit.order.value(), 2, 1e-8);
     EXPECT_NEAR(d.limit.value, 3e-4, 1e-12);
@@ -171,21 +175,35 @@ TEST(Refinement, IsMadeOfWhatAllLevelsHave) {
     EXPECT_EQ(r.quantities[2].limit.convergence, Convergence::oscillating);
 }
 
-TEST(Refinement, ValuesOfAHistory) {
-    const contact::Case c = synthetic::unit_case();
-    const LevelValues settled = level_values(c, synthetic::settling_history("fem"));
-    EXPECT_EQ(settled.count("shift_increment_ratio"), 0u);
-    EXPECT_EQ(settled.at("normal_force_N"), 4. / 3);
-    EXPECT_EQ(settled.at("final_shift_m"), settled.at("final_shift_ratio"));  // U_max = 1
+/// Keys of what is refined of a case whose levels all gave this.
+std::set<std::string> refined_of(const contact::Case& c, const contact::History& history) {
+    const Results values(c, history);
+    RefinedLevels levels{.model = "fem",
+                         .key = "fem.size",
+                         .sizes = {4, 2, 1},
+                         .cpu_s = {1, 2, 3},
+                         .values = {values, values, values},
+                         .wide = {},
+                         .exact = {},
+                         .exact_name = {}};
+    std::set<std::string> keys;
+    for (const RefinedQuantity& q : make_refinement(levels).quantities)
+        keys.insert(q.quantity->key);
+    return keys;
+}
+
+TEST(Refinement, FollowsWhatAHistoryTells) {
+    const auto settled = refined_of(synthetic::unit_case(), synthetic::settling_history("fem"));
+    EXPECT_FALSE(settled.contains(quantities::shift_increment_ratio.key));
+    EXPECT_TRUE(settled.contains(quantities::normal_force.key));
+    EXPECT_TRUE(settled.contains(quantities::final_shift.key));
     const synthetic::Options ratchets{.f = 0.8, .w = 0.5};
-    EXPECT_NEAR(level_values(synthetic::unit_case(ratchets),
-                             synthetic::ratcheting_history("fem", ratchets, 0.3))
-                    .at("shift_increment_ratio"),
-                0.3, 1e-13);  // of twelve sums
+    EXPECT_TRUE(refined_of(synthetic::unit_case(ratchets),
+                           synthetic::ratcheting_history("fem", ratchets, 0.3))
+                    .contains(quantities::shift_increment_ratio.key));
     const synthetic::Options still{.rolling = false};
-    EXPECT_EQ(level_values(synthetic::unit_case(still), synthetic::loaded_history("fem", still))
-                  .count("final_shift_m"),
-              0u);
+    EXPECT_FALSE(refined_of(synthetic::unit_case(still), synthetic::loaded_history("fem", still))
+                     .contains(quantities::final_shift.key));
 }
 
 TEST(RefinementFiles, JsonHoldsEverything) {
@@ -193,10 +211,10 @@ TEST(RefinementFiles, JsonHoldsEverything) {
     const auto json = nlohmann::json::parse(refinement_json("1.2.3", r));
     EXPECT_EQ(json["version"], "1.2.3");
     EXPECT_EQ(json["key"], "fem.size");
-    EXPECT_EQ(json["sizes_m"].get<Numbers>(), r.sizes);
+    EXPECT_EQ(json["sizes_m"].get<Values>(), r.sizes);
     EXPECT_EQ(json["wide_block_factor"], 1.5);
     const auto& d = json["quantities"]["indentation_m"];
-    EXPECT_EQ(d["values"].get<Numbers>(), r.quantities[1].values);
+    EXPECT_EQ(d["values"].get<Values>(), r.quantities[1].values);
     EXPECT_EQ(d["observed_order"].get<double>(), *r.quantities[1].limit.order);
     EXPECT_EQ(d["limit"].get<double>(), r.quantities[1].limit.value);
     EXPECT_EQ(d["convergence"], "ordered");

@@ -254,8 +254,8 @@ TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
 
 TEST(RelaxationReport, ElasticLimitDecidesNothing) {
     const Case c = relaxing_case();
-    ModelSummary undecided = summarise(c, synthetic::settling_history("mdr"));
-    undecided.state = State::undecided;
+    Results undecided(c, synthetic::settling_history("mdr"));
+    undecided.set(quantities::state, State::undecided);
     const std::string text = joined(reading(c, {undecided}));
     EXPECT_EQ(text.find("By the exact limit it must"), std::string::npos) << text;
     EXPECT_NE(text.find("expected under a drive so slow"), std::string::npos) << text;

@@ -52,7 +52,7 @@ std::string without_images(std::string page) {
 
 TEST(Report, FilesAndNames) {
     const auto& files = default_report();
-    ASSERT_EQ(files.size(), 1u + 2 * 7);
+    ASSERT_EQ(files.size(), 1u + 2 * 8);
     EXPECT_EQ(files.front().name, "report.html");
     EXPECT_EQ(files[1].name, "plots/shift.svg");
     EXPECT_EQ(files[2].name, "plots/shift.png");
@@ -75,7 +75,7 @@ TEST(Report, NeedsNoNetworkAndNoOtherFile) {
                 << target;
         }
     }
-    EXPECT_EQ(images, 7);
+    EXPECT_EQ(images, 8);
     for (const char* part :
          {"http:", "https:", "<script", "<link rel=\"stylesheet", "@import", "url("})
         EXPECT_FALSE(contains(page, part)) << part;
@@ -120,7 +120,7 @@ TEST(Report, SaysVerdictsAndNumbers) {
     const Options options;
     const std::string& page = default_page();
     const double u = theory::settled_shift_ratio(options.w, options.f).value();
-    EXPECT_TRUE(contains(page, "<p class=\"value\">" + significant(u) + "</p>"));
+    EXPECT_TRUE(contains(page, "<p class=\"value\">" + quantity(u, "m") + "</p>"));
     EXPECT_TRUE(contains(page, "verdict shakedown"));
     EXPECT_TRUE(contains(page, "κ = 1.50"));
     EXPECT_TRUE(contains(page, "tricontact run case.toml"));
@@ -144,7 +144,7 @@ TEST(Tables, ComparesWithTheLastModelOrWithTheory) {
     const contact::Case c = synthetic::unit_case();
     auto histories = synthetic::two_models();
     histories[0].shift_per_period.back() = 1.165 * histories[1].shift_per_period.back();
-    const std::vector<ModelSummary> both{summarise(c, histories[0]), summarise(c, histories[1])};
+    const std::vector<Results> both{Results(c, histories[0]), Results(c, histories[1])};
     const Table table = results_table(c, both);
     EXPECT_EQ(table.columns, (std::vector<std::string>{"MDR", "BEM", "theory", "MDR vs BEM"}));
     const Table alone = results_table(c, {both[1]});
@@ -155,8 +155,8 @@ TEST(Tables, ComparesWithTheLastModelOrWithTheory) {
                 if (row.label == label) return row.cells.back();
         return std::string("no such row");
     };
-    EXPECT_EQ(cell(table, "final shift <i>u</i>"), "+16.5 %");
-    EXPECT_EQ(cell(alone, "final shift <i>u</i>"), "0.00 %");
+    EXPECT_EQ(cell(table, "final shift <i>u</i><sub>end</sub>"), "+16.5 %");
+    EXPECT_EQ(cell(alone, "final shift <i>u</i><sub>end</sub>"), "0.00 %");
     for (const Table& t : {table, alone})
         for (const auto& group : t.groups)
             for (const auto& row : group.rows)
@@ -166,8 +166,8 @@ TEST(Tables, ComparesWithTheLastModelOrWithTheory) {
 TEST(Tables, ModelsMayRunDifferentNumbersOfPeriods) {
     const contact::Case c = synthetic::unit_case();
     const Table table =
-        period_table({summarise(c, synthetic::settling_history("mdr", {.periods = 3})),
-                      summarise(c, synthetic::settling_history("bem"))});
+        period_table({Results(c, synthetic::settling_history("mdr", {.periods = 3})),
+                      Results(c, synthetic::settling_history("bem"))});
     ASSERT_EQ(table.groups.front().rows.size(), 13u);  // n = 0 ... 12
     const auto& fourth = table.groups.front().rows[4].cells;
     ASSERT_EQ(fourth.size(), table.columns.size());
@@ -176,7 +176,7 @@ TEST(Tables, ModelsMayRunDifferentNumbersOfPeriods) {
 }
 
 /// All sentences in one text.
-std::string reading_text(const contact::Case& c, const std::vector<ModelSummary>& summaries) {
+std::string reading_text(const contact::Case& c, const std::vector<Results>& summaries) {
     std::string text;
     for (const std::string& sentence : reading(c, summaries)) text += sentence + "\n";
     return text;
@@ -185,15 +185,21 @@ std::string reading_text(const contact::Case& c, const std::vector<ModelSummary>
 class Reading : public testing::Test {
   protected:
     contact::Case c_ = synthetic::unit_case();
-    ModelSummary mdr_ = summarise(c_, synthetic::settling_history("mdr"));
-    ModelSummary bem_ = summarise(c_, synthetic::settling_history("bem"));
+    Results mdr_{c_, synthetic::settling_history("mdr")};
+    Results bem_{c_, synthetic::settling_history("bem")};
 };
 
 TEST_F(Reading, DifferenceBetweenModels) {
-    mdr_.final_shift_ratio = 1.165 * bem_.final_shift_ratio;
-    bem_.kappa = 1.04;
+    // U_max of MDR is 5 % larger: in metres the difference is another.
+    const double u = *bem_.number(quantities::final_shift_ratio);
+    mdr_.set(quantities::final_shift_ratio, 1.165 * u);
+    mdr_.set(quantities::final_shift, 1.05 * 1.165 * u);
+    bem_.set(quantities::kappa, 1.04);
     const std::string text = reading_text(c_, {mdr_, bem_});
-    EXPECT_TRUE(contains(text, "MDR settles 16.5 % higher than BEM: κ = 1.50 against 1.04."))
+    EXPECT_TRUE(contains(
+        text,
+        "MDR's settled shift is 22.3 % higher than BEM's in metres (+16.5 % in U_max, each of "
+        "its own): κ = 1.50 against 1.04."))
         << text;
     EXPECT_TRUE(contains(text, "cannot tell rolling along the load from rolling across")) << text;
     EXPECT_TRUE(contains(text, "13.4 % below it: shakedown is expected")) << text;
@@ -201,41 +207,45 @@ TEST_F(Reading, DifferenceBetweenModels) {
 }
 
 TEST_F(Reading, DisagreementIsSaid) {
-    mdr_.state = contact::State::ratcheting;
+    mdr_.set(quantities::state, contact::State::ratcheting);
     EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}),
                          "do not agree on the verdict (ratcheting against shakedown)"));
 }
 
 TEST_F(Reading, WhoIsUndecidedDoesNotDisagree) {
-    bem_.state = contact::State::undecided;
+    bem_.set(quantities::state, contact::State::undecided);
+    bem_.set(quantities::settled_shift, {});
     const std::string text = reading_text(c_, {mdr_, bem_});
     EXPECT_FALSE(contains(text, "do not agree")) << text;
-    EXPECT_TRUE(contains(text, "MDR now stands as high as BEM")) << text;
+    EXPECT_TRUE(contains(text, "MDR's present shift is as high as BEM's")) << text;
 }
 
 TEST_F(Reading, OnlyHalfSpacesIgnoreTheLayer) {
     EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}), "All models take the bodies as elastic"));
     c_.layer.thickness = 1;
-    ModelSummary fem = bem_;
+    Results fem = bem_;
     fem.model = "fem";
     const std::string text = reading_text(c_, {mdr_, bem_, fem});
     EXPECT_TRUE(contains(text, "MDR and BEM take the bodies as elastic half-spaces")) << text;
     EXPECT_TRUE(contains(text, "the exact limit of shakedown on a half-space is")) << text;
     EXPECT_FALSE(contains(reading_text(c_, {fem}), "half-spaces:"));
-    fem.state = contact::State::undecided;
+    fem.set(quantities::state, contact::State::undecided);
     EXPECT_FALSE(contains(reading_text(c_, {fem}), "By the exact limit"));
 }
 
 TEST_F(Reading, RatchetingSpeeds) {
-    for (ModelSummary* s : {&mdr_, &bem_}) s->state = contact::State::ratcheting;
-    mdr_.shift_increment_ratio = 0.9;
-    bem_.shift_increment_ratio = 0.3;
-    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}), "MDR ratchets 3.00 times as fast as BEM"));
+    for (Results* s : {&mdr_, &bem_}) s->set(quantities::state, contact::State::ratcheting);
+    for (const auto* q : {&quantities::shift_increment, &quantities::shift_increment_ratio}) {
+        mdr_.set(*q, 0.9);
+        bem_.set(*q, 0.3);
+    }
+    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}),
+                         "MDR's shift per period is 200 % higher than BEM's in metres"));
 }
 
 TEST_F(Reading, UndecidedSaysWhatToDo) {
     c_.contact.coupling = false;
-    bem_.state = contact::State::undecided;
+    bem_.set(quantities::state, contact::State::undecided);
     const std::string text = reading_text(c_, {bem_});
     EXPECT_TRUE(contains(text, "BEM is undecided after 12 periods")) << text;
     EXPECT_TRUE(contains(text, "raise rolling.periods")) << text;

@@ -34,58 +34,46 @@ TEST(NumericalBar, StepsOfFirstOrder) {
     EXPECT_FALSE(value_of_steps({6}, {at(6)}).has_bar());
 }
 
-TEST(NumericalBar, WhatIsStillToComeOfAGeometricDecay) {
-    const double r = 0.8, first = 0.05;
-    for (const int n : {2, 12, 60}) {
-        const double last = first * std::pow(r, n - 1);
-        // Three digits of the ratio are asked for.
-        EXPECT_NEAR(
-            still_to_come(first * (1 - std::pow(r, n)) / (1 - r), last, n) / (last * r / (1 - r)),
-            1, 0.02);
-    }
-    EXPECT_TRUE(std::isinf(still_to_come(0.5, 0.1, 5)));
-    EXPECT_EQ(still_to_come(0.5, 0, 5), 0);
-}
-
 TEST(RollingPoints, LevelsAndStepsOfAPointAreOne) {
     std::vector<RollingRun> runs;
     for (const int level : {0, 1})
         for (const int n : {6, 12}) {
-            RollingRun run = rolling_run("bem", 0.5, 0.8, "ratcheting");
+            RollingRun run = rolling_run("bem", 0.5, 0.8, contact::State::ratcheting);
             run.level = level;
             run.steps_per_quarter = n;
             // First order in the steps and in the cells, both of exact coefficients.
-            run.results["shift_increment_ratio"] = 0.5 - 0.06 / n + 0.01 * std::pow(2, -level / 2.);
+            run.results.set(quantities::shift_increment_ratio,
+                            0.5 - 0.06 / n + 0.01 * std::pow(2, -level / 2.));
             runs.push_back(run);
         }
     const auto points = rolling_points(runs);
     ASSERT_EQ(points.size(), 1u);
-    ASSERT_TRUE(points[0].increment);
-    EXPECT_NEAR(points[0].increment->value, 0.5 + 0.01 * std::sqrt(0.5), 1e-12);
-    EXPECT_NEAR(points[0].increment->value, 0.5, points[0].increment->error);
-    EXPECT_FALSE(points[0].settled_shift);
+    const Computed& increment = points[0].at(quantities::shift_increment_ratio);
+    EXPECT_NEAR(increment.value, 0.5 + 0.01 * std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(increment.value, 0.5, increment.error);
+    EXPECT_FALSE(points[0].find(quantities::settled_shift_ratio));
 }
 
 TEST(RollingPoints, TurningPointsGiveNoShiftPerPeriod) {
-    const auto points = rolling_points({rolling_run("mdr", 0.5, 0.8, "ratcheting")});
-    EXPECT_EQ(points.at(0).behaviour, Behaviour::ratcheting);
-    EXPECT_FALSE(points.at(0).increment);
+    const auto points = rolling_points({rolling_run("mdr", 0.5, 0.8, contact::State::ratcheting)});
+    EXPECT_EQ(points.at(0).state, contact::State::ratcheting);
+    EXPECT_FALSE(points.at(0).find(quantities::shift_increment_ratio));
 }
 
-TEST(RollingPoints, UndecidedIsSettledOnlyWhereTheShiftStandsStill) {
-    RollingRun to_and_fro = rolling_run("bem-layer", 0.5, 0.2, "undecided");
-    to_and_fro.results["shift_increment_ratio"] = 1e-8;
-    RollingRun moving = rolling_run("bem-layer", 0.5, 0.3, "undecided");
-    moving.results["shift_increment_ratio"] = 2e-5;
+TEST(RollingPoints, CyclicSlipSettlesAndWhatIsUndecidedDoesNot) {
+    RollingRun to_and_fro = rolling_run("bem-layer", 0.5, 0.2, contact::State::cyclic_slip);
+    settle(to_and_fro.results, 0.3);
+    const RollingRun moving = rolling_run("bem-layer", 0.5, 0.3, contact::State::undecided);
     const auto points = rolling_points({to_and_fro, moving});
-    EXPECT_TRUE(points.at(0).settled_shift);
-    EXPECT_FALSE(points.at(1).settled_shift);
+    EXPECT_TRUE(points.at(0).find(quantities::settled_shift_ratio));
+    EXPECT_FALSE(points.at(1).find(quantities::settled_shift_ratio));
 }
 
 TEST(RollingPoints, WhatLiesOutOfRangeIsLeftOut) {
-    RollingRun failed = rolling_run("mdr", 0.5, 0.2, "shakedown");
-    failed.results["amplitude_ratio"] = nullptr;
-    EXPECT_TRUE(rolling_points({failed, rolling_run("mdr", 1.5, 0.2, "shakedown")}).empty());
+    RollingRun failed = rolling_run("mdr", 0.5, 0.2, contact::State::shakedown);
+    failed.results.set(quantities::amplitude_ratio, {});
+    EXPECT_TRUE(
+        rolling_points({failed, rolling_run("mdr", 1.5, 0.2, contact::State::shakedown)}).empty());
 }
 
 TEST(RollingPoints, Directions) {
@@ -102,8 +90,8 @@ TEST(ModelDifferences, OnlyBarsThatExcludeEachOtherTellModelsApart) {
         RollingPoint p{.model = model, .group = "parallel", .point = std::to_string(w)};
         p.amplitude_ratio = w;
         p.tangential_ratio = 0.3;
-        p.behaviour = Behaviour::settled;
-        p.settled_shift = {u, error};
+        p.state = contact::State::shakedown;
+        p.values[&quantities::settled_shift_ratio] = {u, error};
         points.push_back(p);
     };
     add("mdr", 0.2, 0.40, 0.01);
@@ -119,7 +107,7 @@ TEST(ModelDifferences, OnlyBarsThatExcludeEachOtherTellModelsApart) {
     EXPECT_NE(difference_sentence(model_differences(points).at(0))
                   .find("no difference beyond the numerical error"),
               std::string::npos);
-    points.back().settled_shift->error = NAN;
+    points.back().values[&quantities::settled_shift_ratio].error = NAN;
     EXPECT_NE(difference_sentence(model_differences(points).at(0)).find("cannot be said"),
               std::string::npos);
 }

@@ -8,9 +8,15 @@
 
 namespace tricontact::comparisons {
 
+/// Without anything still to come; U_max = 2.
+inline void settle(Results& r, double shift_ratio) {
+    r.set(quantities::settled_shift_ratio, shift_ratio);
+    r.set(quantities::settled_shift, 2 * shift_ratio);
+    r.set(quantities::settled_shift_error_ratio, 0.);
+}
+
 /// A run as a sweep stores it, with what fits look at.
-inline RollingRun rolling_run(const std::string& model, double w, double f,
-                              const std::string& state) {
+inline RollingRun rolling_run(const std::string& model, double w, double f, contact::State state) {
     RollingRun run{.model = model,
                    .group = "parallel",
                    .point = "w = " + std::to_string(w) + ", f = " + std::to_string(f),
@@ -18,14 +24,19 @@ inline RollingRun rolling_run(const std::string& model, double w, double f,
                    .level = 0,
                    .steps_per_quarter = 1,
                    .results = {}};
-    run.results = {{"amplitude_ratio", w},
-                   {"tangential_ratio", f},
-                   {"static_shift_ratio", 0.1},
-                   {"final_shift_ratio", 0.2},
-                   {"shift_increment_ratio", 0.},
-                   {"periods", 10},
-                   {"state", state},
-                   {"limit_tangential_ratio", 1 - 1.5 * w + 0.5 * w * w * w}};
+    using namespace quantities;
+    Results& r = run.results;
+    r.set(quantities::amplitude_ratio, w);
+    r.set(quantities::tangential_ratio, f);
+    r.set(unit_shift, 2.);
+    r.set(static_shift_ratio, 0.1);
+    r.set(final_shift_ratio, 0.2);
+    r.set(shift_increment_ratio, 0.);
+    r.set(periods, 10);
+    r.set(quantities::state, state);
+    r.set(limit_tangential_ratio, 1 - 1.5 * w + 0.5 * w * w * w);
+    r.set(limit_amplitude_ratio, theory::amplitude_limit(f));
+    if (state == contact::State::shakedown) settle(r, 0.2);
     return run;
 }
 
@@ -40,8 +51,8 @@ inline std::vector<RollingPoint> settled_points(double kappa, const char* model 
             const auto u = theory::settled_shift_ratio(w, f, kappa);
             // The largest kappa has the lowest limit.
             if (!u || f > theory::shakedown_limit(w)) continue;
-            runs.push_back(rolling_run(model, w, f, "shakedown"));
-            runs.back().results["final_shift_ratio"] = *u;
+            runs.push_back(rolling_run(model, w, f, contact::State::shakedown));
+            settle(runs.back().results, *u);
         }
     return rolling_points(runs);
 }

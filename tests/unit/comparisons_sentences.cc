@@ -33,10 +33,10 @@ std::string joined(const std::vector<std::string>& sentences) {
 /// The report's findings of models that settle at the closed form.
 std::string reading_of(const Case& c, const std::vector<std::string>& models,
                        contact::State state = contact::State::shakedown) {
-    std::vector<ModelSummary> summaries;
+    std::vector<Results> summaries;
     for (const std::string& model : models) {
-        summaries.push_back(summarise(c, synthetic::settling_history(model)));
-        summaries.back().state = state;
+        summaries.emplace_back(c, synthetic::settling_history(model));
+        summaries.back().set(quantities::state, state);
     }
     return joined(reading(c, summaries));
 }
@@ -115,7 +115,7 @@ TEST(ReadingSentences, WhatStillRelaxesIsNotComparedWithElasticBodies) {
     EXPECT_FALSE(says(relaxed, "elastic half-spaces"));
     // The table leaves the closed form out likewise.
     const auto theory = [](const Case& c) {
-        const Table table = results_table(c, {summarise(c, synthetic::settling_history("bem"))});
+        const Table table = results_table(c, {Results(c, synthetic::settling_history("bem"))});
         for (const auto& row : table.groups.front().rows)
             if (says(row.label, "u</i><sub>stat")) return row.cells[1];
         return std::string("no row");
@@ -141,7 +141,7 @@ TEST(ReadingSentences, WithoutATangentialForceNothingIsShifted) {
     const synthetic::Options still{.f = 0, .rolling = false};
     const Case c = synthetic::unit_case(still);
     const std::string text =
-        joined(reading(c, {summarise(c, synthetic::loaded_history("bem", still))}));
+        joined(reading(c, {Results(c, synthetic::loaded_history("bem", still))}));
     EXPECT_TRUE(says(text, "BEM: pressed without a tangential force.")) << text;
     EXPECT_FALSE(says(text, "shifts the indenter")) << text;
 }
@@ -159,7 +159,7 @@ TEST(PlotSentences, NothingSlipsAnyMoreAfterShakedownOnly) {
 
 TEST(PlotSentences, StaticTheoryIsNamedAsThatOfItsBody) {
     const auto script = [](const Case& c) {
-        return shift_plots(c, synthetic::two_models()).front().picture.script;
+        return shift_plots(c, synthetic::two_models()).back().picture.script;
     };
     EXPECT_TRUE(says(script(uncoupled()), "'u_{stat}, Cattaneo and Mindlin'"));
     EXPECT_TRUE(says(script(relaxing(0)), "'u_{stat}, Cattaneo and Mindlin, relaxed'"));

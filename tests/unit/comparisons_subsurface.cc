@@ -32,8 +32,8 @@ std::vector<contact::History> with_inside(const contact::Subsurface& s) {
 
 TEST(ComparisonsSubsurface, SummarySaysWhereTheStressPeaks) {
     const auto c = synthetic::unit_case();
-    std::vector<ModelSummary> summaries;
-    for (const auto& history : with_inside(inside())) summaries.push_back(summarise(c, history));
+    std::vector<Results> summaries;
+    for (const auto& history : with_inside(inside())) summaries.emplace_back(c, history);
     const auto json = nlohmann::json::parse(summary_json("1", nullptr, summaries));
     EXPECT_TRUE(json["models"]["mdr"]["subsurface"].is_null());
     const auto& s = json["models"]["bem"]["subsurface"];

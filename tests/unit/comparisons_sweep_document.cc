@@ -20,12 +20,15 @@ Sweep sweep() {
         for (const double thickness : {0.004, 0.008})
             for (const char* model : {"mdr", "bem-layer"}) {
                 const bool thick = thickness > 0.005;
-                result.points.push_back({.values = {amplitude, thickness},
-                                         .model = model,
-                                         .state = thick ? "ratcheting" : "shakedown",
-                                         .static_shift_ratio = 0.1,
-                                         .final_shift_ratio = 10 * amplitude + thickness,
-                                         .shift_increment_ratio = thick ? amplitude : 0});
+                Sweep::Point& point = result.points.emplace_back();
+                point.values = {amplitude, thickness};
+                point.model = model;
+                using namespace quantities;
+                point.results.set(quantities::state,
+                                  thick ? contact::State::ratcheting : contact::State::shakedown);
+                point.results.set(static_shift_ratio, 0.1);
+                if (!thick) point.results.set(settled_shift_ratio, 10 * amplitude + thickness);
+                point.results.set(shift_increment_ratio, thick ? amplitude : 0);
             }
     return result;
 }
@@ -51,11 +54,12 @@ TEST(SweepDocument, CountsWhatBecameOfThePoints) {
 TEST(SweepDocument, LinesJoinPointsThatDifferInOneKey) {
     const auto sections = shift_sections(sweep(), scales_of(sweep()));
     ASSERT_EQ(sections.size(), 3u);
-    const Figure& over_amplitude = sections[0].figures[0];
-    EXPECT_EQ(over_amplitude.id, "settled_1");
+    EXPECT_EQ(sections[1].heading, "Settled shift u_sd");
+    const Figure& over_amplitude = sections[1].figures[0];
+    EXPECT_EQ(over_amplitude.id, "settled_shift_ratio_1");
     EXPECT_EQ(over_amplitude.x.label, "rolling.amplitude [mm]");
     EXPECT_FALSE(over_amplitude.x.logarithmic);
-    EXPECT_TRUE(sections[0].figures[1].x.logarithmic);
+    EXPECT_TRUE(sections[1].figures[1].x.logarithmic);
     ASSERT_EQ(over_amplitude.curves.size(), 2u);
     const Curve& mdr = over_amplitude.curves[0];
     EXPECT_EQ(mdr.kind, Curve::Kind::line_and_points);
@@ -65,7 +69,7 @@ TEST(SweepDocument, LinesJoinPointsThatDifferInOneKey) {
     EXPECT_DOUBLE_EQ(mdr.y[0], 0.014);
     EXPECT_DOUBLE_EQ(mdr.y[1], 0.024);
     for (const int i : {2, 3, 4}) EXPECT_TRUE(std::isnan(mdr.y[i])) << i;
-    EXPECT_DOUBLE_EQ(sections[1].figures[0].curves[1].y[4], 2e-3);  // increment, thick layer
+    EXPECT_DOUBLE_EQ(sections[2].figures[0].curves[1].y[4], 2e-3);  // increment, thick layer
 }
 
 TEST(SweepDocument, SamplesArePointsAndWordsNoAxis) {

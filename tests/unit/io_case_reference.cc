@@ -1,10 +1,11 @@
-// docs/case-file.md and docs/walking.md hold what `tricontact keys` prints.
+// The documents hold what `tricontact keys` prints.
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "comparisons/quantities/glossary.h"
 #include "io/case_keys.h"
 #include "io/key_reference.h"
 #include "io/walk_keys.h"
@@ -14,15 +15,22 @@ namespace {
 
 class CaseReference : public testing::TestWithParam<const KeyList*> {};
 
-TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
-    const KeyList& keys = *GetParam();
-    const std::string name(keys.reference());
+void expect_held(const std::string& name, const std::string& reference) {
     std::ifstream file(TRICONTACT_SOURCE_DIR "/" + name);
     std::stringstream document;
     document << file.rdbuf();
-    EXPECT_NE(document.str().find(key_reference(keys)), std::string::npos)
+    EXPECT_NE(document.str().find(reference), std::string::npos)
         << name << ": scripts/key_reference.sh writes it anew; it should hold this:\n"
-        << key_reference(keys);
+        << reference;
+}
+
+TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
+    expect_held(std::string(GetParam()->reference()), key_reference(*GetParam()));
+}
+
+TEST(ResultReference, DocumentsNameEveryQuantityAsDeclared) {
+    expect_held("docs/quantities.md", comparisons::glossary());
+    expect_held("README.md", comparisons::summary_keys());
 }
 
 INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,

@@ -1,0 +1,134 @@
+#include "comparisons/quantities/quantities.h"
+
+namespace tricontact::comparisons::quantities {
+
+namespace {
+
+/// Scales of a nominally flat contact are no solution.
+QuantityValue exact(const Reference& r, double value) {
+    return r.is_nominal ? QuantityValue() : finite(value);
+}
+
+}  // namespace
+
+constinit const Quantity normal_force{
+    .key = "normal_force_N",
+    .symbol = "F_N",
+    .unit = "N",
+    .name = "normal force",
+    .meaning = "Force that presses the indenter on, of oscillating loads the mean.",
+    .of = [](const Subject& s) { return finite(s.history.scales.normal_force); },
+    .is_refined = true};
+
+constinit const Quantity indentation{
+    .key = "indentation_m",
+    .symbol = "d",
+    .unit = "m",
+    .name = "indentation",
+    .meaning = "Approach of the indenter, pressed upright and without friction.",
+    .source = "Johnson (1985), 4.2",
+    .of = [](const Subject& s) { return finite(s.history.scales.indentation); },
+    .exact = [](const contact::Case&, const Reference& r) { return exact(r, r.hertz.indentation); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity contact_radius{
+    .key = "contact_radius_m",
+    .symbol = "a",
+    .unit = "m",
+    .name = "contact radius",
+    .meaning = "Radius of the contact pressed without friction, half width of a line contact.",
+    .source = "Johnson (1985), 4.2",
+    .of = [](const Subject& s) { return finite(s.history.scales.contact_radius); },
+    .exact = [](const contact::Case&,
+                const Reference& r) { return exact(r, r.hertz.contact_radius); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity peak_pressure{
+    .key = "peak_pressure_Pa",
+    .symbol = "p_0",
+    .unit = "Pa",
+    .name = "peak pressure",
+    .meaning = "Largest normal traction, pressed without friction.",
+    .source = "Johnson (1985), 4.2",
+    .of = [](const Subject& s) { return finite(s.history.scales.peak_pressure); },
+    .exact = [](const contact::Case&, const Reference& r) { return finite(r.peak_pressure); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity unit_shift{
+    .key = "unit_shift_m",
+    .symbol = "U_max",
+    .unit = "m",
+    .name = "unit of shift",
+    .meaning =
+        "Tangential displacement of the contact's centre under the traction mu p: the shift "
+        "at which a half-space begins to slide; each model's own.",
+    .source = "Cattaneo (1938), Mindlin (1949)",
+    .of = [](const Subject& s) { return finite(s.history.scales.unit_shift); },
+    .exact = [](const contact::Case&, const Reference& r) { return exact(r, r.hertz.unit_shift); },
+    .part = Part::pressed,
+    .is_refined = true};
+
+constinit const Quantity tangential_ratio{
+    .key = "tangential_ratio",
+    .symbol = "f_T",
+    .over = "mu F_N",
+    .name = "tangential force",
+    .meaning = "Tangential force after loading over what friction can carry, mu F_N.",
+    .of = [](const Subject& s) { return finite(comparisons::tangential_ratio(s.history)); },
+    .exact = [](const contact::Case&, const Reference& r) { return finite(r.tangential_ratio); },
+    .part = Part::pressed};
+
+constinit const Quantity amplitude{
+    .key = "amplitude_m",
+    .symbol = "W",
+    .unit = "m",
+    .name = "amplitude",
+    .meaning = "Amplitude of the rolling to and fro.",
+    .of = [](const Subject& s) { return finite(s.history.amplitude); }};
+
+constinit const Quantity amplitude_ratio{
+    .key = "amplitude_ratio",
+    .symbol = "w",
+    .over = "a",
+    .name = "amplitude",
+    .meaning = "Amplitude of the rolling over the model's own contact radius, W/a.",
+    .of = [](const Subject& s) { return finite(comparisons::amplitude_ratio(s.history)); },
+    .exact = [](const contact::Case&, const Reference& r) { return finite(r.amplitude_ratio); },
+    .part = Part::rolled};
+
+constinit const Quantity normal_stiffness{
+    .key = "normal_stiffness_N_per_m",
+    .symbol = "k_n",
+    .unit = "N/m",
+    .name = "normal stiffness",
+    .meaning = "Slope dF_N/dd of the force over the indentation, without friction.",
+    .defined = "in comparisons with a layer; of half-spaces 2 E* a",
+    .source = "Pharr, Oliver and Brotzen (1992)"};
+
+constinit const Quantity tangential_stiffness{
+    .key = "tangential_stiffness_N_per_m",
+    .symbol = "k_t",
+    .unit = "N/m",
+    .name = "tangential stiffness, uncoupled",
+    .meaning = "Slope dF_T/dU as F_T sets in, everything sticking.",
+    .defined = "in deviations from the half-space, on bonded layers",
+    .source = "Johnson (1985), 7.2"};
+
+constinit const Quantity coupled_tangential_stiffness{
+    .key = "coupled_tangential_stiffness_N_per_m",
+    .symbol = "k_t,c",
+    .unit = "N/m",
+    .name = "tangential stiffness, coupled",
+    .meaning = "The same with normal and tangential contact coupled.",
+    .defined = "in deviations from the half-space, on bonded layers",
+    .source = "Johnson (1985), 7.2"};
+
+List of_contact() {
+    return {&normal_force, &indentation,      &contact_radius, &peak_pressure,
+            &unit_shift,   &tangential_ratio, &amplitude,      &amplitude_ratio};
+}
+
+}  // namespace tricontact::comparisons::quantities

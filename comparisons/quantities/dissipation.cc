@@ -1,0 +1,93 @@
+#include <numbers>
+
+#include "comparisons/quantities/quantities.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/oscillating_cylinder.h"
+
+namespace tricontact::comparisons::quantities {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+
+/// W0 [J] of the model's own scales; empty where there is no closed form of it.
+std::optional<double> unit_dissipation(const Case& c, const History& history) {
+    const double f = comparisons::tangential_ratio(history);
+    if (!in_unit_range(f)) return {};
+    if (c.is_cylindrical()) {
+        const double bound = c.friction_coefficient * history.scales.normal_force;
+        return theory::line_cycle_dissipation(f) * bound * bound * 2 /
+               (std::numbers::pi * c.materials().effective_modulus() * c.indenter.length);
+    }
+    if (!contact::is_hertz_round(c)) return {};
+    return theory::cycle_dissipation(
+        {.friction_coefficient = c.friction_coefficient,
+         .normal_force = history.scales.normal_force,
+         .effective_shear_modulus = c.materials().effective_shear_modulus(),
+         .contact_radius = history.scales.contact_radius,
+         .tangential_ratio = f});
+}
+
+Numbers work_ratios(const Subject& s) {
+    Numbers list;
+    const auto unit = unit_dissipation(s.c, s.history);
+    for (const double work : s.history.dissipation_per_period) {
+        const QuantityValue ratio = finite(unit ? std::optional(work / *unit) : std::nullopt);
+        const auto* number = std::get_if<double>(&ratio);
+        list.push_back(number ? std::optional(*number) : std::nullopt);
+    }
+    return list;
+}
+
+constexpr const char* where_known =
+    "with rolling, where f_T > 0 and the body is a paraboloid, sphere or cylinder";
+constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
+
+}  // namespace
+
+constinit const Quantity dissipation{.key = "dissipation_J",
+                                     .symbol = "D",
+                                     .unit = "J",
+                                     .name = "frictional work per period",
+                                     .meaning = "Work of friction in the last period.",
+                                     .defined = "with rolling",
+                                     .of = [](const Subject& s) -> QuantityValue {
+                                         const auto& work = s.history.dissipation_per_period;
+                                         return work.empty() ? QuantityValue()
+                                                             : finite(work.back());
+                                     }};
+
+constinit const Quantity dissipation_ratio{
+    .key = "dissipation_ratio",
+    .symbol = "D/W_0",
+    .over = "W_0",
+    .name = "frictional work, last period",
+    .meaning =
+        "Work of friction in the last period over W_0, that of one cycle of oscillating F_T "
+        "with the model's own F_N, a and f_T.",
+    .defined = where_known,
+    .source = of_w0,
+    .of = [](const Subject& s) -> QuantityValue {
+        const Numbers list = work_ratios(s);
+        return list.empty() ? QuantityValue() : finite(list.back());
+    },
+    .part = Part::cost,
+    .digits = 3};
+
+constinit const Quantity dissipation_ratio_per_period{
+    .key = "dissipation_ratio_per_period",
+    .symbol = "D_n/W_0",
+    .over = "W_0",
+    .name = "frictional work of each period",
+    .meaning = "Work of friction in periods n = 1, 2, ... over W_0.",
+    .defined = where_known,
+    .source = of_w0,
+    .of = [](const Subject& s) -> QuantityValue { return work_ratios(s); },
+    .is_list = true};
+
+List of_dissipation() {
+    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period};
+}
+
+}  // namespace tricontact::comparisons::quantities

@@ -1,0 +1,97 @@
+#include "comparisons/quantities/own_limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "comparisons/reference.h"
+#include "comparisons/resample.h"
+#include "comparisons/surface_fields.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Surface;
+
+/// Pressures on a grid, to be read between its points; of springs their line loads.
+class MovedPressure {
+  public:
+    explicit MovedPressure(const Surface& s)
+        : surface_(s),
+          pressure_(s.layout == Surface::Layout::line ? s.normal_line_load : s.normal_traction) {}
+
+    const std::vector<double>& pressure() const { return pressure_; }
+    double finest() const {
+        return surface_.n_y > 1 ? std::min(surface_.spacing[0], surface_.spacing[1])
+                                : surface_.spacing[0];
+    }
+
+    /// least = min(least, p moved by `way`); returns its sum.
+    double lower(std::vector<double>& least, const contact::Vector2& way) const {
+        const double x = way[0] / surface_.spacing[0];
+        const double y = surface_.n_y > 1 ? way[1] / surface_.spacing[1] : 0;
+        const int i0 = static_cast<int>(std::floor(x)), j0 = static_cast<int>(std::floor(y));
+        const double p = x - i0, q = y - j0;
+        double sum = 0;
+        for (int j = 0; j < surface_.n_y; ++j)
+            for (int i = 0; i < surface_.n_x; ++i) {
+                double& here = least[static_cast<std::size_t>(j) * surface_.n_x + i];
+                if (here <= 0) continue;
+                const int left = i - i0, below = j - j0;
+                const double moved =
+                    (1 - q) * ((1 - p) * at(left, below) + p * at(left - 1, below)) +
+                    q * ((1 - p) * at(left, below - 1) + p * at(left - 1, below - 1));
+                here = std::min(here, moved);
+                sum += here;
+            }
+        return sum;
+    }
+
+  private:
+    double at(int i, int j) const {
+        if (i < 0 || j < 0 || i >= surface_.n_x || j >= surface_.n_y) return 0;
+        return pressure_[static_cast<std::size_t>(j) * surface_.n_x + i];
+    }
+
+    const Surface& surface_;
+    const std::vector<double>& pressure_;
+};
+
+/// Rolling distance at which the least pressures carry `f` of the whole; linear between steps of a
+/// quarter of a cell.
+std::optional<double> distance_at(const Surface& surface, const contact::Vector2& direction,
+                                  double f) {
+    const MovedPressure moved(surface);
+    std::vector<double> least = moved.pressure();
+    for (double& p : least) p = std::max(0., p);
+    const double whole = std::accumulate(least.begin(), least.end(), 0.);
+    if (!(whole > 0)) return {};
+    const double step = moved.finest() / 4;
+    double share = 1;
+    for (int k = 1;; ++k) {
+        const double way = k * step;
+        moved.lower(least, {way * direction[0], way * direction[1]});
+        const double now = moved.lower(least, {-way * direction[0], -way * direction[1]}) / whole;
+        if (now <= f) return way - step * (f - now) / (share - now);
+        share = now;
+    }
+}
+
+}  // namespace
+
+std::optional<double> own_amplitude_limit(const contact::Case& c, const contact::History& history) {
+    const contact::Snapshot* upright = last_upright(history);
+    const double f = tangential_ratio(history);
+    if (!c.rolling || !constant_loads(c) || c.bem.period || !upright || !(f > 0 && f < 1))
+        return {};
+    const contact::Vector2 direction{std::cos(c.rolling->angle), std::sin(c.rolling->angle)};
+    const Surface& s = upright->surface;
+    const bool is_line = s.layout == Surface::Layout::line;
+    const auto distance = is_line ? distance_at(s, {1, 0}, f)
+                                  : distance_at(is_grid(s) ? s : Resampling(s)(s), direction, f);
+    if (!distance) return {};
+    return *distance / history.scales.contact_radius;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "comparisons/reference.h"
+#include "contact/case.h"
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// One number per period, n = 1, 2, ...; empty where undefined.
+using Numbers = std::vector<std::optional<double>>;
+/// SI units; monostate where undefined.
+using QuantityValue = std::variant<std::monostate, double, int, contact::State, Numbers>;
+
+/// Undefined where `value` is no finite number.
+QuantityValue finite(std::optional<double> value);
+
+/// What quantities are got from.
+struct Subject {
+    const contact::Case& c;
+    const contact::History& history;
+};
+
+/// The groups of rows in the report's table of results; `nowhere`: in files only.
+enum class Part { nowhere, pressed, rolled, ends, inside, cost };
+
+/// A result of a run, declared once: files, tables, plots, studies, the module for Python and the
+/// glossary docs/quantities.md follow from the declaration.
+struct Quantity {
+    const char* key;                                ///< in files, with unit: "static_shift_m"
+    const char* symbol = "";                        ///< plain text: "U_stat"
+    const char* unit = "";                          ///< SI; empty: dimensionless
+    const char* over = "";                          ///< what a ratio is a multiple of: "U_max"
+    const char* name;                               ///< "static shift"
+    const char* meaning;                            ///< one sentence, with the definition
+    const char* defined = "always";                 ///< when, and why not otherwise
+    const char* source = "";                        ///< author, year, equation
+    QuantityValue (*of)(const Subject&) = nullptr;  ///< null: no result of a run
+    /// The closed form or exact value of an elastic half-space.
+    QuantityValue (*exact)(const contact::Case&, const Reference&) = nullptr;
+    const char* place = nullptr;  ///< JSON pointer in a model's part of summary.json; null: "/key"
+    Part part = Part::nowhere;
+    int digits = 4;             ///< in tables
+    bool is_list = false;       ///< one number per period
+    bool is_refined = false;    ///< `refine` follows it over its levels
+    bool is_plotted = false;    ///< a sweep draws it over its axes
+    bool is_repeatable = true;  ///< the same case gives the same value: no times
+    /// The only state in which refine and plots use it: after shakedown an increment is what is
+    /// left of nothing.
+    std::optional<contact::State> told_in = {};
+};
+
+/// The declarations, in the order of files and tables.
+std::span<const Quantity* const> all_quantities();
+
+/// Null where there is none of that key.
+const Quantity* find_quantity(std::string_view key);
+
+/// "static shift U_stat", plain; in tables of results "half width a" of line contacts.
+std::string label_of(const Quantity& q);
+/// Key of a ratio of two values, without unit: "static_shift".
+std::string ratio_key(const Quantity& q);
+/// Symbol and unit, or what a ratio is over: "u_stat [U_max]", "kappa [1]".
+std::string heading_of(const Quantity& q);
+
+}  // namespace tricontact::comparisons

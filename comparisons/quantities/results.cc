@@ -1,0 +1,123 @@
+#include "comparisons/quantities/results.h"
+
+#include <cmath>
+
+#include "comparisons/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+using json = nlohmann::ordered_json;
+
+json to_json(const QuantityValue& value) {
+    struct {
+        json operator()(std::monostate) const { return nullptr; }
+        json operator()(double number) const { return number; }
+        json operator()(int count) const { return count; }
+        json operator()(State state) const { return contact::name_of(state); }
+        json operator()(const Numbers& list) const { return numbers(list); }
+    } const visitor;
+    return std::visit(visitor, value);
+}
+
+QuantityValue value_of(const json& stored) {
+    if (stored.is_number_integer()) return stored.get<int>();
+    if (stored.is_number()) return stored.get<double>();
+    if (stored.is_string())
+        for (const State state :
+             {State::shakedown, State::cyclic_slip, State::ratcheting, State::undecided})
+            if (stored == contact::name_of(state)) return state;
+    return {};
+}
+
+bool is_empty(const json& object) {
+    for (const json& member : object)
+        if (!member.is_null()) return false;
+    return true;
+}
+
+}  // namespace
+
+Results::Results(const contact::Case& c, const contact::History& history)
+    : model(history.model), verdict(history.verdict), audit(history.audit.checks()) {
+    for (const Quantity* q : all_quantities()) set(*q, q->of({c, history}));
+}
+
+const QuantityValue& Results::operator[](const Quantity& q) const {
+    static const QuantityValue undefined;
+    const auto found = values_.find(&q);
+    return found == values_.end() ? undefined : found->second;
+}
+
+std::optional<double> Results::number(const Quantity& q) const {
+    const QuantityValue& value = (*this)[q];
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* count = std::get_if<int>(&value)) return *count;
+    return {};
+}
+
+std::optional<double> Results::told(const Quantity& q) const {
+    return !q.told_in || state() == q.told_in ? number(q) : std::nullopt;
+}
+
+const Numbers& Results::list(const Quantity& q) const {
+    static const Numbers none;
+    const auto* list = std::get_if<Numbers>(&(*this)[q]);
+    return list ? *list : none;
+}
+
+std::optional<State> Results::state() const {
+    const auto* state = std::get_if<State>(&(*this)[quantities::state]);
+    return state ? std::optional(*state) : std::nullopt;
+}
+
+int Results::periods() const {
+    return static_cast<int>(number(quantities::periods).value_or(0));
+}
+
+void Results::set(const Quantity& q, QuantityValue value) {
+    values_[&q] = std::move(value);
+}
+
+json results_json(const Results& results) {
+    json object = json::object();
+    for (const Quantity* q : all_quantities())
+        object[json::json_pointer(q->place ? q->place : std::string("/") + q->key)] =
+            to_json(results[*q]);
+    for (json& member : object)
+        if (member.is_object() && is_empty(member)) member = nullptr;
+    json& audit = object["audit"] = json::object();
+    for (const auto& check : results.audit)
+        audit[check.name] = {{"worst", number(check.worst)},
+                             {"allowed", number(check.allowed)},
+                             {"passed", check.passed()}};
+    return object;
+}
+
+const std::vector<const Quantity*>& column_quantities() {
+    static const std::vector<const Quantity*> columns = [] {
+        std::vector<const Quantity*> list;
+        for (const Quantity* q : all_quantities())
+            if (!q->is_list && q->is_repeatable) list.push_back(q);
+        return list;
+    }();
+    return columns;
+}
+
+json stored_results(const Results& results) {
+    json stored = json::object();
+    for (const Quantity* q : column_quantities()) stored[q->key] = to_json(results[*q]);
+    return stored;
+}
+
+Results read_stored_results(const json& stored) {
+    Results results;
+    for (const Quantity* q : column_quantities())
+        if (const auto found = stored.find(q->key); found != stored.end())
+            results.set(*q, value_of(*found));
+    return results;
+}
+
+}  // namespace tricontact::comparisons

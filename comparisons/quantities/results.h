@@ -1,0 +1,53 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "comparisons/quantities/quantities.h"
+#include "contact/audit.h"
+
+namespace tricontact::comparisons {
+
+/// The quantities of one model's run.
+class Results {
+  public:
+    Results() = default;
+    /// All of them.
+    Results(const contact::Case& c, const contact::History& history);
+
+    /// Empty where undefined or not kept.
+    const QuantityValue& operator[](const Quantity& q) const;
+    /// Of one that is a number.
+    std::optional<double> number(const Quantity& q) const;
+    /// The same where it tells something, see Quantity::told_in.
+    std::optional<double> told(const Quantity& q) const;
+    /// Of one that is a list.
+    const Numbers& list(const Quantity& q) const;
+    /// Empty without rolling.
+    std::optional<contact::State> state() const;
+    int periods() const;
+
+    void set(const Quantity& q, QuantityValue value);
+
+    std::string model;
+    contact::Verdict verdict;
+    std::vector<contact::Audit::Check> audit;
+
+  private:
+    std::unordered_map<const Quantity*, QuantityValue> values_;
+};
+
+/// A model's part of summary.json: every quantity in its place, undefined ones as null; an object
+/// whose members are all undefined is null.
+nlohmann::ordered_json results_json(const Results& results);
+
+/// Columns of results.csv: what is one value, and the same whenever it is computed.
+const std::vector<const Quantity*>& column_quantities();
+
+/// A row of a sweep's store: the columns as JSON, and back. What is no column's key is passed over.
+nlohmann::ordered_json stored_results(const Results& results);
+Results read_stored_results(const nlohmann::ordered_json& stored);
+
+}  // namespace tricontact::comparisons

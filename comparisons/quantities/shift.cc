@@ -1,0 +1,235 @@
+#include <algorithm>
+
+#include "comparisons/layer.h"
+#include "comparisons/model_assumptions.h"
+#include "comparisons/quantities/quantities.h"
+
+namespace tricontact::comparisons::quantities {
+
+namespace {
+
+using contact::History;
+using contact::State;
+
+/// Over U_max: a shift that is known less well has not settled.
+constexpr double settled_within = 1e-3;
+
+bool rolled(const Subject& s) {
+    return !s.history.shift_per_period.empty();
+}
+
+double final_shift_of(const History& h) {
+    return h.shift_per_period.empty() ? h.static_shift : h.shift_per_period.back();
+}
+
+std::optional<double> settled_shift_of(const Subject& s) {
+    const contact::Verdict& v = s.history.verdict;
+    const bool settles = v.state == State::shakedown || v.state == State::cyclic_slip;
+    if (!rolled(s) || !settles || !(v.remaining_error <= settled_within)) return {};
+    return final_shift_of(s.history) + v.remaining * s.history.scales.unit_shift;
+}
+
+std::optional<double> increment_of(const Subject& s) {
+    const auto& shift = s.history.shift_per_period;
+    if (shift.empty()) return {};
+    return shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : s.history.static_shift);
+}
+
+/// A length over the model's own U_max.
+QuantityValue ratio(const Subject& s, std::optional<double> length) {
+    return finite(length ? std::optional(*length / s.history.scales.unit_shift) : std::nullopt);
+}
+
+/// A rough body has no static shift in theory, nor has a substrate that still relaxes.
+QuantityValue exact_static(const contact::Case& c, const Reference& r, double value) {
+    return r.static_shift_ratio > 0 && static_shift_is_relaxed(c) ? finite(value) : QuantityValue();
+}
+
+constexpr const char* with_rolling = "with rolling";
+constexpr const char* settled =
+    "after shakedown or in cyclic slip, once what the shift still changes is known to 1e-3 U_max; "
+    "a shift that grows has no end";
+
+}  // namespace
+
+constinit const Quantity static_shift{
+    .key = "static_shift_m",
+    .symbol = "U_stat",
+    .unit = "m",
+    .name = "static shift",
+    .meaning = "Rigid-body displacement of the indenter along F_T after loading, before rolling.",
+    .source = "Cattaneo (1938), Mindlin (1949)",
+    .of = [](const Subject& s) { return finite(s.history.static_shift); },
+    .exact =
+        [](const contact::Case& c, const Reference& r) {
+            return exact_static(c, r, r.static_shift_ratio * r.hertz.unit_shift);
+        },
+    .part = Part::pressed,
+    .is_refined = true,
+    .is_plotted = true};
+
+constinit const Quantity static_shift_ratio{
+    .key = "static_shift_ratio",
+    .symbol = "u_stat",
+    .over = "U_max",
+    .name = "static shift",
+    .meaning = "Static shift over the model's own U_max.",
+    .source = "Cattaneo (1938), Mindlin (1949)",
+    .of = [](const Subject& s) { return ratio(s, s.history.static_shift); },
+    .exact = [](const contact::Case& c,
+                const Reference& r) { return exact_static(c, r, r.static_shift_ratio); },
+    .part = Part::pressed,
+    .is_refined = true,
+    .is_plotted = true};
+
+constinit const Quantity final_shift{
+    .key = "final_shift_m",
+    .symbol = "U_end",
+    .unit = "m",
+    .name = "final shift",
+    .meaning =
+        "Shift with the indenter upright after the last period; without rolling the static one.",
+    .of = [](const Subject& s) { return finite(final_shift_of(s.history)); },
+    .exact =
+        [](const contact::Case&, const Reference& r) {
+            return finite(r.shakedown_shift_ratio
+                              ? std::optional(*r.shakedown_shift_ratio * r.hertz.unit_shift)
+                              : std::nullopt);
+        },
+    .part = Part::rolled,
+    .is_refined = true};
+
+constinit const Quantity final_shift_ratio{
+    .key = "final_shift_ratio",
+    .symbol = "u_end",
+    .over = "U_max",
+    .name = "final shift",
+    .meaning = "Final shift over the model's own U_max.",
+    .of = [](const Subject& s) { return ratio(s, final_shift_of(s.history)); },
+    .exact = [](const contact::Case&,
+                const Reference& r) { return finite(r.shakedown_shift_ratio); },
+    .part = Part::rolled,
+    .is_refined = true};
+
+constinit const Quantity settled_shift{
+    .key = "settled_shift_m",
+    .symbol = "U_sd",
+    .unit = "m",
+    .name = "settled shift",
+    .meaning =
+        "Where the shift stands in the end: final shift and what the "
+        "verdict extrapolates to remain.",
+    .defined = settled,
+    .of = [](const Subject& s) { return finite(settled_shift_of(s)); },
+    .exact = final_shift.exact,
+    .is_plotted = true};
+
+constinit const Quantity settled_shift_ratio{
+    .key = "settled_shift_ratio",
+    .symbol = "u_sd",
+    .over = "U_max",
+    .name = "settled shift",
+    .meaning = "Settled shift over the model's own U_max.",
+    .defined = settled,
+    .of = [](const Subject& s) { return ratio(s, settled_shift_of(s)); },
+    .exact = final_shift_ratio.exact,
+    .is_plotted = true};
+
+constinit const Quantity settled_shift_error_ratio{
+    .key = "settled_shift_error_ratio",
+    .over = "U_max",
+    .name = "bound on what the settled shift may still miss",
+    .meaning =
+        "Bound on the error of the settled shift from ending the run, over U_max; the "
+        "resolution's error is that of `refine`.",
+    .defined = settled,
+    .of = [](const Subject& s) {
+        return finite(settled_shift_of(s) ? std::optional(s.history.verdict.remaining_error)
+                                          : std::nullopt);
+    }};
+
+constinit const Quantity shift_increment{
+    .key = "shift_increment_m",
+    .symbol = "ΔU",
+    .unit = "m",
+    .name = "shift per period",
+    .meaning = "Change of the shift in the last period.",
+    .defined = with_rolling,
+    .of = [](const Subject& s) { return finite(increment_of(s)); },
+    .part = Part::rolled,
+    .is_refined = true,
+    .is_plotted = true,
+    .told_in = State::ratcheting};
+
+constinit const Quantity shift_increment_ratio{
+    .key = "shift_increment_ratio",
+    .symbol = "Δu",
+    .over = "U_max",
+    .name = "shift per period",
+    .meaning = "Change of the shift in the last period, over the model's own U_max.",
+    .defined = with_rolling,
+    .of = [](const Subject& s) { return ratio(s, increment_of(s)); },
+    .part = Part::rolled,
+    .is_refined = true,
+    .is_plotted = true,
+    .told_in = State::ratcheting};
+
+constinit const Quantity shift_ratio_per_period{
+    .key = "shift_ratio_per_period",
+    .symbol = "u_n",
+    .over = "U_max",
+    .name = "shift after each period",
+    .meaning =
+        "Shift with the indenter upright after periods n = 1, 2, ..., over the model's own U_max.",
+    .of = [](const Subject& s) -> QuantityValue {
+        Numbers list;
+        for (const double shift : s.history.shift_per_period)
+            list.emplace_back(shift / s.history.scales.unit_shift);
+        return list;
+    },
+    .is_list = true};
+
+constinit const Quantity state{
+    .key = "state",
+    .name = "verdict",
+    .meaning = "What becomes of the contact: shakedown, cyclic-slip, ratcheting, or undecided.",
+    .defined = with_rolling,
+    .source = "Klarbring, Ciavarella and Barber (2007)",
+    .of =
+        [](const Subject& s) {
+            return rolled(s) ? QuantityValue(s.history.verdict.state) : QuantityValue();
+        },
+    .exact = [](const contact::Case&, const Reference& r) -> QuantityValue {
+        if (!r.limit_tangential_ratio) return {};
+        return r.tangential_ratio <= *r.limit_tangential_ratio ? State::shakedown
+                                                               : State::ratcheting;
+    },
+    .part = Part::rolled};
+
+constinit const Quantity periods{
+    .key = "periods",
+    .symbol = "n",
+    .name = "periods",
+    .meaning = "Periods that were rolled.",
+    .of =
+        [](const Subject& s) {
+            return QuantityValue(static_cast<int>(s.history.shift_per_period.size()));
+        },
+    .part = Part::rolled};
+
+List of_shift() {
+    return {&static_shift,
+            &static_shift_ratio,
+            &final_shift,
+            &final_shift_ratio,
+            &settled_shift,
+            &settled_shift_ratio,
+            &settled_shift_error_ratio,
+            &shift_increment,
+            &shift_increment_ratio,
+            &shift_ratio_per_period,
+            &state,
+            &periods};
+}
+
+}  // namespace tricontact::comparisons::quantities

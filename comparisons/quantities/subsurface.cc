@@ -1,0 +1,101 @@
+#include "comparisons/quantities/quantities.h"
+
+namespace tricontact::comparisons::quantities {
+
+namespace {
+
+template <class Get>
+QuantityValue of_inside(const Subject& s, const Get& get) {
+    const auto& inside = s.history.subsurface;
+    return inside ? finite(get(*inside)) : QuantityValue();
+}
+
+constexpr const char* written = "where the inside of the substrate was written (output.volume)";
+
+constinit const Quantity phase{
+    .key = "subsurface_phase",
+    .name = "phase of the inside that was written last",
+    .meaning = "Rolling periods since the start.",
+    .defined = written,
+    .of = [](const Subject& s) { return of_inside(s, [](const auto& i) { return i.phase; }); },
+    .place = "/subsurface/phase"};
+
+constinit const Quantity peak_von_mises{
+    .key = "peak_von_mises_Pa",
+    .unit = "Pa",
+    .name = "largest von Mises stress",
+    .meaning = "Largest von Mises stress inside the substrate.",
+    .defined = written,
+    .of =
+        [](const Subject& s) {
+            return of_inside(s, [](const auto& i) { return i.peak_von_mises; });
+        },
+    .place = "/subsurface/peak_von_mises_Pa",
+    .part = Part::inside};
+
+constinit const Quantity peak_von_mises_ratio{
+    .key = "peak_von_mises_ratio",
+    .over = "p_0",
+    .name = "largest von Mises stress",
+    .meaning = "Largest von Mises stress inside the substrate over the peak pressure.",
+    .defined = written,
+    .of =
+        [](const Subject& s) {
+            const double p0 = s.history.scales.peak_pressure;
+            return of_inside(s, [p0](const auto& i) { return i.peak_von_mises / p0; });
+        },
+    .place = "/subsurface/peak_von_mises_ratio",
+    .part = Part::inside};
+
+constinit const Quantity peak_position{
+    .key = "peak_position_m",
+    .unit = "m",
+    .name = "place of the largest von Mises stress",
+    .meaning = "Coordinates x, y, z of the largest von Mises stress, z into the substrate.",
+    .defined = written,
+    .of = [](const Subject& s) -> QuantityValue {
+        if (!s.history.subsurface) return {};
+        const auto& place = s.history.subsurface->peak_position;
+        return Numbers(place.begin(), place.end());
+    },
+    .place = "/subsurface/peak_position_m",
+    .is_list = true};
+
+constinit const Quantity peak_x_ratio{
+    .key = "peak_x_ratio",
+    .symbol = "x/a",
+    .over = "a",
+    .name = "its place",
+    .meaning = "Position of the largest von Mises stress along F_T, over a.",
+    .defined = written,
+    .of =
+        [](const Subject& s) {
+            const double a = s.history.scales.contact_radius;
+            return of_inside(s, [a](const auto& i) { return i.peak_position[0] / a; });
+        },
+    .place = "/subsurface/peak_x_ratio",
+    .part = Part::inside};
+
+constinit const Quantity peak_z_ratio{
+    .key = "peak_z_ratio",
+    .symbol = "z/a",
+    .over = "a",
+    .name = "its place",
+    .meaning = "Depth of the largest von Mises stress, over a.",
+    .defined = written,
+    .of =
+        [](const Subject& s) {
+            const double a = s.history.scales.contact_radius;
+            return of_inside(s, [a](const auto& i) { return i.peak_position[2] / a; });
+        },
+    .place = "/subsurface/peak_z_ratio",
+    .part = Part::inside};
+
+}  // namespace
+
+List of_subsurface() {
+    return {&phase,         &peak_von_mises, &peak_von_mises_ratio,
+            &peak_position, &peak_x_ratio,   &peak_z_ratio};
+}
+
+}  // namespace tricontact::comparisons::quantities
