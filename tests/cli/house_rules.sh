@@ -77,7 +77,7 @@ fi
 # Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.
 while read -r key; do
     found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" app bem comparisons contact dynamics fem files io mdr \
-        meshes python rig rolling theory | grep -vE '^(comparisons/(quantities|walking)/|io/(history_columns|key_guess).cc|python/)' || true)
+        meshes python rig rolling theory | grep -vE '^(comparisons/(quantities|walking)/|io/(history_csv|key_guess).cc|python/)' || true)
     [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
 found=$(grep -nE '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/*_json.cc comparisons/*_output.cc \
