@@ -121,6 +121,9 @@ TEST(FemFriction, HalfAndWholeModelAgree) {
         EXPECT_NEAR(half.steps[k].shift[0], whole.steps[k].shift[0], 1e-6 * 4e-4);
         EXPECT_NEAR(half.steps[k].dissipation, whole.steps[k].dissipation, 1e-5 * 4e-4 * 21);
     }
+    const double path = half.slip_path_per_period.at(0), work = half.friction_work_per_period.at(0);
+    EXPECT_NEAR(path, whole.slip_path_per_period.at(0), 1e-6 * 4e-4);
+    EXPECT_NEAR(work / whole.friction_work_per_period.at(0), 1, 1e-4);
     const contact::Surface& a = half.snapshots.back().surface;
     const contact::Surface& b = whole.snapshots.back().surface;
     ASSERT_EQ(a.n_x, b.n_x);
@@ -130,6 +133,8 @@ TEST(FemFriction, HalfAndWholeModelAgree) {
             const std::size_t mirrored = static_cast<std::size_t>(a.n_y - 1 - j) * a.n_x + i;
             ASSERT_EQ(a.normal_traction[k], a.normal_traction[mirrored]);
             ASSERT_EQ(a.tangential_traction_y[k], -a.tangential_traction_y[mirrored]);
+            ASSERT_EQ(a.slip_path.at(k), a.slip_path[mirrored]);
+            ASSERT_EQ(a.friction_work.at(k), a.friction_work[mirrored]);
         }
     // Patches may differ by a ring of elements (the path is known to the last bit only).
     const int middle_a = a.n_y / 2 * a.n_x, middle_b = b.n_y / 2 * b.n_x;
