@@ -52,7 +52,7 @@ void expect_agreement(const Point& at) {
     const auto &u = fem.shift_per_period, &v = bem.shift_per_period;
     EXPECT_NEAR(u.back() / v.back(), 1, .01);
     // In the last period. Where it ratchets most points slip: .7 % of .56 U_max. Else only those at
-    // the edge that come into contact do, the farther the longer its elements: .003 U_max.
+    // the edge that come into contact do, at other places on nodes than on cells: .003 U_max.
     const double unit = bem.scales.unit_shift, a = bem.scales.contact_radius;
     EXPECT_NEAR(fem.slip_path_per_period.back() / unit, bem.slip_path_per_period.back() / unit,
                 5e-3);
