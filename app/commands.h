@@ -218,8 +218,8 @@ struct IdentifyOptions {
 /// prints a table and the answer to standard output. Throws InputError, NotConverged.
 void identify_command(const IdentifyOptions& options);
 
-/// Prints a reference as Markdown to standard output: all keys of "case" files, of "walking" machines,
-/// all "results", or those of "summary".json.
+/// Prints a reference as Markdown to standard output: all keys of "case" files or of "walking"
+/// machines, all "results", or those of "summary".json.
 void keys_command(const std::string& kind);
 
 /// Prints the models, and the case files below `folder`, to standard output; without a folder those

@@ -40,6 +40,10 @@ Numbers work_ratios(const Subject& s) {
     return list;
 }
 
+QuantityValue last_of(const std::vector<double>& per_period) {
+    return per_period.empty() ? QuantityValue() : finite(per_period.back());
+}
+
 constexpr const char* where_known =
     "with rolling, where f_T > 0 and the body is a paraboloid, sphere or cylinder";
 constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
