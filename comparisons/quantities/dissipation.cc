@@ -90,8 +90,24 @@ constinit const Quantity dissipation_ratio_per_period{
     .of = [](const Subject& s) -> QuantityValue { return work_ratios(s); },
     .is_list = true};
 
+constinit const Quantity slip_path{
+    .key = "largest_slip_path_m",
+    .symbol = "s_max",
+    .unit = "m",
+    .name = "largest slip path of a point",
+    .meaning =
+        "Way that the point of the surface which slips most slips to and fro in the last "
+        "period: what fretting maps are drawn over.",
+    .defined =
+        "with rolling; not of `mdr` and `mdr-layer`, whose springs are no points of the surface",
+    .source = "Vingsbo and Söderberg (1988)",
+    .of = [](const Subject& s) { return last_of(s.history.slip_path_per_period); },
+    .part = Part::cost,
+    .digits = 3,
+    .is_plotted = true};
+
 List of_dissipation() {
-    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period};
+    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period, &slip_path};
 }
 
 }  // namespace tricontact::comparisons::quantities

@@ -65,6 +65,14 @@ TEST(Results, AShiftThatStillMovesHasNotSettled) {
     EXPECT_EQ(Results(c, history).number(quantities::settled_shift_ratio), last);
 }
 
+TEST(Results, LargestSlipPathIsThatOfTheLastPeriod) {
+    contact::History history = synthetic::settling_history("bem");
+    const Quantity& path = *find_quantity("largest_slip_path_m");
+    EXPECT_FALSE(Results(synthetic::unit_case(), history).number(path));  // the model knows none
+    history.slip_path_per_period = {3e-6, 2e-6};
+    EXPECT_EQ(Results(synthetic::unit_case(), history).number(path), 2e-6);
+}
+
 TEST(Results, AreReadBackAsTheyWereStored) {
     for (const Options& options : {Options{}, Options{.rolling = false}}) {
         const auto histories = synthetic::two_models(options);
