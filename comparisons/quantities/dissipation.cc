@@ -106,8 +106,24 @@ constinit const Quantity slip_path{
     .digits = 3,
     .is_plotted = true};
 
+constinit const Quantity friction_work{
+    .key = "largest_friction_work_J_per_m2",
+    .symbol = "e_max",
+    .unit = "J/m2",
+    .name = "largest frictional work per area",
+    .meaning =
+        "Work of friction per area in the last period, at the point of the surface where it is "
+        "largest: the energy density that wear is compared by.",
+    .defined = "with rolling; not of `mdr` and `mdr-layer`, whose springs have no area",
+    .source = "Fouvry, Kapsa and Vincent (1996)",
+    .of = [](const Subject& s) { return last_of(s.history.friction_work_per_period); },
+    .part = Part::cost,
+    .digits = 3,
+    .is_plotted = true};
+
 List of_dissipation() {
-    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period, &slip_path};
+    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period, &slip_path,
+            &friction_work};
 }
 
 }  // namespace tricontact::comparisons::quantities

@@ -29,7 +29,7 @@ TEST(Quantities, SayWhatTheyAre) {
         EXPECT_TRUE(meaning.ends_with('.')) << key;
         EXPECT_GT(std::string(q->name).size(), 2u) << key;
         EXPECT_TRUE(unit.empty() || over.empty()) << key << ": a ratio has no unit";
-        if (!unit.empty()) EXPECT_TRUE(key.ends_with('_' + unit)) << key << ' ' << unit;
+        if (!unit.empty()) EXPECT_NE(ratio_key(*q), key) << unit << " is not what the key ends with";
         EXPECT_TRUE(q->of) << key;
     }
 }
@@ -71,6 +71,14 @@ TEST(Results, LargestSlipPathIsThatOfTheLastPeriod) {
     EXPECT_FALSE(Results(synthetic::unit_case(), history).number(path));  // the model knows none
     history.slip_path_per_period = {3e-6, 2e-6};
     EXPECT_EQ(Results(synthetic::unit_case(), history).number(path), 2e-6);
+}
+
+TEST(Results, LargestFrictionWorkPerAreaIsThatOfTheLastPeriod) {
+    contact::History history = synthetic::settling_history("bem");
+    const Quantity& work = *find_quantity("largest_friction_work_J_per_m2");
+    EXPECT_FALSE(Results(synthetic::unit_case(), history).number(work));
+    history.friction_work_per_period = {5., 4.};
+    EXPECT_EQ(Results(synthetic::unit_case(), history).number(work), 4.);
 }
 
 TEST(Results, AreReadBackAsTheyWereStored) {
