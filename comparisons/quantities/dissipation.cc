@@ -50,17 +50,14 @@ constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
 
 }  // namespace
 
-constinit const Quantity dissipation{.key = "dissipation_J",
-                                     .symbol = "D",
-                                     .unit = "J",
-                                     .name = "frictional work per period",
-                                     .meaning = "Work of friction in the last period.",
-                                     .defined = "with rolling",
-                                     .of = [](const Subject& s) -> QuantityValue {
-                                         const auto& work = s.history.dissipation_per_period;
-                                         return work.empty() ? QuantityValue()
-                                                             : finite(work.back());
-                                     }};
+constinit const Quantity dissipation{
+    .key = "dissipation_J",
+    .symbol = "D",
+    .unit = "J",
+    .name = "frictional work per period",
+    .meaning = "Work of friction in the last period.",
+    .defined = "with rolling",
+    .of = [](const Subject& s) { return last_of(s.history.dissipation_per_period); }};
 
 constinit const Quantity dissipation_ratio{
     .key = "dissipation_ratio",
