@@ -66,9 +66,8 @@ struct Outcome {
     std::string state;
 };
 
-// A period begins before step `period_at`; the journal has no entry for it.
 void call(contact::Model& model, int i, const LoadStep& step, Outcome& out) {
-    if (i == period_at) model.start_period();
+    if (i == period_at) model.start_period();  // no entry of its own
     if (i == release_at)
         model.release();
     else if (i == limit_at)
