@@ -5,7 +5,7 @@
 #include "app/boundary_element_model.h"
 #include "app/commands.h"
 #include "bem/case_compliance.h"
-#include "bem/influence_title.h"
+#include "bem/influence_file.h"
 #include "io/atomic_file.h"
 #include "io/output_target.h"
 

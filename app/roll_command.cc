@@ -11,7 +11,6 @@
 #include "comparisons/format.h"
 #include "comparisons/tractive/creep_theory.h"
 #include "comparisons/tractive/readings.h"
-#include "comparisons/tractive/rolling_csv.h"
 #include "comparisons/tractive/rolling_document.h"
 #include "contact/error.h"
 #include "io/atomic_file.h"

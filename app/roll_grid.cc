@@ -7,7 +7,6 @@
 #include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "rolling/roll_until_steady.h"
 #include "rolling/run.h"
 #include "theory/creep_law.h"
 #include "theory/kalker.h"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/case_json.h"
-#include "comparisons/tractive/rolling_json.h"
+#include "comparisons/tractive/rolling_document.h"
 
 namespace tricontact::app {
 

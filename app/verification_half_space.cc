@@ -18,13 +18,7 @@ using contact::Case;
 /// A paraboloid that rolls until it rests, all scales other than 1, at nu = 0, for which alone
 /// Cattaneo and Mindlin are exact.
 Case rolling_case(double w, double f) {
-    Case c;
-    c.indenter.radius = 40e-3;
-    c.substrate = {5.2e6, 0};
-    c.friction_coefficient = 0.57;
-    c.contact.coupling = false;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = f;
+    Case c = rig_sphere(0, f);
     c.rolling.emplace();
     c.rolling->amplitude_ratio = w;
     c.rolling->steps = Case::Steps::turning_points;

@@ -19,14 +19,8 @@ using contact::Case;
 
 /// The rig's layer under a rigid paraboloid; no coupling, which the limit of shakedown leaves out.
 Case layer_case() {
-    Case c;
-    c.indenter.radius = 40e-3;
-    c.substrate = {5.2e6, 0.5};
+    Case c = rig_sphere(0.5, 0.56);
     c.layer.thickness = 8e-3;
-    c.friction_coefficient = 0.57;
-    c.contact.coupling = false;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = 0.56;
     c.rolling.emplace();
     c.rolling->amplitude_ratio = 0.24;
     c.rolling->steps = Case::Steps::turning_points;

@@ -17,12 +17,8 @@ constexpr double across = std::numbers::pi / 2;
 
 /// The rig on the cells of those programs.
 Case rig_case(double f) {
-    Case c;
-    c.indenter.radius = 40e-3;
-    c.substrate = {5.2e6, 0.5};
-    c.friction_coefficient = 0.57;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = f;
+    Case c = rig_sphere(0.5, f);
+    c.contact.coupling = true;
     c.bem.spacing = 2e-4;
     return c;
 }

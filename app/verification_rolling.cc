@@ -5,9 +5,9 @@
 
 #include "app/roll_models.h"
 #include "app/verification_problems.h"
+#include "app/verification_rows.h"
 #include "bem/case_compliance.h"
 #include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/resistance_theory.h"
 #include "contact/load_path.h"
 #include "contact/normal_solver.h"
 #include "contact/placement.h"
@@ -28,13 +28,7 @@ using contact::Case;
 constexpr double force = .56;
 
 Case rolling_on(double nu) {
-    Case c;
-    c.indenter.radius = 40e-3;
-    c.substrate = {5.2e6, nu};
-    c.friction_coefficient = .57;
-    c.contact.coupling = false;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = force;
+    Case c = rig_sphere(nu, force);
     c.tractive_rolling.emplace().distance = .01;
     return c;
 }

@@ -52,6 +52,17 @@ Levels run_level(const std::string& model, const Case& c, double size, const Say
     return levels;
 }
 
+Case rig_sphere(double poisson, double tangential_ratio) {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {5.2e6, poisson};
+    c.friction_coefficient = 0.57;
+    c.contact.coupling = false;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = tangential_ratio;
+    return c;
+}
+
 double radius_mm(const History& h) {
     return h.scales.contact_radius * 1e3;
 }

@@ -64,6 +64,9 @@ class Rows {
     comparisons::Verification& verification_;
 };
 
+/// The sphere of a rig, uncoupled.
+contact::Case rig_sphere(double poisson, double tangential_ratio);
+
 /// Source of comparisons/peer_shifts.h.
 inline constexpr const char* peer_programs =
     "two boundary element programs of different origin, nu = 1/2, 0.2 mm cells "

@@ -14,18 +14,6 @@ namespace {
 
 using contact::Case;
 
-/// A sphere pressed without friction, nu = 0.3 as in the textbooks.
-Case pressed_case() {
-    Case c;
-    c.indenter.radius = 40e-3;
-    c.substrate = {5.2e6, 0.3};
-    c.friction_coefficient = 0.57;
-    c.contact.coupling = false;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = 0;
-    return c;
-}
-
 /// Von Mises' stress over p0 on the axis of Hertz' contact, at the depth z.
 double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
     const double a = hertz.contact_radius, p0 = hertz.peak_pressure;
@@ -41,7 +29,7 @@ double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
 }  // namespace
 
 void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all) {
-    const Case base = pressed_case();
+    const Case base = rig_sphere(0.3, 0);  // nu as in the textbooks
     const auto hertz = contact::half_space_scales(base);
     const double a = hertz.contact_radius;
     const auto lowest = boost::math::tools::brent_find_minima(

@@ -6,7 +6,6 @@
 #include "app/commands.h"
 #include "app/run_model.h"
 #include "app/walk_text.h"
-#include "comparisons/walking/walk_csv.h"
 #include "comparisons/walking/walk_document.h"
 #include "io/atomic_file.h"
 #include "io/case_writer.h"

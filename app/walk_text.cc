@@ -6,7 +6,7 @@
 
 #include "app/case_json.h"
 #include "comparisons/format.h"
-#include "comparisons/walking/walk_json.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/drive_load.h"
 #include "dynamics/stable_step.h"
 

@@ -186,92 +186,68 @@ GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
     return result;
 }
 
+template <std::size_t n_in, std::size_t n_out, typename Product>
+void GridConvolution::convolve(const std::array<std::span<const double>, n_in>& in,
+                               const std::array<std::span<double>, n_out>& out,
+                               Product product) const {
+    if (std::max(n_in, n_out) == 2 && !field_[1].rows) field_[1] = make_field();
+    for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], field_[i]);
+    for_each_piece(pitch_, [&](int first) {
+        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
+        columns_forward(field_[0], first, x);
+        if (n_in == 2) columns_forward(field_[1], first, y);
+        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
+        for (int k = 0; k < piece * period_y_; ++k) product(start + k, x[k], y[k]);
+        columns_backward(x, first, field_[0]);
+        if (n_out == 2) columns_backward(y, first, field_[1]);
+    });
+    for (std::size_t i = 0; i < n_out; ++i) rows_backward(field_[i], out[i]);
+}
+
 void GridConvolution::apply(const Symbol& symbol, std::span<const double> in,
                             std::span<double> out) const {
-    Field& field = field_[0];
-    rows_forward(in, field);
-    for_each_piece(pitch_, [&](int first) {
-        fftw_complex* columns = columns_of_thread(0);
-        columns_forward(field, first, columns);
-        const double* factor = symbol.data() + static_cast<std::size_t>(first) * period_y_;
-        for (int k = 0; k < piece * period_y_; ++k) {
-            columns[k][0] *= factor[k];
-            columns[k][1] *= factor[k];
-        }
-        columns_backward(columns, first, field);
-    });
-    rows_backward(field, out);
+    convolve<1, 1>({in}, {out},
+                   [factor = symbol.data()](std::size_t k, fftw_complex& x, fftw_complex&) {
+                       x[0] *= factor[k];
+                       x[1] *= factor[k];
+                   });
 }
 
 void GridConvolution::apply(const Symbol2& symbol, std::span<const double> in_x,
                             std::span<const double> in_y, std::span<double> out_x,
                             std::span<double> out_y) const {
-    if (!field_[1].rows) field_[1] = make_field();
-    rows_forward(in_x, field_[0]);
-    rows_forward(in_y, field_[1]);
-    for_each_piece(pitch_, [&](int first) {
-        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
-        columns_forward(field_[0], first, x);
-        columns_forward(field_[1], first, y);
-        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
-        const double *xx = symbol.xx.data() + start, *xy = symbol.xy.data() + start,
-                     *yy = symbol.yy.data() + start;
-        for (int k = 0; k < piece * period_y_; ++k)
-            for (int part = 0; part < 2; ++part) {
-                const double a = x[k][part], b = y[k][part];
-                x[k][part] = xx[k] * a + xy[k] * b;
-                y[k][part] = xy[k] * a + yy[k] * b;
-            }
-        columns_backward(x, first, field_[0]);
-        columns_backward(y, first, field_[1]);
-    });
-    rows_backward(field_[0], out_x);
-    rows_backward(field_[1], out_y);
+    const double *xx = symbol.xx.data(), *xy = symbol.xy.data(), *yy = symbol.yy.data();
+    convolve<2, 2>({in_x, in_y}, {out_x, out_y},
+                   [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
+                       for (int part = 0; part < 2; ++part) {
+                           const double a = x[part], b = y[part];
+                           x[part] = xx[k] * a + xy[k] * b;
+                           y[part] = xy[k] * a + yy[k] * b;
+                       }
+                   });
 }
 
 void GridConvolution::apply(const OddSymbol2& symbol, std::span<const double> in,
                             std::span<double> out_x, std::span<double> out_y) const {
-    if (!field_[1].rows) field_[1] = make_field();
-    rows_forward(in, field_[0]);
-    for_each_piece(pitch_, [&](int first) {
-        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
-        columns_forward(field_[0], first, x);
-        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
-        const double *to_x = symbol.x.data() + start, *to_y = symbol.y.data() + start;
-        for (int k = 0; k < piece * period_y_; ++k) {
-            const double re = x[k][0], im = x[k][1];
-            x[k][0] = -to_x[k] * im;
-            x[k][1] = to_x[k] * re;
-            y[k][0] = -to_y[k] * im;
-            y[k][1] = to_y[k] * re;
-        }
-        columns_backward(x, first, field_[0]);
-        columns_backward(y, first, field_[1]);
+    const double *to_x = symbol.x.data(), *to_y = symbol.y.data();
+    convolve<1, 2>({in}, {out_x, out_y}, [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
+        const double re = x[0], im = x[1];
+        x[0] = -to_x[k] * im;
+        x[1] = to_x[k] * re;
+        y[0] = -to_y[k] * im;
+        y[1] = to_y[k] * re;
     });
-    rows_backward(field_[0], out_x);
-    rows_backward(field_[1], out_y);
 }
 
 void GridConvolution::apply_adjoint(const OddSymbol2& symbol, std::span<const double> in_x,
                                     std::span<const double> in_y, std::span<double> out) const {
-    if (!field_[1].rows) field_[1] = make_field();
-    rows_forward(in_x, field_[0]);
-    rows_forward(in_y, field_[1]);
-    for_each_piece(pitch_, [&](int first) {
-        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
-        columns_forward(field_[0], first, x);
-        columns_forward(field_[1], first, y);
-        const std::size_t start = static_cast<std::size_t>(first) * period_y_;
-        const double *by_x = symbol.x.data() + start, *by_y = symbol.y.data() + start;
-        for (int k = 0; k < piece * period_y_; ++k) {
-            const double re = by_x[k] * x[k][0] + by_y[k] * y[k][0];
-            const double im = by_x[k] * x[k][1] + by_y[k] * y[k][1];
-            x[k][0] = im;
-            x[k][1] = -re;
-        }
-        columns_backward(x, first, field_[0]);
+    const double *by_x = symbol.x.data(), *by_y = symbol.y.data();
+    convolve<2, 1>({in_x, in_y}, {out}, [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
+        const double re = by_x[k] * x[0] + by_y[k] * y[0];
+        const double im = by_x[k] * x[1] + by_y[k] * y[1];
+        x[0] = im;
+        x[1] = -re;
     });
-    rows_backward(field_[0], out);
 }
 
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {

@@ -2,6 +2,7 @@
 
 #include <fftw3.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -80,6 +81,10 @@ class GridConvolution {
     fftw_complex* columns_of_thread(int component) const;
     template <typename Body>
     void for_each_piece(int n, Body body) const;
+    /// `product` multiplies the transforms of one wave number of one or two fields.
+    template <std::size_t n_in, std::size_t n_out, typename Product>
+    void convolve(const std::array<std::span<const double>, n_in>& in,
+                  const std::array<std::span<double>, n_out>& out, Product product) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
     const int n_rows_;  // n_y rounded up to whole pieces

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "bem/influence_title.h"
 #include "contact/error.h"
 #include "files/line_reader.h"
 

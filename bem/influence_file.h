@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bem/influence.h"
@@ -33,5 +34,9 @@ InfluenceTable read_influence(const std::string& path);
 
 /// Throws contact::InputError, naming the file, unless the table is of cells of this size [m].
 void check_spacing(const InfluenceTable& table, const std::string& path, double spacing);
+
+/// How a file of influence coefficients begins (docs/influence-format.md).
+inline constexpr std::string_view influence_file_title =
+    "tricontact influence coefficients, version ";
 
 }  // namespace tricontact::bem

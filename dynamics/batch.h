@@ -9,7 +9,7 @@
 #include "dynamics/lane.h"
 #include "dynamics/machine.h"
 #include "dynamics/motion.h"
-#include "dynamics/stretch_sums.h"
+#include "dynamics/stretch_recorder.h"
 
 namespace tricontact::dynamics {
 

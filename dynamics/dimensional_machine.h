@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/kappas.h"
+#include "dynamics/machine.h"
 
 namespace tricontact::dynamics {
 

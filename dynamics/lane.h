@@ -6,7 +6,7 @@
 #include "dynamics/kernel_fields.h"
 #include "dynamics/machine.h"
 #include "dynamics/motion.h"
-#include "dynamics/stretch_sums.h"
+#include "dynamics/stretch_recorder.h"
 
 namespace tricontact::dynamics {
 

@@ -9,7 +9,7 @@
 #include "dynamics/kernel.h"
 #include "dynamics/kernel_fields.h"
 #include "dynamics/lane.h"
-#include "dynamics/stretch_sums.h"
+#include "dynamics/stretch_recorder.h"
 
 namespace tricontact::dynamics {
 

@@ -6,6 +6,11 @@
 
 namespace tricontact::dynamics {
 
+double critical_friction(const Kappas& kappas) {
+    const double lever = kappas.kappa3 * (1 + kappas.kappa8);  // (h + a)/b
+    return lever > 0 ? 1 / lever : std::numeric_limits<double>::infinity();
+}
+
 std::vector<Spot> spots_of(const Machine& machine) {
     if (machine.model == Machine::Model::spots) return machine.spots;
     return {{.position = -1}, {.position = 1}};

@@ -25,4 +25,13 @@ struct Motion {
     bool operator==(const Motion&) const = default;
 };
 
+/// What a contact spot does; the numbers are those of contact_state in files for ParaView.
+enum class SpotState { released = 0, stick = 1, slip = 2 };
+
+/// The machine at one time, for pictures.
+struct Snapshot {
+    Motion motion;
+    std::vector<SpotState> spots;  ///< in the order of spots_of
+};
+
 }  // namespace tricontact::dynamics

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/motion.h"
 #include "dynamics/spot_view.h"
 #include "dynamics/velocity_verlet.h"
-#include "dynamics/walk_snapshot.h"
 
 namespace tricontact::dynamics {
 

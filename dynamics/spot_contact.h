@@ -14,9 +14,13 @@ struct SpotContact {
     std::optional<contact::Material> substrate = {};  ///< empty: rigid
 
     /// k_z = E* D_c [N/m].
-    double normal_stiffness() const;
+    double normal_stiffness() const {
+        return contact::MaterialPair(substrate, body).effective_modulus() * diameter;
+    }
     /// k_x = G* D_c [N/m].
-    double tangential_stiffness() const;
+    double tangential_stiffness() const {
+        return contact::MaterialPair(substrate, body).effective_shear_modulus() * diameter;
+    }
 };
 
 }  // namespace tricontact::dynamics

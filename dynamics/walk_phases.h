@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dynamics/machine.h"
-#include "dynamics/walk_snapshot.h"
+#include "dynamics/motion.h"
 
 namespace tricontact::dynamics {
 

@@ -6,10 +6,9 @@
 
 #include "dynamics/drift.h"
 #include "dynamics/motion.h"
-#include "dynamics/stretch_sums.h"
+#include "dynamics/stretch_recorder.h"
 #include "dynamics/walk_phases.h"
 #include "dynamics/walk_result.h"
-#include "dynamics/walk_snapshot.h"
 
 namespace tricontact::dynamics {
 

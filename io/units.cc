@@ -178,16 +178,13 @@ double in_si(double number, std::string_view unit_text, Dimension dimension) {
     if (!unit)
         refuse(shown + " is not a unit that UDUNITS-2 knows (case matters: MPa, mm)", dimension);
     if (!database.has_dimension(unit.get(), dimension)) {
-        for (const auto other :
-             {Dimension::length, Dimension::pressure, Dimension::force, Dimension::angle,
-              Dimension::time, Dimension::velocity, Dimension::viscosity, Dimension::frequency,
-              Dimension::angular_frequency, Dimension::mass, Dimension::density,
-              Dimension::stiffness, Dimension::acceleration, Dimension::moment_of_inertia,
-              Dimension::rotation_per_length})
+        for (int k = 1; k <= static_cast<int>(Dimension::rotation_per_length); ++k) {
+            const auto other = static_cast<Dimension>(k);
             if (other != dimension && database.has_dimension(unit.get(), other))
                 refuse(shown + " is a unit of " + std::string(traits(other).name) +
                            ", but this is " + std::string(name_of(dimension)),
                        dimension);
+        }
         refuse(shown + " is not a unit of " + std::string(traits(dimension).name), dimension);
     }
     const auto si = database.parse(std::string(si_unit(dimension)));

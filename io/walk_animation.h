@@ -3,8 +3,8 @@
 #include <span>
 #include <string>
 
+#include "dynamics/motion.h"
 #include "dynamics/walk_case.h"
-#include "dynamics/walk_snapshot.h"
 #include "io/provenance.h"
 
 namespace tricontact::io {

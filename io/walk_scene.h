@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/motion.h"
 #include "dynamics/walk_case.h"
-#include "dynamics/walk_snapshot.h"
 
 namespace tricontact::io {
 

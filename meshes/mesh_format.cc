@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "meshes/mesh_numbers.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {

@@ -1,11 +1,11 @@
-#include "meshes/mesh_numbers.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+
+#include "meshes/mesh_format.h"
 
 namespace tricontact::meshes {
 

@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/roll_models.h"
-#include "comparisons/tractive/rolling_csv.h"
+#include "comparisons/tractive/rolling_document.h"
 #include "io/case_writer.h"
 #include "python/bindings.h"
 

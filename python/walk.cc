@@ -2,7 +2,7 @@
 
 #include "app/commands.h"
 #include "app/walk_text.h"
-#include "comparisons/walking/walk_csv.h"
+#include "comparisons/walking/walk_document.h"
 #include "comparisons/walking/walk_report.h"
 #include "dynamics/walk_run.h"
 #include "io/atomic_file.h"

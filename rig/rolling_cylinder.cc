@@ -6,9 +6,7 @@
 
 #include "contact/number_text.h"
 #include "contact/sentence.h"
-#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
-#include "rig/thesis_rigs.h"
 #include "theory/sharp_edge.h"
 
 namespace tricontact::rig {

@@ -5,7 +5,6 @@
 
 #include "contact/number_text.h"
 #include "contact/sentence.h"
-#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
 
 namespace tricontact::rig {

@@ -5,9 +5,7 @@
 
 #include "contact/number_text.h"
 #include "contact/sentence.h"
-#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
-#include "rig/thesis_rigs.h"
 
 namespace tricontact::rig {
 

@@ -7,9 +7,7 @@
 #include "contact/error.h"
 #include "contact/number_text.h"
 #include "contact/sentence.h"
-#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
-#include "rig/thesis_rigs.h"
 #include "theory/bracketed_root.h"
 #include "theory/layer_compliance.h"
 

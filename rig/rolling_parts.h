@@ -4,9 +4,54 @@
 #include <string>
 #include <vector>
 
+#include "contact/case.h"
+#include "contact/rolling_rig.h"
+#include "rig/calculation.h"
 #include "rig/check_rig.h"
+#include "theory/elastic_layer.h"
+#include "theory/line_contact.h"
 
+// The contact of a rolling rig from its quantities, as several assumptions need it.
 namespace tricontact::rig {
+
+/// R, F_N, E_1, nu_1, E_2, nu_2: what Hertz' contact follows from.
+std::vector<Given> hertz_given(const contact::RollingRig& rig);
+/// R, F_N, b, E_2, nu_2 of the contact with the layer; the roller is rigid.
+std::vector<Given> layer_given(const contact::RollingRig& rig);
+/// The same with one more behind.
+std::vector<Given> with(std::vector<Given> given, Given one);
+/// Either with a cylinder's L behind.
+std::vector<Given> with_length(std::vector<Given> given, const contact::RollingRig& rig);
+
+/// Of values in the order of `hertz_given`, at mu = 1.
+contact::HalfSpaceScales hertz_of(const std::vector<double>& x);
+contact::MaterialPair materials_of(const std::vector<double>& x);
+/// Hertz' half width [m] of values in the order of `with_length(hertz_given)`.
+double line_half_width_of(const std::vector<double>& x);
+/// Of values in the order of `layer_given`, with a length for the line.
+theory::LayerContact layer_of(const std::vector<double>& x);
+theory::LineContact layer_line_of(const std::vector<double>& x);
+
+/// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
+double half_size(const contact::RollingRig& rig);
+/// The radius [m] that amplitude ratios of the rig refer to.
+theory::Uncertain reference_radius(const contact::RollingRig& rig);
+/// The layer's theory takes the roller as rigid: that is so where the roller has less than 1 % of
+/// the compliance, a fifth of what counts as a difference here.
+bool roller_is_rigid(const contact::RollingRig& rig);
+inline constexpr const char* theory_of_elastic_roller =
+    "a theory of the layer under a roller that is not rigid beside it";
+/// The printed value of this name, if the rig has it.
+const contact::PrintedValue* find_printed(const contact::RollingRig& rig, const char* name);
+
+/// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
+inline constexpr double accepted_difference = 0.05;
+inline constexpr const char* accepted_reason = "below the scatter of repeated runs";
+
+/// "3.12 %" of a share.
+std::string percent_text(double share, int digits = 3);
+/// "36.3 % below Hertz", of a quantity over Hertz'.
+std::string beside_hertz(double ratio);
 
 /// A quantity of the contact, by both theories: of values in the order of `hertz_given` and of
 /// `layer_given`, of a cylinder with L behind.
@@ -35,5 +80,9 @@ Assumption long_cylinder(const contact::RollingRig& rig);
 Assumption elastic_substrate(const contact::RollingRig& rig);
 Assumption uncoupled(const contact::RollingRig& rig, const StaticShift& static_shift);
 Assumption fitted_constants(const contact::RollingRig& rig);
+
+/// Whether these are the data of one of the thesis' three rolling rigs (Wetter 2016, tables 5.1.1
+/// to 5.1.3): shape, R, b, E_2, mu and F_N. Remarks on the thesis' text are made of no other.
+bool is_thesis_rig(const contact::RollingRig& rig);
 
 }  // namespace tricontact::rig

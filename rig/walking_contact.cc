@@ -6,7 +6,6 @@
 
 #include "contact/number_text.h"
 #include "contact/sentence.h"
-#include "rig/walking_formulas.h"
 #include "rig/walking_parts.h"
 
 namespace tricontact::rig {

@@ -1,9 +1,8 @@
-#include "rig/walking_formulas.h"
-
 #include <cmath>
 #include <numbers>
 
 #include "contact/material.h"
+#include "rig/walking_parts.h"
 
 namespace tricontact::rig {
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "contact/number_text.h"
-#include "rig/walking_formulas.h"
 #include "rig/walking_parts.h"
 
 namespace tricontact::rig {

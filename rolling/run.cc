@@ -1,10 +1,69 @@
 #include "rolling/run.h"
 
-#include <cmath>
+#include <fmt/format.h>
 
-#include "rolling/roll_until_steady.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/error.h"
+#include "contact/largest.h"
 
 namespace tricontact::rolling {
+
+namespace {
+
+// Of the friction limit, the creepage of full sliding and the contact's size: far below what the
+// grid costs in accuracy.
+constexpr double steady_change = 1e-5;
+constexpr double farthest = 1000;  // half lengths of the contact
+
+/// Largest change between two states [-].
+double change(const RollingState& from, const RollingState& to, double friction_coefficient) {
+    const double force = friction_coefficient * to.normal_force;
+    const double creepage = friction_coefficient * to.indentation / to.half_length;
+    double worst = 0;
+    for (const auto& [a, b, unit] : {
+             std::array{from.force[0], to.force[0], force},
+             std::array{from.force[1], to.force[1], force},
+             std::array{from.normal_force, to.normal_force, to.normal_force},
+             std::array{from.creepage.longitudinal, to.creepage.longitudinal, creepage},
+             std::array{from.creepage.lateral, to.creepage.lateral, creepage},
+             std::array{from.indentation, to.indentation, to.indentation},
+             std::array{from.pressure_lead, to.pressure_lead, to.half_length},
+         })
+        worst = contact::larger(worst, std::abs(b - a) / unit);
+    return worst;
+}
+
+/// What rolling on for ever would still change, if each contact length changes the same fraction of
+/// what the one before did.
+bool is_steady(const std::vector<RollingState>& states, double cell, double friction_coefficient) {
+    const int window = std::max(1, static_cast<int>(2 * states.back().half_length / cell));
+    const int last = static_cast<int>(states.size()) - 1;
+    if (last < 2 * window + 1) return false;  // at rest nothing slid yet
+    const double before =
+        change(states[last - 2 * window], states[last - window], friction_coefficient);
+    const double now = change(states[last - window], states[last], friction_coefficient);
+    return now <= steady_change / 100 ||
+           (now < before && now * now <= steady_change * (before - now));
+}
+
+}  // namespace
+
+SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states) {
+    const double friction_coefficient = rolling.problem().friction_coefficient;
+    while (!is_steady(states, rolling.cell(), friction_coefficient)) {
+        if (states.back().distance > farthest * states.back().half_length)
+            throw contact::NotConverged(fmt::format(
+                "rolling: not steady after {:.4g} m, {:.0f} half lengths of the contact",
+                states.back().distance, farthest));
+        states.push_back(rolling.roll());
+    }
+    SteadyRolling steady{states.back(), rolling.surface(), rolling.audit()};
+    steady.state.distance = std::numeric_limits<double>::infinity();
+    return steady;
+}
 
 RollingHistory run(const contact::Substrate& substrate, const RollingProblem& problem) {
     RollingHistory history;

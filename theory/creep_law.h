@@ -2,6 +2,14 @@
 
 namespace tricontact::theory {
 
+/// Rigid sliding of the indenter over the substrate per rolled way, rolling towards +x; friction
+/// acts on the substrate along it.
+struct Creepage {
+    double longitudinal = 0;  ///< xi [-], along the rolling direction x
+    double lateral = 0;       ///< eta [-], along y
+    double spin = 0;          ///< phi [1/m], from x towards y
+};
+
 // Creep of a body in steady rolling under a force along its way, from small creepages to sliding,
 // by a law of one stiffness: F = mu F_N [1 - (1 - xi/xi_s)^3], xi_s = 3 mu F_N/(G a b C), the
 // creepage at which all begins to slide. What theories differ in is the coefficient C, Kalker's C11

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/material.h"
-#include "theory/creepage.h"
+#include "theory/creep_law.h"
 
 namespace tricontact::theory {
 

@@ -4,11 +4,15 @@
 #include <cmath>
 
 #include "comparisons/model_assumptions.h"
-#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
+#include "contact/relaxing_case.h"
 #include "theory/carter.h"
 #include "theory/creep_law.h"
+#include "theory/foundation_rolling.h"
+#include "theory/free_rolling.h"
+#include "theory/hunter.h"
 #include "theory/kalker.h"
+#include "theory/slow_rolling.h"
 
 namespace tricontact::comparisons::tractive {
 
@@ -92,6 +96,69 @@ bool has_thesis_creep_ratio(const Case& c) {
 double thesis_creep_ratio(const Case& c) {
     const double nu = theory::combined_material(c.materials()).poisson;
     return theory::vermeulen_johnson_coefficient(nu) / theory::mdr_coefficient(nu);
+}
+
+namespace {
+
+bool rolls_freely(const contact::Case& c) {
+    return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
+           !c.tractive_rolling->longitudinal_creepage;
+}
+
+}  // namespace
+
+std::vector<FreeCreepage> free_creepages(const contact::Case& c) {
+    const double beta = c.materials().dundurs_beta();
+    if (!c.is_line_contact() || !rolls_freely(c) || !couples(c, "bem") || c.relaxation) return {};
+    const double slope = contact::half_space_scales(c).contact_radius / c.indenter.radius;
+    return {{"Bentall and Johnson, all sticks", "bentall_johnson_rough",
+             slope * theory::rough_free_creepage(beta)},
+            {"Bentall and Johnson, all slips", "bentall_johnson_smooth",
+             slope * theory::smooth_free_creepage(beta)}};
+}
+
+namespace {
+
+using contact::Case;
+
+/// A parabola along x.
+bool is_parabolic(Case::Shape shape) {
+    return shape == Case::Shape::paraboloid || shape == Case::Shape::sphere ||
+           shape == Case::Shape::ellipsoid || shape == Case::Shape::cylinder ||
+           shape == Case::Shape::roller;
+}
+
+double hunter_ratio(const Case& c) {
+    const auto& [ratio, time] = c.relaxation->branches.front();
+    const double force = contact::half_space_scales(c).normal_force / c.indenter.length;
+    const theory::HunterRolling rolling{c.materials().effective_modulus(), c.indenter.radius, ratio,
+                                        c.tractive_rolling->speed * time};
+    return theory::hunter_contact(rolling, force).lead / c.indenter.radius;
+}
+
+double mdr_ratio(const Case& c) {
+    const theory::FoundationRolling bed =
+        theory::mdr_foundation(*c.relaxation, c.tractive_rolling->speed,
+                               c.materials().effective_modulus(), c.indenter.radius);
+    const double force = contact::half_space_scales(c).normal_force;
+    return theory::foundation_contact_under(bed, force).lead / bed.radius;
+}
+
+}  // namespace
+
+std::vector<ResistanceTheory> resistance_theories(const Case& c) {
+    if (!c.relaxation || !is_parabolic(c.indenter.shape)) return {};
+    std::vector<ResistanceTheory> theories;
+    if (contact::relaxes_as_one(c))
+        theories.push_back({"slow rolling", "slow",
+                            theory::slow_resistance_ratio(*c.relaxation, c.tractive_rolling->speed,
+                                                          c.indenter.radius)});
+    if (!contact::relaxes_as_one(contact::without_layer(c))) return theories;
+    if (c.is_line_contact() && c.relaxation->branches.size() == 1)
+        theories.push_back({"Hunter", "hunter", hunter_ratio(c)});
+    if (contact::is_hertz_round(c))
+        theories.push_back({"MDR, closed form", "mdr_closed_form", mdr_ratio(c)});
+    return theories;
 }
 
 }  // namespace tricontact::comparisons::tractive

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "comparisons/format.h"
-#include "comparisons/tractive/resistance_theory.h"
+#include "comparisons/tractive/creep_theory.h"
 #include "comparisons/tractive/rolling_sections.h"
 
 namespace tricontact::comparisons::tractive {

@@ -1,10 +1,9 @@
-#include "comparisons/tractive/rolling_csv.h"
-
 #include <array>
 
 #include "comparisons/csv.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/tractive/creep_theory.h"
+#include "comparisons/tractive/rolling_document.h"
 
 namespace tricontact::comparisons::tractive {
 

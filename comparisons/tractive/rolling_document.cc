@@ -7,7 +7,6 @@
 
 #include "comparisons/format.h"
 #include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
 #include "comparisons/tractive/rolling_sections.h"
 

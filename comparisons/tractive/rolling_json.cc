@@ -1,11 +1,8 @@
-#include "comparisons/tractive/rolling_json.h"
-
 #include "comparisons/json_number.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
-#include "comparisons/tractive/resistance_theory.h"
+#include "comparisons/tractive/rolling_document.h"
 
 namespace tricontact::comparisons::tractive {
 

@@ -11,9 +11,7 @@
 #include "comparisons/chart_json.h"
 #include "comparisons/format.h"
 #include "comparisons/json_number.h"
-#include "comparisons/walking/map_readings.h"
 #include "comparisons/walking/motion_class.h"
-#include "comparisons/walking/packed_samples.h"
 
 namespace tricontact::comparisons::walking {
 

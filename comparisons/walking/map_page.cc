@@ -11,7 +11,6 @@
 #include "comparisons/script_json.h"
 #include "comparisons/walking/map_json.h"
 #include "comparisons/walking/map_page_templates.h"
-#include "comparisons/walking/map_readings.h"
 
 namespace tricontact::comparisons::walking {
 

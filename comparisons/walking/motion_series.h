@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comparisons/walking/walk_report.h"
-#include "dynamics/walk_snapshot.h"
+#include "dynamics/motion.h"
 
 namespace tricontact::comparisons::walking {
 

@@ -4,7 +4,7 @@
 
 #include "comparisons/walking/motion_series.h"
 #include "dynamics/initial_sequence.h"
-#include "dynamics/running_variance.h"
+#include "dynamics/spectrum.h"
 
 namespace tricontact::comparisons::walking {
 

@@ -1,8 +1,7 @@
-#include "comparisons/walking/walk_csv.h"
-
 #include <vector>
 
 #include "comparisons/csv.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/forces.h"
 #include "dynamics/walk_judge.h"
 

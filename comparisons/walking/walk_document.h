@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "comparisons/walking/walk_report.h"
 #include "dynamics/energy.h"
 #include "dynamics/walk_case.h"
+#include "dynamics/walk_record.h"
 
 // The report of a run, and its sections.
 namespace tricontact::comparisons::walking {
@@ -74,5 +76,18 @@ bool is_neutral(const SlidingStability& stability);
 Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability);
 
 DocumentSection stability_section(const SlidingStability& stability);
+
+/// A line for each window of the run: its means and extremes. Ratios as in WalkResult.
+std::string windows_csv(const dynamics::WalkCase& walk_case, const dynamics::Walk& walk);
+
+/// A line for each recorded state of the end of the run: motion, spring force and, spot by spot,
+/// forces and state (0 released, 1 stick, 2 slip). Lengths in units of b, times of sqrt(m/k_x),
+/// forces of k_x b; of a machine with dimensions also the time in s and the spring force in N.
+std::string motion_csv(const dynamics::WalkCase& walk_case, const dynamics::Walk& walk);
+
+/// The numbers of a run, dimensionless as dynamics/walk_result.h has them; "dimensional" holds
+/// those in SI units, null for a machine without dimensions. Undefined numbers are null. Spots are
+/// numbered from 1, left to right: stick_time_1, correlation_1 ...
+nlohmann::ordered_json walk_json(const dynamics::WalkCase& walk_case, const dynamics::Walk& walk);
 
 }  // namespace tricontact::comparisons::walking

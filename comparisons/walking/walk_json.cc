@@ -1,8 +1,7 @@
-#include "comparisons/walking/walk_json.h"
-
 #include <string>
 
 #include "comparisons/json_number.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/drive_load.h"
 #include "dynamics/stable_step.h"
 

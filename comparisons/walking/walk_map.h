@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/kappas.h"
 #include "dynamics/machine.h"
 #include "dynamics/walk_result.h"
 

@@ -6,7 +6,6 @@
 #include "comparisons/chart_library.h"
 #include "comparisons/walking/map_json.h"
 #include "comparisons/walking/map_page.h"
-#include "comparisons/walking/packed_samples.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::comparisons::walking {

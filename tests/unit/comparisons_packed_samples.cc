@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "comparisons/walking/packed_samples.h"
+#include "comparisons/walking/map_json.h"
 
 namespace tricontact::comparisons::walking {
 namespace {

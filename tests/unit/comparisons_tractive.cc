@@ -6,12 +6,8 @@
 #include <stdexcept>
 
 #include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/free_rolling.h"
 #include "comparisons/tractive/readings.h"
-#include "comparisons/tractive/resistance_theory.h"
-#include "comparisons/tractive/rolling_csv.h"
 #include "comparisons/tractive/rolling_document.h"
-#include "comparisons/tractive/rolling_json.h"
 #include "comparisons/tractive/rolling_sections.h"
 #include "theory/kalker.h"
 

@@ -7,8 +7,7 @@
 #include <limits>
 #include <sstream>
 
-#include "comparisons/walking/walk_csv.h"
-#include "comparisons/walking/walk_json.h"
+#include "comparisons/walking/walk_document.h"
 #include "dynamics/walk_run.h"
 #include "dynamics_sets.h"
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "dynamics/running_variance.h"
+#include "dynamics/spectrum.h"
 
 namespace tricontact::dynamics {
 namespace {

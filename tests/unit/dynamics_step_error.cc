@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "dynamics/step_error.h"
 #include "dynamics/velocity_verlet.h"
+#include "dynamics/walk_end.h"
 #include "dynamics_sets.h"
 
 namespace tricontact::dynamics {

@@ -4,9 +4,7 @@
 #include <numbers>
 
 #include "contact/error.h"
-#include "rig/rolling_formulas.h"
 #include "rig/rolling_parts.h"
-#include "rig/thesis_rigs.h"
 #include "tests/unit/rig_reports.h"
 
 namespace tricontact {

@@ -9,7 +9,6 @@
 #include "contact/moving_frame.h"
 #include "contact/relaxing_substrate.h"
 #include "rolling/linear_creep.h"
-#include "rolling/roll_until_steady.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"
