@@ -1,5 +1,4 @@
-// A run that is killed, wherever, and goes on from its journal gives the same bits as one that is
-// not; what the journal lost is computed again, and nothing else.
+// A killed run goes on from its journal to the same bits; what it lost alone is computed again.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
