@@ -7,6 +7,7 @@
 
 #include "comparisons/repeats.h"
 #include "contact/error.h"
+#include "contact/verdict.h"
 
 namespace tricontact::comparisons {
 
@@ -178,7 +179,7 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
     stage.sampled_curvature =
         normalised_curvature(samples.time, samples.shift, verdict_confidence).value;
     stage.by_walk = judge_walk(stage.settling.increment, stage.periods(), stage.shift.back());
-    stage.by_curvature = judge_curvature(stage.curvature);
+    stage.by_curvature = contact::state_of(stage.curvature.low, stage.curvature.high, 0);
 }
 
 // What goes with the offset in each period of the second half, beside a straight line in time.
@@ -214,13 +215,8 @@ void check_stages(const Record& record, const Experiment& experiment,
 }  // namespace
 
 State judge_walk(const Estimate& increment, int periods, double last_shift) {
-    if (increment.high * periods < negligible_walk * std::abs(last_shift)) return State::shakedown;
-    return increment.low > 0 ? State::ratcheting : State::undecided;
-}
-
-State judge_curvature(const Estimate& curvature) {
-    if (curvature.high < 0) return State::shakedown;
-    return curvature.low > 0 ? State::ratcheting : State::undecided;
+    return contact::state_of(increment.low, increment.high,
+                             negligible_walk * std::abs(last_shift) / periods);
 }
 
 Estimate late_increment(const std::vector<double>& shift, double confidence) {

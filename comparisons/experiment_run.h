@@ -33,7 +33,8 @@ struct StageEvaluation {
     Estimate curvature;                        ///< of period values, at verdict_confidence [-]
     double sampled_curvature = 0;              ///< of all samples, as the thesis takes it [-]
     Estimate increment;                        ///< Du: slope of the second half, `confidence` [m]
-    contact::State by_walk{}, by_curvature{};  ///< undecided: cannot tell
+    /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
+    contact::State by_walk{}, by_curvature{};
 
     int periods() const { return static_cast<int>(shift.size()) - 1; }
 };
@@ -67,9 +68,6 @@ RunEvaluation evaluate_run(const contact::Record& record, const contact::Experim
 /// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
 /// of the last shift over the interval; else ratcheting if the lower end is positive.
 contact::State judge_walk(const Estimate& increment, int periods, double last_shift);
-
-/// Verdict by the curvature: its interval on one side of 0 (5.1.7, 5.1.8).
-contact::State judge_curvature(const Estimate& curvature);
 
 /// Slope of the straight line through the second half of the shifts at the ends of periods.
 Estimate late_increment(const std::vector<double>& shift, double confidence);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "contact/verdict.h"
+
 namespace tricontact::comparisons {
 
 using contact::State;
@@ -27,7 +29,7 @@ class Bisection {
     void probe(double value) {
         const State state = verdict_(value);
         bracket_.probes.push_back({value, state});
-        if (state == State::shakedown)
+        if (contact::settles(state))
             bracket_.last_shakedown = value;
         else if (state == State::ratcheting)
             bracket_.first_ratcheting = value;

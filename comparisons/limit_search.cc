@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "comparisons/rolled_periods.h"
 #include "contact/error.h"
 #include "contact/run.h"
 
@@ -17,7 +15,6 @@ namespace tricontact::comparisons {
 namespace {
 
 using contact::Case;
-using contact::ContactState;
 using contact::State;
 
 /// Increments that are too small to matter: near the limit they are about three times the distance
@@ -26,21 +23,6 @@ constexpr double negligible_part = 1e-2;
 
 /// Where the search for an amplitude begins, over the contact radius.
 constexpr double smallest_amplitude = 1e-6;
-
-/// The points that stuck in all steps of a period.
-class LastingStick {
-  public:
-    void begin() { lasting_.clear(); }
-    void add(const std::vector<ContactState>& states) {
-        if (lasting_.size() != states.size()) lasting_.assign(states.size(), true);
-        for (std::size_t i = 0; i < states.size(); ++i)
-            lasting_[i] = lasting_[i] && states[i] == ContactState::stick;
-    }
-    bool any() const { return std::find(lasting_.begin(), lasting_.end(), true) != lasting_.end(); }
-
-  private:
-    std::vector<bool> lasting_;
-};
 
 Case with_value(Case c, LimitVariable variable, double value) {
     if (variable == LimitVariable::load) {
@@ -155,37 +137,21 @@ class Search {
     }
 
     LimitRun roll(const Case& c, contact::Model& model, double value) const {
-        LastingStick stick;
-        std::vector<RolledPeriod> periods;
-        LimitRun result{.value = value};
-        double smallest = std::numeric_limits<double>::infinity();
-        const auto begin = [&] {
-            stick.begin();
-            periods.clear();
-            smallest = std::numeric_limits<double>::infinity();
-        };
-        const contact::Observer observer = [&](const contact::StepRecord& record,
-                                               contact::Model& state,
-                                               const contact::Progress& progress) {
-            if (progress.step == 1) begin();
-            if (record.phase > 0) stick.add(state.contact_states());
-        };
-        const contact::Enough enough = [&](const contact::History& history) {
-            const auto& shift = history.shift_per_period;
-            const double unit = history.scales.unit_shift;
-            const double before = shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift;
-            periods.push_back({(shift.back() - before) / unit, stick.any()});
-            stick.begin();
-            if (std::abs(periods.back().increment) < smallest) {
-                smallest = std::abs(periods.back().increment);
+        const contact::History history =
+            contact::run_until_decided(c, model, negligible_part * tolerance_);
+        LimitRun result{.value = value,
+                        .state = history.verdict.state,
+                        .periods = static_cast<int>(history.shift_per_period.size())};
+        double smallest = std::numeric_limits<double>::infinity(), before = history.static_shift;
+        const double unit = history.scales.unit_shift;
+        for (const double shift : history.shift_per_period) {
+            if (std::abs(shift - before) < smallest) {
+                smallest = std::abs(shift - before);
                 result.slowest_shift_ratio = before / unit;
             }
-            result.final_shift_ratio = shift.back() / unit;
-            result.state = fate(periods, negligible_part * tolerance_);
-            return result.state != State::undecided;
-        };
-        contact::run_until(c, model, enough, observer);
-        result.periods = static_cast<int>(periods.size());
+            before = shift;
+        }
+        result.final_shift_ratio = before / unit;
         return result;
     }
 

@@ -25,7 +25,7 @@ using ModelMaker = std::function<std::unique_ptr<contact::Model>(const contact::
 using SayLimit = std::function<void(const std::string&)>;
 
 /// The limit of shakedown of the model called `model`, for any command that needs it. Every verdict
-/// is a run of its own, from the first touch, until its fate is certain (rolled_periods.h) or
+/// is a run of its own, from the first touch, until its fate is certain (contact::Judge) or
 /// 30 tolerance^(-1/2) periods are over, which leaves it undecided. What the case says of the
 /// varied quantity, of periods and, on an elastic substrate, of steps does not matter: runs go by
 /// turning points, on which alone the limit of uncoupled contact depends. The case must roll under

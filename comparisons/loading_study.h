@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/verdict.h"
+#include "contact/history.h"
 
 namespace tricontact::comparisons {
 

@@ -43,6 +43,7 @@ std::string rolled_title(const LoadingVariant& v) {
         case State::ratcheting:
             return "shift per period while ratcheting";
         case State::shakedown:
+        case State::cyclic_slip:
             return "settled shift";
         default:
             return "shift after the last period";

@@ -128,7 +128,8 @@ Plot zone_map(const contact::Case& c, const History& history) {
             std::string("Black: stick; grey: slip; white: open. Outlines: a, or the half axes of "
                         "an ellipse, upright (dotted) and under the indenter's present position "
                         "(red).") +
-                (history.verdict.state == contact::State::shakedown
+                (history.verdict.state == contact::State::shakedown &&
+                         history.steps.back().slip_area == 0
                      ? " At the last instant of a shaken-down contact nothing slips any more."
                      : ""),
             {width, height, script}};

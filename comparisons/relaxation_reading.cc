@@ -6,6 +6,7 @@
 
 #include "comparisons/format.h"
 #include "comparisons/relaxation_report.h"
+#include "contact/verdict.h"
 
 namespace tricontact::comparisons {
 
@@ -105,12 +106,13 @@ std::string twin_sentence(const TwinComparison& twin) {
         return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,
                            change(twin.elastic->increment, twin.relaxing.increment, error));
     const State state = *twin.relaxing.state, elastic = *twin.elastic->state;
-    if (state != elastic && state != State::undecided && elastic != State::undecided)
+    const bool decided = state != State::undecided && elastic != State::undecided;
+    if (decided && contact::settles(state) != contact::settles(elastic))
         return fmt::format(
             "{}: taken as elastic, it would {}, but it {}: f_T,lim = {} instead of {}.", name,
-            elastic == State::shakedown ? "shake down" : "ratchet",
-            state == State::shakedown ? "shakes down" : "ratchets",
-            significant(twin.elastic->limit), significant(twin.relaxing.limit));
+            contact::settles(elastic) ? "settle" : "ratchet",
+            contact::settles(state) ? "settles" : "ratchets", significant(twin.elastic->limit),
+            significant(twin.relaxing.limit));
     const bool settled = twin.settled_error().has_value();
     std::string text = fmt::format(
         "{}: taken as elastic, the {} would be {}; {}.", name,

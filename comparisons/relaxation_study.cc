@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "contact/verdict.h"
+
 namespace tricontact::comparisons {
 
 namespace {
@@ -161,8 +163,8 @@ std::optional<double> TwinComparison::final_error() const {
 }
 
 std::optional<double> TwinComparison::settled_error() const {
-    const bool both =
-        elastic && elastic->state == State::shakedown && relaxing.state == State::shakedown;
+    const bool both = elastic && elastic->state && relaxing.state &&
+                      contact::settles(*elastic->state) && contact::settles(*relaxing.state);
     return both ? final_error() : std::nullopt;
 }
 

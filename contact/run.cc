@@ -7,6 +7,7 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
+#include <optional>
 
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -45,10 +46,26 @@ class SnapshotKeeper {
     int recent_period_ = 0;
 };
 
+/// The points that were in contact and stuck in all steps of a period.
+class LastingStick {
+  public:
+    void begin() { lasting_.clear(); }
+    void add(const std::vector<ContactState>& states) {
+        if (lasting_.size() != states.size()) lasting_.assign(states.size(), true);
+        for (std::size_t i = 0; i < states.size(); ++i)
+            lasting_[i] = lasting_[i] && states[i] == ContactState::stick;
+    }
+    bool any() const { return std::find(lasting_.begin(), lasting_.end(), true) != lasting_.end(); }
+
+  private:
+    std::vector<bool> lasting_;
+};
+
 class Run {
   public:
-    Run(const Case& c, Model& model, const Observer& observer, const Enough& enough)
-        : case_(c), model_(model), observer_(observer), enough_(enough) {}
+    /// `negligible`: of run_until_decided.
+    Run(const Case& c, Model& model, const Observer& observer, std::optional<double> negligible)
+        : case_(c), model_(model), observer_(observer), negligible_(negligible) {}
 
     History go() {
         const double cpu = cpu_now();
@@ -154,12 +171,14 @@ class Run {
     }
 
     void roll() {
+        judge_.emplace(what_is_known());
         model_.start_limit();
         // An oscillating F_N may differ from its mean, which ratios refer to, when rolling begins.
         limit_force_ratio_ = history_.steps.back().normal_force / mean_normal_force_;
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             model_.start_period();
+            stick_.begin();
             double dissipation = 0;
             for (std::size_t k = 0; k < path_.period.size(); ++k) {
                 LoadStep step = path_.period[k];
@@ -167,11 +186,43 @@ class Run {
                 take(step, (k + 1) % (path_.period.size() / 4) == 0);
                 dissipation += history_.steps.back().dissipation;
             }
-            history_.shift_per_period.push_back(history_.steps.back().shift[0]);
-            history_.dissipation_per_period.push_back(dissipation);
-            if (!enough_) note_friction();
-            if (enough_ ? enough_(history_) : look_back() && !path_.run_all) break;
+            judge(dissipation);
+            if (!negligible_) note_friction();
+            if (is_over()) break;
         }
+        if (path_.max_periods > 0) history_.verdict = judge_->verdict();
+    }
+
+    Judged what_is_known() const {
+        Judged known = judged(case_, history_.model, model_.is_coupled(), history_.amplitude,
+                              history_.tangential_force / history_.friction_limit);
+        if (!negligible_) return known;
+        known.negligible_shift = *negligible_;
+        known.negligible_work = std::numeric_limits<double>::infinity();
+        known.tangential_ratio.reset();
+        return known;
+    }
+
+    /// Adds the period that has ended.
+    void judge(double dissipation) {
+        const double unit = history_.scales.unit_shift;
+        auto& shift = history_.shift_per_period;
+        const double before = shift.empty() ? history_.static_shift : shift.back();
+        shift.push_back(history_.steps.back().shift[0]);
+        history_.dissipation_per_period.push_back(dissipation);
+        if (shift.size() == 1)
+            judge_->set_limit(limit_force_ratio_ * model_.limit_tangential_ratio());
+        judge_->add({(shift.back() - before) / unit, dissipation / (history_.friction_limit * unit),
+                     stick_.any()});
+        // Keep surfaces from now on.
+        nearly_settled_ = std::abs(shift.back() - before) < 1e-4 * unit;
+    }
+
+    bool is_over() const {
+        if (negligible_) return judge_->state() != State::undecided;
+        if (path_.run_all) return false;
+        return judge_->has_settled() ||
+               (case_.rolling->until == Case::Until::settled && judge_->is_known());
     }
 
     /// What wears a surface most in the period that ends, of models that know it.
@@ -191,7 +242,10 @@ class Run {
         history_.steps.push_back(record);
         history_.steps.back().time = time_;
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
-        if (quarter && !enough_ && snapshots_.wants(step.phase, perhaps_last_period_))
+        // In the first period the limit is not known yet.
+        if (record.phase > 0 && (record.phase <= 1 || judge_->needs_series()))
+            stick_.add(model_.contact_states());
+        if (quarter && !negligible_ && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());
         if (observer_)
             observer_(history_.steps.back(), model_,
@@ -208,21 +262,6 @@ class Run {
         return {};
     }
 
-    /// Updates the verdict; true when the contact has settled.
-    bool look_back() {
-        const double unit = history_.scales.unit_shift;
-        const double energy = history_.friction_limit * unit;
-        std::vector<double> shift, dissipation;
-        for (const double value : history_.shift_per_period) shift.push_back(value / unit);
-        for (const double value : history_.dissipation_per_period)
-            dissipation.push_back(value / energy);
-        const Evolution evolution{history_.static_shift / unit, shift, dissipation};
-        history_.verdict.state = judge(evolution);
-        history_.verdict.remaining_error = 0;
-        nearly_settled_ = last_increment(evolution) < 1e-4;  // keep surfaces from now on
-        return has_settled(evolution);
-    }
-
     void finish() {
         history_.limit_tangential_ratio = limit_force_ratio_ * model_.limit_tangential_ratio();
         history_.snapshots = snapshots_.take();
@@ -232,10 +271,12 @@ class Run {
     const Case& case_;
     Model& model_;
     const Observer& observer_;
-    const Enough& enough_;
+    std::optional<double> negligible_;
     History history_;
     LoadPath path_;
     SnapshotKeeper snapshots_;
+    LastingStick stick_;
+    std::optional<Judge> judge_;
     double mean_normal_force_ = 0;  // which ratios refer to [N]
     double limit_force_ratio_ = 1;  // of the force that the model's limit refers to, and F_N
     int n_at_most_ = 2;
@@ -243,20 +284,26 @@ class Run {
     bool nearly_settled_ = false, perhaps_last_period_ = false;
 };
 
-}  // namespace
-
-History run(const Case& c, Model& model, const Observer& observer) {
-    return run_until(c, model, {}, observer);
-}
-
-History run_until(const Case& c, Model& model, const Enough& enough, const Observer& observer) {
+History run_on_large_enough_grid(const Case& c, Model& model, const Observer& observer,
+                                 std::optional<double> negligible) {
     for (;;) {
         try {
-            return Run(c, model, observer, enough).go();
+            return Run(c, model, observer, negligible).go();
         } catch (const ContactAtEdge& reached) {
             model.enlarge(reached);
         }
     }
+}
+
+}  // namespace
+
+History run(const Case& c, Model& model, const Observer& observer) {
+    return run_on_large_enough_grid(c, model, observer, {});
+}
+
+History run_until_decided(const Case& c, Model& model, double negligible,
+                          const Observer& observer) {
+    return run_on_large_enough_grid(c, model, observer, negligible);
 }
 
 }  // namespace tricontact::contact

@@ -17,14 +17,16 @@ struct Progress {
 };
 using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>;
 
-/// Presses, loads and rolls until the contact has settled (see verdict.h) or the last period. A
+/// Presses, loads and rolls until the contact has settled (see Judge; with rolling.until =
+/// "settled": until it is known where it will stand or how fast it ratchets) or the last period. A
 /// contact that reaches the edge of its grid begins anew on a larger one. Throws NotConverged (also
 /// when a solution fails its audit) and InputError.
 History run(const Case& c, Model& model, const Observer& observer = {});
 
-/// What ends a run of many periods in the place of the verdict; the history, not judged, is asked
-/// for after each period. Surfaces are not kept.
-using Enough = std::function<bool(const History&)>;
-History run_until(const Case& c, Model& model, const Enough& enough, const Observer& observer);
+/// Rolls until the series of periods, and not the limit, decides whether increments of more than
+/// `negligible` U_max go on, or the last period; slip to and fro while the shift stands counts as
+/// shakedown. Surfaces are not kept.
+History run_until_decided(const Case& c, Model& model, double negligible,
+                          const Observer& observer = {});
 
 }  // namespace tricontact::contact

@@ -1,31 +1,129 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "contact/case.h"
 #include "contact/history.h"
 
 namespace tricontact::contact {
 
-/// What the verdict looks at, dimensionless so that every model is judged alike.
-struct Evolution {
-    double static_shift_ratio;                     ///< U_stat / U_max
-    const std::vector<double>& shift_ratio;        ///< U / U_max, roller upright, n = 1, 2, ...
-    const std::vector<double>& dissipation_ratio;  ///< per period, over mu F_N U_max
+/// What one period of rolling shows of the contact's fate.
+struct RolledPeriod {
+    double increment = 0;           ///< of the shift, over U_max
+    double work = 0;                ///< frictional, over mu F_N U_max
+    bool something_sticks = false;  ///< a point was in contact and stuck in all steps
 };
 
-/// |U(n) - U(n-1)| / U_max of the last period; 0 before the first.
-double last_increment(const Evolution& evolution);
+/// The shift comes to stand, whatever slips to and fro.
+inline bool settles(State state) {
+    return state == State::shakedown || state == State::cyclic_slip;
+}
 
-/// Nothing happens any more: shift below 1e-7 and dissipation below 1e-6 in the last period.
-bool has_settled(const Evolution& evolution);
+/// A shift is known to this part of U_max: a tenth of the 0.1 % that discretisations leave and
+/// models differ by.
+inline constexpr double known_shift = 1e-4;
 
-/// Shakedown: settled, or the increments of the shift decay geometrically (ratio steady and below
-/// 0.95, Aitken's limit of them below a tenth of the last) with less than 1e-3 still to come; below
-/// 1e-5 Aitken's limit is not asked. Ratcheting: the increments tend to a constant, by Aitken's
-/// limit at least 0.6 of the last one, or changed by less than 1 %. Aitken's three increments lie a
-/// sixth of the periods apart, so that the solver's noise does not spoil their differences. Else
-/// undecided: run more periods. A contact that slips to and fro in every period without getting
-/// anywhere is neither and remains undecided.
-State judge(const Evolution& evolution);
+/// Accuracy of a model's steps [-], which bounds how well its periods repeat each other: that of
+/// the solver for `bem` and `fem`, rounding for `mdr`, whose steps are exact.
+double step_accuracy(const Case& c, const std::string& model);
+
+/// What is known of a contact before it rolls.
+struct Judged {
+    /// A period that shifts the contact by less, over U_max, does not shift it, and one that works
+    /// less, over mu F_N U_max, does no work. A point that slips by ten accuracies of U_max in a
+    /// step counts as sticking (SurfaceModel), so that ten of them times mu F_N are work of the
+    /// solver; never less than what ends a run (has_settled).
+    double negligible_shift = 1e-7, negligible_work = 1e-6;
+    bool has_load = true;  ///< F_T is not 0
+    /// Periods until a relaxing substrate has forgotten the first; what it does before is creep.
+    double memory = 0;
+    /// f_T where the limit of uncoupled contact decides, see Judge; and the accuracy of the limit.
+    std::optional<double> tangential_ratio{};
+    double limit_accuracy = 0;
+};
+
+/// Of a case on a model whose scales and amplitude are known.
+Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
+              double tangential_ratio);
+
+/// The fate of a contact that rolls to and fro, told period by period: what becomes of the shifts U
+/// and of the frictional works. What was decided once stays decided.
+///
+/// By the limit: where normal and tangential contact are uncoupled, the bodies elastic and F_T
+/// constant, the contact shakes down if f_T = F_T/(mu F_N) is below
+/// f_T,lim = (1/F_N) ∫ min p dA, the least pressures of the (discrete) path, and ratchets above it,
+/// whatever the first periods look like (Melan's theorem for frictional contact: Klarbring,
+/// Ciavarella and Barber, Int. J. Solids Struct. 44 (2007) 8355-8365; that nothing but shakedown is
+/// left without a net shift follows from the work of F_T, which is then zero). F_N may oscillate.
+/// One period tells f_T,lim; within its accuracy of it, the series decides.
+///
+/// By the series otherwise:
+/// - Shakedown: shift and work are negligible in a period.
+/// - Cyclic slip: for the last quarter of the periods, four at least, the shift has been
+///   negligible, but the work has not, and has stayed within 1 % of its value.
+/// - Ratcheting: in none of the last quarter, five at least, has a point stuck throughout the
+///   period, and the increments decline so slowly, or not at all, that the contact would have to
+///   shift by more than twice U_max until it rests.
+/// A point that never slips moves as its traction, which is bounded: it holds the indenter back.
+/// Under F_T none may be left in a contact that ratchets, and one must be in a contact that does
+/// not, however small the increments. Just beyond the limit the shift passes a narrow place, where
+/// increments sink to the order of the distance from the limit and rise again: that takes of the
+/// order of its power -1/2 in periods.
+class Judge {
+  public:
+    explicit Judge(const Judged& judged) : judged_(judged) {}
+
+    void add(const RolledPeriod& period);
+    /// Limit of the discrete path; from the first period on.
+    void set_limit(double limit_tangential_ratio);
+
+    State state() const { return state_; }
+    /// The limit leaves the fate to the series, or does not hold.
+    bool needs_series() const { return !by_limit_; }
+    /// Nothing happens any more, which ends a run: in the last period the shift moved by at most
+    /// 1e-7 U_max and friction worked at most 1e-6 mu F_N U_max.
+    bool has_settled() const;
+    /// With what is still to come and what is missing.
+    Verdict verdict() const;
+    /// Decided, and what is still to come is known, to `known_shift`; or, of ratcheting, the
+    /// increment to 1 %.
+    bool is_known() const;
+    const std::vector<RolledPeriod>& periods() const { return periods_; }
+
+  private:
+    bool has_forgotten() const;
+    bool has_hold(const RolledPeriod& period) const;
+    bool stands(const RolledPeriod& period) const;
+    bool repeats_its_work() const;
+    bool ratchets() const;
+    State decide() const;
+    std::string missing() const;
+
+    Judged judged_;
+    std::vector<RolledPeriod> periods_;
+    State state_ = State::undecided;
+    bool by_limit_ = false;
+};
+
+/// A value with a bound on its error.
+struct Bounded {
+    double value = 0, error = 0;
+};
+
+/// What a decaying series x_1 ... x_n still adds: its time constant and how it grows, from three
+/// values a sixth of the series apart, continue it. That is exact for q^n and, as n grows, for n^-p
+/// (between both lies what settles just below the limit). The bound adds up what a growth twice as
+/// large (up to half way to divergence) or none would change, how far the last quarter of the
+/// series would have said otherwise, a tenth, and `noise`, below which values tell nothing.
+/// Infinite error for fewer than five values and while they do not decay.
+Bounded still_to_come(std::span<const double> series, double noise);
+
+/// What an interval of an increment tells, positive in the direction of the load: ratcheting if all
+/// of it is above 0, shakedown if it adds less than `negligible`; else undecided.
+State state_of(double low, double high, double negligible);
 
 }  // namespace tricontact::contact

@@ -18,9 +18,10 @@ using Field =
     std::variant<std::monostate, std::string*, std::vector<std::string>*, double*,
                  std::optional<double>*, std::optional<std::string>*, int*, bool*,
                  contact::Case::Shape*, contact::Case::AmplitudeReference*, contact::Case::Steps*,
-                 contact::Case::VtkOutput*, contact::Case::VolumeOutput*, contact::Case::Base*,
-                 contact::Case::Sides*, contact::Case::Press*, contact::Case::Kinematics*,
-                 contact::Relaxation::Bulk*, dynamics::Machine::Model*, std::vector<double>*>;
+                 contact::Case::Until*, contact::Case::VtkOutput*, contact::Case::VolumeOutput*,
+                 contact::Case::Base*, contact::Case::Sides*, contact::Case::Press*,
+                 contact::Case::Kinematics*, contact::Relaxation::Bulk*, dynamics::Machine::Model*,
+                 std::vector<double>*>;
 
 /// Admissible numbers, in the key's SI unit.
 struct Range {

@@ -120,11 +120,21 @@ void add_rolling_path(std::vector<CaseKey>& keys) {
 void add_rolling_steps(std::vector<CaseKey>& keys) {
     using Rolling = Case::Rolling;
     using Steps = Case::Steps;
+    using Until = Case::Until;
     keys.push_back({integer_key("rolling.periods", {1, 100000}, "12",
-                                "rolling periods at most; a run stops earlier at shakedown",
+                                "rolling periods at most; a run stops earlier when the shift has "
+                                "settled, or as `until` says",
                                 {.default_value = "12"}),
                     [](Case& c) { return in(c.rolling, &Rolling::periods); }});
-    keys.push_back({boolean_key("rolling.run_all", "true", "run all periods, also after shakedown",
+    keys.push_back(
+        {choice_key("rolling.until",
+                    {choice("periods", Until::periods), choice("settled", Until::settled)},
+                    R"("settled")",
+                    "\"settled\": stop as soon as the verdict is known, and the settled shift, "
+                    "extrapolated, to 1e-4 U_max, or the ratcheting increment to 1 %",
+                    {.default_value = R"("periods")"}),
+         [](Case& c) { return in(c.rolling, &Rolling::until); }});
+    keys.push_back({boolean_key("rolling.run_all", "true", "run all periods, whatever the verdict",
                                 {.default_value = "false"}),
                     [](Case& c) { return in(c.rolling, &Rolling::run_all); }});
     keys.push_back(

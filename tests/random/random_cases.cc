@@ -12,17 +12,14 @@
 #include <cstdlib>
 #include <exception>
 #include <map>
-#include <memory>
 #include <stdexcept>
 #include <string>
 
-#include "bem/model.h"
 #include "contact/error.h"
 #include "contact/run.h"
 #include "io/case_reader.h"
-#include "mdr/layer_model.h"
-#include "mdr/model.h"
 #include "tests/random/case_generator.h"
+#include "tests/random/random_models.h"
 
 namespace tricontact::random_cases {
 namespace {
@@ -36,13 +33,6 @@ struct Outcome {
     std::string why{};
     double seconds = 0;
 };
-
-std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
-    const std::string& name = c.models.front();
-    if (name == "mdr") return mdr::make_model(c);
-    if (name == "mdr-layer") return mdr::make_layer_model(c);
-    return bem::make_model(c, 1, name == "bem" ? bem::Body::half_space : bem::Body::layer);
-}
 
 Outcome compute(const std::string& text) {
     bool runs = false;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "comparisons/limit_bracket.h"
-#include "comparisons/rolled_periods.h"
 
 namespace tricontact::comparisons {
 namespace {
@@ -55,53 +54,6 @@ TEST(LimitBracket, EndsWhereNothingCanBeDecided) {
     EXPECT_LE(found.undecided->first, 1e-2);
     EXPECT_GE(found.undecided->second, 1 - 1e-2);
     EXPECT_LT(found.probes.size(), 20u);
-}
-
-std::vector<RolledPeriod> periods(int n, bool sticks, double first, double ratio, double rest) {
-    std::vector<RolledPeriod> result;
-    for (int i = 0; i < n; ++i) result.push_back({first * std::pow(ratio, i) + rest, sticks});
-    return result;
-}
-
-TEST(Fate, NothingSticksAndIncrementsStay) {
-    EXPECT_EQ(fate(periods(12, false, .1, .3, .2), 1e-5), State::ratcheting);
-    // As long as a point sticks, the longest series of equal increments proves nothing.
-    EXPECT_EQ(fate(periods(200, true, 0, 1, .2), 1e-5), State::undecided);
-}
-
-TEST(Fate, SlowDecayIsNoRatcheting) {
-    // Everything slips by a little, the increments fall by 0.3 % per period.
-    for (const int n : {20, 100, 500})
-        EXPECT_EQ(fate(periods(n, false, 1e-3, .997, 0), 1e-5), State::undecided) << n;
-    // At the limit itself they fall as 1/n^2.
-    std::vector<RolledPeriod> at_limit;
-    for (int n = 1; n < 300; ++n) at_limit.push_back({1. / (n * n), false});
-    EXPECT_EQ(fate(at_limit, 1e-9), State::undecided);
-}
-
-TEST(Fate, SettledOnlyWhereSomethingSticks) {
-    EXPECT_EQ(fate(periods(12, true, .1, .3, 0), 1e-5), State::shakedown);
-    EXPECT_EQ(fate(periods(12, false, .1, .3, 0), 1e-5), State::undecided);
-    EXPECT_EQ(fate(periods(4, true, .1, .3, 0), 1e-5), State::undecided);
-    EXPECT_EQ(fate({}, 1e-5), State::undecided);
-}
-
-TEST(Fate, PassingTheNarrowPlace) {
-    // Increments of u' = e + u^2 from u = -1 to 0 and on: shrinking, then growing again.
-    std::vector<RolledPeriod> all;
-    double u = -1;
-    const double e = 1e-4;
-    bool ratchets = false;
-    while (u < 1 && !ratchets) {
-        const double step = .1 * (e + u * u);
-        all.push_back({step, u < 0});
-        u += step;
-        ratchets = fate(all, 1e-8) == State::ratcheting;
-        if (ratchets) {
-            EXPECT_GT(u, 0);
-        }
-    }
-    EXPECT_TRUE(ratchets);
 }
 
 }  // namespace

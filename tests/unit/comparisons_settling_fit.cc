@@ -6,6 +6,7 @@
 #include "comparisons/experiment_run.h"
 #include "comparisons/settling_fit.h"
 #include "contact/run.h"
+#include "contact/verdict.h"
 #include "mdr/model.h"
 
 namespace tricontact::comparisons {
@@ -87,7 +88,7 @@ TEST(Curvature, OfASteadyWalkHasEitherSign) {
         const auto u = shift_of(0, 0.5, 1, 0.05, 12, random);
         const auto curvature = normalised_curvature(counts(u.size()), u, 0.95);
         n_negative += curvature.value < 0;
-        n_undecided += judge_curvature(curvature) == State::undecided;
+        n_undecided += contact::state_of(curvature.low, curvature.high, 0) == State::undecided;
     }
     EXPECT_NEAR(n_negative / double(n_walks), 0.5, scatter(0.5, n_walks));
     EXPECT_NEAR(n_undecided / double(n_walks), 0.95, scatter(0.95, n_walks));
@@ -141,8 +142,8 @@ TEST(WalkVerdict, ByTheWalkAgreesWithMdrAndTheCurvatureDoesNot) {
         EXPECT_EQ(judge_walk(fit_settling(u, 0.95).increment, 12, u.back()), State::ratcheting);
     }
     const auto near = history(0.24, 0.665, State::ratcheting);
-    EXPECT_EQ(judge_curvature(normalised_curvature(counts(near.size()), near, 0.95)),
-              State::shakedown);
+    const auto curvature = normalised_curvature(counts(near.size()), near, 0.95);
+    EXPECT_EQ(contact::state_of(curvature.low, curvature.high, 0), State::shakedown);
 }
 
 }  // namespace
