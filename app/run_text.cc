@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "comparisons/format.h"
 #include "comparisons/quantities/results.h"
+#include "contact/verdict.h"
 
 namespace tricontact::app {
 
@@ -27,14 +29,19 @@ std::string line_of(const comparisons::Results& r) {
         return metres(r.number(q).value_or(0));
     };
     if (const auto state = r.state())
-        fmt::format_to(std::back_inserter(line), "{}, ", contact::name_of(*state));
+        fmt::format_to(std::back_inserter(line), "{}{}, ", contact::name_of(*state),
+                       r.verdict.by_limit ? " by the limit of uncoupled contact" : "");
     if (r.state() || r.number(final_shift) != 0.)
         fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
                        r.number(final_shift_ratio).value_or(0));
     else
         fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(indentation),
                        length(contact_radius));
-    return line + fmt::format("; {:.1f} s\n", r.number(wall_time).value_or(0));
+    if (contact::settles(r.verdict.state) && std::abs(r.verdict.remaining) > contact::known_shift)
+        line += fmt::format(", {:.2g} +- {:.1g} U_max to come", r.verdict.remaining,
+                            r.verdict.remaining_error);
+    line += fmt::format("; {:.1f} s\n", r.number(wall_time).value_or(0));
+    return r.verdict.missing.empty() ? line : line + "  undecided: " + r.verdict.missing + '\n';
 }
 
 }  // namespace

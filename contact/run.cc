@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "contact/error.h"
+#include "contact/lasting_states.h"
 #include "contact/load_path.h"
 #include "contact/rough_scales.h"
 #include "contact/verdict.h"
@@ -44,21 +45,6 @@ class SnapshotKeeper {
     static constexpr double kept_for_good = 3;
     std::vector<Snapshot> kept_, recent_;
     int recent_period_ = 0;
-};
-
-/// The points that were in contact and stuck in all steps of a period.
-class LastingStick {
-  public:
-    void begin() { lasting_.clear(); }
-    void add(const std::vector<ContactState>& states) {
-        if (lasting_.size() != states.size()) lasting_.assign(states.size(), true);
-        for (std::size_t i = 0; i < states.size(); ++i)
-            lasting_[i] = lasting_[i] && states[i] == ContactState::stick;
-    }
-    bool any() const { return std::find(lasting_.begin(), lasting_.end(), true) != lasting_.end(); }
-
-  private:
-    std::vector<bool> lasting_;
 };
 
 class Run {
@@ -178,7 +164,7 @@ class Run {
         for (int n = 0; n < path_.max_periods; ++n) {
             perhaps_last_period_ = n + 1 == path_.max_periods || nearly_settled_;
             model_.start_period();
-            stick_.begin();
+            states_.begin();
             double dissipation = 0;
             for (std::size_t k = 0; k < path_.period.size(); ++k) {
                 LoadStep step = path_.period[k];
@@ -212,8 +198,11 @@ class Run {
         history_.dissipation_per_period.push_back(dissipation);
         if (shift.size() == 1)
             judge_->set_limit(limit_force_ratio_ * model_.limit_tangential_ratio());
-        judge_->add({(shift.back() - before) / unit, dissipation / (history_.friction_limit * unit),
-                     stick_.any()});
+        const double work = dissipation / (history_.friction_limit * unit);
+        const bool asks_where = judge_->needs_series() && !negligible_ && work > 0;
+        const double share =
+            asks_where ? states_.share_in_contact(model_.surface().friction_work) : 1;
+        judge_->add({(shift.back() - before) / unit, share * work, states_.something_sticks()});
         // Keep surfaces from now on.
         nearly_settled_ = std::abs(shift.back() - before) < 1e-4 * unit;
     }
@@ -244,7 +233,7 @@ class Run {
         if (!model_.audit().passed()) throw NotConverged(failed_audit(step));
         // In the first period the limit is not known yet.
         if (record.phase > 0 && (record.phase <= 1 || judge_->needs_series()))
-            stick_.add(model_.contact_states());
+            states_.add(model_.contact_states());
         if (quarter && !negligible_ && snapshots_.wants(step.phase, perhaps_last_period_))
             snapshots_.keep(step.phase, model_.surface());
         if (observer_)
@@ -275,7 +264,7 @@ class Run {
     History history_;
     LoadPath path_;
     SnapshotKeeper snapshots_;
-    LastingStick stick_;
+    LastingStates states_;
     std::optional<Judge> judge_;
     double mean_normal_force_ = 0;  // which ratios refer to [N]
     double limit_force_ratio_ = 1;  // of the force that the model's limit refers to, and F_N

@@ -14,7 +14,7 @@ namespace tricontact::contact {
 /// What one period of rolling shows of the contact's fate.
 struct RolledPeriod {
     double increment = 0;           ///< of the shift, over U_max
-    double work = 0;                ///< frictional, over mu F_N U_max
+    double work = 0;                ///< frictional, of what stays in contact, over mu F_N U_max
     bool something_sticks = false;  ///< a point was in contact and stuck in all steps
 };
 
@@ -62,7 +62,10 @@ Judged judged(const Case& c, const std::string& model, bool coupled, double ampl
 /// One period tells f_T,lim; within its accuracy of it, the series decides.
 ///
 /// By the series otherwise:
-/// - Shakedown: shift and work are negligible in a period.
+/// - Shakedown: shift and work are negligible in a period. The work is that of points in contact
+///   throughout the period: one that comes into contact during a finite step is held to where it
+///   was at the step's start, and in coupled contact slips back and forth at the rim in each
+///   period, by an amount that vanishes with the steps.
 /// - Cyclic slip: for the last quarter of the periods, four at least, the shift has been
 ///   negligible, but the work has not, and has stayed within 1 % of its value.
 /// - Ratcheting: in none of the last quarter, five at least, has a point stuck throughout the

@@ -248,7 +248,7 @@ TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
     const std::string text = twin_sentence(other.twins[0]);
     EXPECT_EQ(
         text,
-        "MDR: taken as elastic, it would shake down, but it ratchets: f_T,lim = 0.6000 instead "
+        "MDR: taken as elastic, it would settle, but it ratchets: f_T,lim = 0.6000 instead "
         "of 0.5500.");
 }
 

@@ -50,7 +50,10 @@ class GeometricModel final : public contact::Model {
         s.friction_work = {0, path_, 7 * path_};
         return s;
     }
-    double limit_tangential_ratio() const override { return limit_started_at / 100.; }
+    /// Beyond or below f_T = .3, as the increments are.
+    double limit_tangential_ratio() const override {
+        return (ratio_ < 1 ? .5 : .1) + limit_started_at / 100.;
+    }
     void start_limit() override { limit_started_at = static_cast<int>(steps.size()); }
     const contact::Audit& audit() const override { return audit_; }
 
@@ -103,8 +106,10 @@ TEST(Run, KeepsTheBooks) {
         EXPECT_EQ(h.steps[1 + 8 * n].phase, n);
         EXPECT_EQ(model.steps[1 + 8 * n].offset[0], 0);
     }
-    EXPECT_EQ(h.limit_tangential_ratio, .02);  // watched from the end of loading on
-    EXPECT_EQ(h.verdict.state, contact::State::undecided);
+    EXPECT_EQ(h.limit_tangential_ratio, .52);  // watched from the end of loading on
+    EXPECT_EQ(h.verdict.state, contact::State::shakedown);
+    EXPECT_TRUE(h.verdict.by_limit);
+    EXPECT_NEAR(h.verdict.remaining, .1 * std::pow(.9, 6) / (1 - .9), h.verdict.remaining_error);
     EXPECT_TRUE(h.audit.passed());
     EXPECT_EQ(h.audit.checks().size(), 1u);
 }
@@ -139,6 +144,33 @@ TEST(Run, RatchetingIsSeenAndRunToTheEnd) {
     const auto h = contact::run(rolling_case(9), model);
     EXPECT_EQ(h.shift_per_period.size(), 9u);
     EXPECT_EQ(h.verdict.state, contact::State::ratcheting);
+    EXPECT_NEAR(h.verdict.remaining_error, 0, 1e-6);
+}
+
+TEST(Run, UntilSettledEndsWhenTheRestIsKnown) {
+    GeometricModel settling(.5), ratcheting(1);
+    Case c = rolling_case(60);
+    c.rolling->until = Case::Until::settled;
+    const auto h = contact::run(c, settling);
+    // .1 * .5^n is to come, of which a tenth is not known: below 1e-4 with n = 7
+    EXPECT_EQ(h.shift_per_period.size(), 7u);
+    EXPECT_NEAR(h.shift_per_period.back() + h.verdict.remaining, .3, h.verdict.remaining_error);
+    EXPECT_LT(contact::run(c, ratcheting).shift_per_period.size(), 12u);
+    c.rolling->run_all = true;
+    EXPECT_EQ(contact::run(c, settling).shift_per_period.size(), 60u);
+}
+
+// Undecided by its periods alone: no point sticks, as its surface has none.
+TEST(Run, UntilDecidedLeavesTheLimitAlone) {
+    GeometricModel model(.5);
+    const auto h = contact::run_until_decided(rolling_case(30), model, 1e-5);
+    EXPECT_EQ(h.shift_per_period.size(), 30u);
+    EXPECT_EQ(h.verdict.state, contact::State::undecided);
+    EXPECT_FALSE(h.verdict.by_limit);
+    EXPECT_TRUE(h.snapshots.empty());
+    GeometricModel ratcheting(1);
+    EXPECT_EQ(
+        contact::run_until_decided(rolling_case(30), ratcheting, 1e-5).shift_per_period.size(), 5u);
 }
 
 std::vector<double> snapshot_phases(const contact::History& h) {
