@@ -112,6 +112,14 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
     if (*s.state() == State::ratcheting)
         return fmt::format("{} ratchets: every period adds {} to the shift{}.", name,
                            shown(s, shift_increment, shift_increment_ratio), factor(s, eta, "η"));
+    const std::string by = s.verdict.by_limit ? ", by the limit of uncoupled contact," : "";
+    if (!s.number(settled_shift))
+        return fmt::format(
+            "{} {} in the end{}{} but where is not known yet: after {} {} at {}, of which the last "
+            "one added {}. Raise rolling.periods.",
+            name, *s.state() == State::shakedown ? "shakes down" : "settles", by,
+            by.empty() ? "," : "", s.periods(), s.periods() == 1 ? "period" : "periods",
+            shown(s, final_shift, final_shift_ratio), significant(s.number(shift_increment_ratio)));
     const double u_stat = s.number(static_shift_ratio).value_or(0);
     std::string growth;
     if (u_stat > negligible_shift)

@@ -252,6 +252,17 @@ TEST_F(Reading, UndecidedSaysWhatToDo) {
     EXPECT_TRUE(contains(text, "it must shake down in the end")) << text;
 }
 
+TEST_F(Reading, WhoIsKnownToSettleButNotWhereSaysSo) {
+    const std::string unknown = "but where is not known yet";
+    EXPECT_FALSE(contains(reading_text(c_, {mdr_}), unknown));
+    mdr_.verdict.by_limit = true;
+    mdr_.set(quantities::settled_shift, {});
+    const std::string text = reading_text(c_, {mdr_});
+    EXPECT_TRUE(contains(text, "in the end, by the limit of uncoupled contact, " + unknown))
+        << text;
+    EXPECT_TRUE(contains(text, "Raise rolling.periods")) << text;
+}
+
 TEST_F(Reading, FailedAuditComesFirst) {
     EXPECT_TRUE(contains(reading(c_, {mdr_, bem_}).back(), "All 4 audit checks"));
     bem_.audit.front().worst = 1;
