@@ -52,6 +52,7 @@ Case::Rolling any_rolling(double contact_radius) {
     }
     rolling.angle = between(-2 * std::numbers::pi, 2 * std::numbers::pi);
     rolling.periods = *rc::gen::inRange(1, 50);
+    rolling.until = one_of({Case::Until::periods, Case::Until::settled});
     rolling.run_all = *rc::gen::arbitrary<bool>();
     rolling.steps =
         one_of({Case::Steps::increment, Case::Steps::per_quarter, Case::Steps::turning_points});
@@ -252,6 +253,7 @@ void same(const Case::Rolling& a, const Case::Rolling& b) {
     RC_ASSERT(a.amplitude_reference == b.amplitude_reference);
     same(a.angle, b.angle);
     RC_ASSERT(a.periods == b.periods);
+    RC_ASSERT(a.until == b.until);
     RC_ASSERT(a.run_all == b.run_all);
     RC_ASSERT(a.steps == b.steps);
     same(a.increment, b.increment);
@@ -371,6 +373,7 @@ amplitude_ratio = 0.25
 amplitude_reference = "hertz"
 angle = "1.5707963267948966 rad"
 periods = 12
+until = "periods"
 run_all = false
 steps_per_quarter = 6
 
