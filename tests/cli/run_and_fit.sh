@@ -72,6 +72,6 @@ for w in ("0.2", "0.7"):
                 wrong += 1
 models = len(json.load(open("run_0.2/summary.json"))["models"])
 print(n, models)
-raise SystemExit(wrong > 0 or n["kappa"] < models - 1 or n["eta"] < models)
+raise SystemExit(wrong > 0 or n["kappa"] < models or n["eta"] < models)
 END
 finish
