@@ -17,7 +17,8 @@ struct LimitRun {
     double value = 0;
     contact::State state = contact::State::undecided;
     int periods = 0;
-    double final_shift_ratio = 0;  ///< after the last period, over U_max
+    double final_shift = 0;        ///< after the last period [m]
+    double final_shift_ratio = 0;  ///< the same over U_max
     /// Before the period of the smallest increment: while ratcheting just beyond the limit, where
     /// the contact nearly came to rest.
     double slowest_shift_ratio = 0;

@@ -218,12 +218,14 @@ DocumentTable run_table(const LimitStudy& study, const Symbols& symbols) {
     DocumentTable table;
     table.id = "runs";
     table.title = "All runs";
-    table.columns = {{"model"}, {symbols.varied, 8}, {"verdict"}, {"periods", 6}, {"u", 5}};
-    table.note = "u: shift over U_max after the last period.";
+    table.columns = {{"model"},      {symbols.varied, 8}, {"verdict"},
+                     {"periods", 6}, {"U [um]", 5},       {"u [U_max]", 5}};
+    table.note = "Shift after the last period, in micrometres and over each model's own U_max.";
     for (const ModelLimit& m : study.models)
         for (const LimitRun& run : sorted_runs(m))
             table.rows.push_back({display_name(m.model), run.value, contact::name_of(run.state),
-                                  static_cast<double>(run.periods), run.final_shift_ratio});
+                                  static_cast<double>(run.periods), 1e6 * run.final_shift,
+                                  run.final_shift_ratio});
     return table;
 }
 

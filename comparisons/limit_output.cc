@@ -23,6 +23,7 @@ json to_json(const LimitRun& run) {
     return {{"value", run.value},
             {quantities::state.key, contact::name_of(run.state)},
             {quantities::periods.key, run.periods},
+            {quantities::final_shift.key, number(run.final_shift)},
             {quantities::final_shift_ratio.key, number(run.final_shift_ratio)}};
 }
 

@@ -151,6 +151,7 @@ class Search {
             }
             before = shift;
         }
+        result.final_shift = before;
         result.final_shift_ratio = before / unit;
         return result;
     }
