@@ -37,7 +37,8 @@ std::string line_of(const comparisons::Results& r) {
     else
         fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(indentation),
                        length(contact_radius));
-    if (contact::settles(r.verdict.state) && std::abs(r.verdict.remaining) > contact::known_shift)
+    if (std::abs(r.verdict.remaining) > contact::known_shift &&
+        std::isfinite(r.verdict.remaining_error))
         line += fmt::format(", {:.2g} +- {:.1g} U_max to come", r.verdict.remaining,
                             r.verdict.remaining_error);
     line += fmt::format("; {:.1f} s\n", r.number(wall_time).value_or(0));

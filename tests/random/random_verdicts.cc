@@ -38,6 +38,8 @@ std::string text_of(std::uint64_t seed, std::uint64_t index) {
     if (index % 5 != 0 || at == std::string::npos || text.find("normal_force") == std::string::npos)
         return text;
     const double radius = std::stod(text.substr(at + round.size()));
+    const auto angle = text.find("angle = ", at);  // a cylinder rolls along x
+    text.erase(angle, text.find('\n', angle) + 1 - angle);
     return text.replace(
         at, round.size(),
         fmt::format("shape = \"cylinder\"\nlength = \"{} m\"\nradius = \"", radius / 10));
