@@ -24,8 +24,9 @@ double final_shift_of(const History& h) {
 
 std::optional<double> settled_shift_of(const Subject& s) {
     const contact::Verdict& v = s.history.verdict;
-    const bool settles = v.state == State::shakedown || v.state == State::cyclic_slip;
-    if (!rolled(s) || !settles || !(v.remaining_error <= settled_within)) return {};
+    // Also where it is undecided whether all sticks in the end or some slips to and fro.
+    if (!rolled(s) || v.state == State::ratcheting || !(v.remaining_error <= settled_within))
+        return {};
     return final_shift_of(s.history) + v.remaining * s.history.scales.unit_shift;
 }
 
@@ -47,8 +48,9 @@ QuantityValue exact_static(const contact::Case& c, const Reference& r, double va
 
 constexpr const char* with_rolling = "with rolling";
 constexpr const char* settled =
-    "after shakedown or in cyclic slip, once what the shift still changes is known to 1e-3 U_max; "
-    "a shift that grows has no end";
+    "unless the contact ratchets, once what the shift still changes is known to 1e-3 U_max; a "
+    "shift "
+    "that grows has no end";
 
 }  // namespace
 
