@@ -252,9 +252,7 @@ void same(const Case::Rolling& a, const Case::Rolling& b) {
     same(a.amplitude_ratio, b.amplitude_ratio);
     RC_ASSERT(a.amplitude_reference == b.amplitude_reference);
     same(a.angle, b.angle);
-    RC_ASSERT(a.periods == b.periods);
-    RC_ASSERT(a.until == b.until);
-    RC_ASSERT(a.run_all == b.run_all);
+    RC_ASSERT(a.periods == b.periods && a.until == b.until && a.run_all == b.run_all);
     RC_ASSERT(a.steps == b.steps);
     same(a.increment, b.increment);
     RC_ASSERT(a.steps_per_quarter == b.steps_per_quarter);
