@@ -259,7 +259,12 @@ TEST(MdrViscoelastic, FastRollingLowersTheLimitOfShakedown) {
     EXPECT_NEAR(fast.limit_tangential_ratio, fast_limit(g, w),
                 1e-5);  // springs at the edges: dx^1.5
     EXPECT_LT(fast.limit_tangential_ratio, .6);
-    EXPECT_EQ(fast.verdict.state, contact::State::ratcheting);
+    // The shift grows as fast as in the middle of the run; but sixty such periods are over before the
+    // substrate creeps, so that the verdict is open.
+    const auto& u = fast.shift_per_period;
+    EXPECT_NEAR((u[59] - u[58]) / (u[29] - u[28]), 1, 1e-3);
+    EXPECT_EQ(fast.verdict.state, contact::State::undecided);
+    EXPECT_NE(fast.verdict.missing.find("still creeps"), std::string::npos);
     const auto slow = limit(1e-9, 60);
     EXPECT_NEAR(slow.limit_tangential_ratio, fast_limit(0, w), 1e-5);
     EXPECT_EQ(slow.verdict.state, contact::State::shakedown);
