@@ -56,6 +56,9 @@ TEST(Summary, KappaIsEmptyWhereUndefined) {
     const contact::Case c = synthetic::unit_case(base);
     contact::History undecided = synthetic::settling_history("mdr", base);
     undecided.verdict.state = State::undecided;
+    // It may be open whether all of a settled contact sticks, but not where it stands.
+    EXPECT_TRUE(Results(c, undecided).number(quantities::kappa));
+    undecided.verdict.remaining_error = 0.01;
     EXPECT_FALSE(Results(c, undecided).number(quantities::kappa));
     EXPECT_FALSE(Results(c, synthetic::settling_history("mdr", {.f = 0.3, .w = 0}))
                      .number(quantities::kappa));
