@@ -82,11 +82,10 @@ std::string shown(const Results& s, const Quantity& length, const Quantity& rati
 
 std::string undecided_sentence(const contact::Case& c, const Results& s, const Reference& r) {
     std::string text =
-        fmt::format("{} is undecided after {} {}: the last one still added {}. {}.",
+        fmt::format("{} is undecided after {} {}, the last of which added {}: {}.",
                     display_name(s.model), s.periods(), s.periods() == 1 ? "period" : "periods",
                     shown(s, quantities::shift_increment, quantities::shift_increment_ratio),
-                    s.verdict.missing.empty() ? "Run more (raise rolling.periods and rerun)"
-                                              : s.verdict.missing);
+                    s.verdict.missing.empty() ? "raise rolling.periods" : s.verdict.missing);
     if (has_exact_limit(c, s, r))
         text += r.tangential_ratio <= *r.limit_tangential_ratio
                     ? " By the exact limit it must shake down in the end."

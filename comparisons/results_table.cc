@@ -85,10 +85,10 @@ class RowMaker {
         row.cells.push_back(q.exact ? text(exact, unit.factor, q.digits) : "");
         const bool has_numbers = std::ranges::any_of(
             results_, [&](const Results& r) { return number_of(r[q]).has_value(); });
-        const Value other = compares_with_theory() ? theory : number_of(results_.back()[q]);
+        const Value other = compares_with_theory() ? theory : results_.back().told(q);
         const std::size_t compared = compares_with_theory() ? 1 : results_.size() - 1;
         for (std::size_t i = 0; has_numbers && q.part != Part::cost && i < compared; ++i)
-            row.cells.push_back(difference(number_of(results_[i][q]), other));
+            row.cells.push_back(difference(results_[i].told(q), other));
         row.cells.resize(columns().size());
         return row;
     }
