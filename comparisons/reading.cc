@@ -131,6 +131,19 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
         shown(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
 }
 
+/// Whose verdict is the limit's.
+std::string by_limit_sentence(const Summaries& summaries) {
+    std::vector<std::string> models;
+    for (const Results& s : summaries)
+        if (s.verdict.by_limit) models.push_back(s.model);
+    if (models.empty()) return {};
+    return fmt::format(
+        "The verdict{} compares f_T with f_T,lim, which the least of the computed pressures carry: "
+        "exact for uncoupled elastic contact under a constant F_T, however many periods are "
+        "rolled.",
+        of_models(models, summaries));
+}
+
 /// "16.5 % higher than".
 std::string relation(double ratio) {
     if (std::abs(ratio - 1) < 5e-4) return "as high as";
@@ -315,6 +328,7 @@ std::vector<std::string> reading(const contact::Case& c, const Summaries& summar
     const bool failed = audit.starts_with("Do not");
     if (failed) add(audit);
     for (const Results& s : summaries) add(verdict_sentence(c, s, r));
+    add(by_limit_sentence(summaries));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
         add(comparison_sentence(summaries[i], summaries.back()));
     add(limit_sentence(c, summaries, r));

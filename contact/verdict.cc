@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 namespace tricontact::contact {
 
@@ -151,8 +150,8 @@ bool Judge::ratchets() const {
     };
     if (!std::ranges::all_of(recent, goes_on)) return false;
     const auto size = [](const RolledPeriod& p) { return std::abs(p.increment); };
-    const double most = std::ranges::max(recent.first(n / 2) | std::views::transform(size));
-    const double least = std::ranges::min(recent.last(n - n / 2) | std::views::transform(size));
+    const double most = size(std::ranges::max(recent.first(n / 2), {}, size));
+    const double least = size(std::ranges::min(recent.last(n - n / 2), {}, size));
     const double decline = (most - least) / (static_cast<double>(n) / 2);  // per period
     // An increment d that declines by a share r of itself in each period adds d/r.
     return least * least > longest_way_to_rest * decline;

@@ -27,7 +27,7 @@ using Kind = Key::Kind;
 constexpr std::string_view errors_section = "standard_errors";
 
 const std::vector<Key>& own_keys() {
-    using enum Measurement;
+    using enum Input::Measurement;
     static const std::vector<Key> keys{
         text_key("title", R"("Rig, static shift")", "what was measured"),
         choice_key(

@@ -263,6 +263,13 @@ TEST_F(Reading, WhoIsKnownToSettleButNotWhereSaysSo) {
     EXPECT_TRUE(contains(text, "Raise rolling.periods")) << text;
 }
 
+TEST_F(Reading, TheLimitIsSaidToDecideWhereItDid) {
+    const std::string claim = "The verdict of MDR compares f_T with f_T,lim";
+    EXPECT_FALSE(contains(reading_text(c_, {mdr_, bem_}), "compares f_T with f_T,lim"));
+    mdr_.verdict.by_limit = true;
+    EXPECT_TRUE(contains(reading_text(c_, {mdr_, bem_}), claim));
+}
+
 TEST_F(Reading, FailedAuditComesFirst) {
     EXPECT_TRUE(contains(reading(c_, {mdr_, bem_}).back(), "All 4 audit checks"));
     bem_.audit.front().worst = 1;
