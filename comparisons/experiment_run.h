@@ -24,15 +24,15 @@ struct StageEvaluation {
     double amplitude = 0;  ///< W [m]; 0: unknown
     double period = 0;     ///< [s]
     /// With the roller upright: before the first period and after each.
-    std::vector<double> time;                  ///< [s]
-    std::vector<double> shift;                 ///< [m]
-    std::vector<double> shift_error;           ///< standard error by noise, drift and zero [m]
-    std::vector<double> noise_error;           ///< of these by noise alone [m]
-    std::vector<double> drift_time;            ///< times the drift's error is its part of them [s]
-    SettlingFit settling;                      ///< at verdict_confidence; drift's error included
-    Estimate curvature;                        ///< of period values, at verdict_confidence [-]
-    double sampled_curvature = 0;              ///< of all samples, as the thesis takes it [-]
-    Estimate increment;                        ///< Du: slope of the second half, `confidence` [m]
+    std::vector<double> time;         ///< [s]
+    std::vector<double> shift;        ///< [m]
+    std::vector<double> shift_error;  ///< standard error by noise, drift and zero [m]
+    std::vector<double> noise_error;  ///< of these by noise alone [m]
+    std::vector<double> drift_time;   ///< times the drift's error is its part of them [s]
+    SettlingFit settling;             ///< at verdict_confidence; drift's error included
+    Estimate curvature;               ///< of period values, at verdict_confidence [-]
+    double sampled_curvature = 0;     ///< of all samples, as the thesis takes it [-]
+    Estimate increment;               ///< Du: slope of the second half, `confidence` [m]
     /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
     contact::State by_walk{}, by_curvature{};
 

@@ -246,10 +246,9 @@ TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
     other.twins[0].relaxing.state = State::ratcheting;
     other.twins[0].relaxing.limit = 0.55;
     const std::string text = twin_sentence(other.twins[0]);
-    EXPECT_EQ(
-        text,
-        "MDR: taken as elastic, it would settle, but it ratchets: f_T,lim = 0.6000 instead "
-        "of 0.5500.");
+    EXPECT_EQ(text,
+              "MDR: taken as elastic, it would settle, but it ratchets: f_T,lim = 0.6000 instead "
+              "of 0.5500.");
 }
 
 TEST(RelaxationReport, ElasticLimitDecidesNothing) {

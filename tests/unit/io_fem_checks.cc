@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "contact/error.h"
-#include "io/case_reader.h"
 #include "io/case_checks.h"
+#include "io/case_reader.h"
 #include "theory/line_contact.h"
 
 namespace tricontact::io {

@@ -259,8 +259,8 @@ TEST(MdrViscoelastic, FastRollingLowersTheLimitOfShakedown) {
     EXPECT_NEAR(fast.limit_tangential_ratio, fast_limit(g, w),
                 1e-5);  // springs at the edges: dx^1.5
     EXPECT_LT(fast.limit_tangential_ratio, .6);
-    // The shift grows as fast as in the middle of the run; but sixty such periods are over before the
-    // substrate creeps, so that the verdict is open.
+    // The shift grows as fast as in the middle of the run; but sixty such periods are over before
+    // the substrate creeps, so that the verdict is open.
     const auto& u = fast.shift_per_period;
     EXPECT_NEAR((u[59] - u[58]) / (u[29] - u[28]), 1, 1e-3);
     EXPECT_EQ(fast.verdict.state, contact::State::undecided);
