@@ -1,8 +1,6 @@
 #include "comparisons/numerical_bar.h"
 
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <limits>
 
 #include "comparisons/refinement.h"
 
@@ -39,28 +37,6 @@ Computed value_of_steps(const std::vector<int>& steps, const std::vector<double>
     if (n == 2) return {last, std::abs(last - values[1]) / 2};
     const double before = extrapolated(steps[n - 3], values[n - 3], steps[n - 2], values[n - 2]);
     return {last, std::abs(last - before)};
-}
-
-double still_to_come(double way, double last, int n_periods) {
-    way = std::abs(way);
-    last = std::abs(last);
-    if (last == 0) return 0;
-    if (way <= n_periods * last) return std::numeric_limits<double>::infinity();
-    if (n_periods == 1) return last;  // no second period to see the decay from
-    // way/last = 1 + 1/r + ... + 1/r^(n-1), decreasing in r; logarithms, as r^-n may overflow.
-    const auto excess = [&](double r) {
-        const double log_r = std::log(r);
-        return std::log(std::expm1(n_periods * log_r) / std::expm1(log_r)) -
-               (n_periods - 1) * log_r - std::log(way / last);
-    };
-    const double least = 1e-9, largest = 1 - 1e-9;
-    if (excess(least) < 0) return 0;
-    if (excess(largest) > 0) return std::numeric_limits<double>::infinity();
-    const boost::math::tools::eps_tolerance<double> three_digits(10);
-    std::uintmax_t evaluations = 100;
-    const double r =
-        boost::math::tools::toms748_solve(excess, least, largest, three_digits, evaluations).second;
-    return last * r / (1 - r);
 }
 
 }  // namespace tricontact::comparisons

@@ -28,9 +28,4 @@ Computed value_of_levels(const std::vector<double>& sizes, const std::vector<dou
 /// steps has no bar.
 Computed value_of_steps(const std::vector<int>& steps, const std::vector<double>& values);
 
-/// What is still to come of something that settles, from its way so far in n periods and the last
-/// period's part of it, as if it had decayed geometrically all the way. Half the truth at worst
-/// while it is far from the end, a fifth off near it (MDR, exact). Infinite if it did not decay.
-double still_to_come(double way, double last, int n_periods);
-
 }  // namespace tricontact::comparisons

@@ -11,11 +11,6 @@ namespace {
 
 using Value = std::optional<double>;
 
-Value number_of(const QuantityValue& value) {
-    const auto* number = std::get_if<double>(&value);
-    return number ? Value(*number) : Value();
-}
-
 /// Rows over the same models, with the same columns of theory and differences.
 class RowMaker {
   public:

@@ -32,11 +32,8 @@ std::optional<double> unit_dissipation(const Case& c, const History& history) {
 Numbers work_ratios(const Subject& s) {
     Numbers list;
     const auto unit = unit_dissipation(s.c, s.history);
-    for (const double work : s.history.dissipation_per_period) {
-        const QuantityValue ratio = finite(unit ? std::optional(work / *unit) : std::nullopt);
-        const auto* number = std::get_if<double>(&ratio);
-        list.push_back(number ? std::optional(*number) : std::nullopt);
-    }
+    for (const double work : s.history.dissipation_per_period)
+        list.push_back(number_of(finite(unit ? std::optional(work / *unit) : std::nullopt)));
     return list;
 }
 

@@ -18,16 +18,6 @@ std::optional<double> ratcheting_slope(double increment_ratio, double w, double 
 
 namespace quantities {
 
-namespace {
-
-std::optional<double> number_of(const Quantity& q, const Subject& s) {
-    const QuantityValue value = q.of(s);
-    const auto* number = std::get_if<double>(&value);
-    return number ? std::optional(*number) : std::nullopt;
-}
-
-}  // namespace
-
 constinit const Quantity kappa{
     .key = "kappa",
     .symbol = "kappa",
@@ -40,7 +30,7 @@ constinit const Quantity kappa{
         "0 <= w, f_T, u_sd <= 1 and w u_sd > 1e-5, by which an error of f_T is divided",
     .source = "Wetter (2016), 3.2.16",
     .of = [](const Subject& s) -> QuantityValue {
-        const auto u = number_of(settled_shift_ratio, s);
+        const auto u = number_of(settled_shift_ratio.of(s));
         if (!u || !contact::is_hertz_round(s.c) || !constant_loads(s.c)) return {};
         return finite(mapping_parameter(comparisons::amplitude_ratio(s.history),
                                         comparisons::tangential_ratio(s.history), *u));
@@ -65,8 +55,8 @@ constinit const Quantity eta{
     .of = [](const Subject& s) -> QuantityValue {
         const double f = comparisons::tangential_ratio(s.history);
         if (s.history.verdict.state != contact::State::ratcheting || !in_unit_range(f)) return {};
-        const auto increment = number_of(shift_increment_ratio, s);
-        const auto limit = increment ? number_of(limit_amplitude_ratio, s) : std::nullopt;
+        const auto increment = number_of(shift_increment_ratio.of(s));
+        const auto limit = increment ? number_of(limit_amplitude_ratio.of(s)) : std::nullopt;
         if (!limit) return {};
         return finite(
             ratcheting_slope(*increment, comparisons::amplitude_ratio(s.history), *limit));

@@ -12,6 +12,11 @@ QuantityValue finite(std::optional<double> value) {
     return {};
 }
 
+std::optional<double> number_of(const QuantityValue& value) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? std::optional(*number) : std::nullopt;
+}
+
 std::span<const Quantity* const> all_quantities() {
     static const std::vector<const Quantity*> all = [] {
         std::vector<const Quantity*> list;

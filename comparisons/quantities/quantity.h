@@ -21,6 +21,8 @@ using QuantityValue = std::variant<std::monostate, double, int, contact::State, 
 
 /// Undefined where `value` is no finite number.
 QuantityValue finite(std::optional<double> value);
+/// Empty unless it is a number; counts, states and lists are none.
+std::optional<double> number_of(const QuantityValue& value);
 
 /// What quantities are got from.
 struct Subject {

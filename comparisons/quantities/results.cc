@@ -53,9 +53,8 @@ const QuantityValue& Results::operator[](const Quantity& q) const {
 
 std::optional<double> Results::number(const Quantity& q) const {
     const QuantityValue& value = (*this)[q];
-    if (const auto* number = std::get_if<double>(&value)) return *number;
     if (const auto* count = std::get_if<int>(&value)) return *count;
-    return {};
+    return number_of(value);
 }
 
 std::optional<double> Results::told(const Quantity& q) const {
