@@ -1,7 +1,7 @@
 #include "app/boundary_element_model.h"
 
 #include "contact/error.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact::app {
 

@@ -4,14 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/case_json.h"
 #include "app/loading_study.h"
 #include "app/relaxation_study.h"
-#include "comparisons/layer.h"
-#include "comparisons/relaxation_report.h"
-#include "comparisons/summary.h"
+#include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/summary.h"
+#include "comparisons/run/relaxation_report.h"
 #include "contact/error.h"
-#include "io/case_writer.h"
+#include "files/version.h"
+#include "io/case/case_writer.h"
+#include "io/results/case_json.h"
 
 namespace tricontact::app {
 
@@ -32,7 +33,7 @@ std::string summary_of(const CaseRun& run) {
     for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
     return comparisons::summary_json(
-        TRICONTACT_VERSION, case_json(run.resolved), summaries,
+        files::version, io::case_json(run.resolved), summaries,
         {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
          {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
          {"relaxation",

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/models.h"
-#include "comparisons/loading_study.h"
-#include "comparisons/report.h"
+#include "comparisons/run/loading_study.h"
+#include "comparisons/run/report.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "contact/run.h"

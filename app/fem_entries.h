@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "app/cache_command.h"
-#include "app/commands.h"
+#include "app/commands/cache_command.h"
+#include "app/commands/commands.h"
 #include "app/models.h"
 #include "contact/case.h"
 #include "contact/model.h"

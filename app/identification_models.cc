@@ -10,17 +10,17 @@
 
 #include "app/measured_values.h"
 #include "app/models.h"
-#include "comparisons/lazy_table.h"
 #include "contact/error.h"
+#include "report/lazy_table.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using comparisons::LazyTable;
-using comparisons::Properties;
 using contact::Case;
-using Measurement = io::IdentificationInput::Measurement;
+using experiments::Properties;
+using report::LazyTable;
+using Measurement = experiments::IdentificationInput::Measurement;
 
 // Steps of tables, for 1e-5 of the values: they are nearly powers of E, and coupling with friction
 // changes them by a few percent at most.
@@ -122,8 +122,8 @@ Case with_change(Case c, const io::CaseKey& key, double change) {
 
 }  // namespace
 
-comparisons::Prediction prediction_of(const std::string& model,
-                                      const io::IdentificationInput& input, int threads) {
+experiments::Prediction prediction_of(const std::string& model,
+                                      const experiments::IdentificationInput& input, int threads) {
     const auto direct = [model, &input, threads](const Properties& p) {
         return measured_values(model, input.measurement, rig_with(input, p), input.given, threads);
     };
@@ -143,22 +143,22 @@ comparisons::Prediction prediction_of(const std::string& model,
     };
 }
 
-Case rig_with(const io::IdentificationInput& input, const Properties& properties) {
+Case rig_with(const experiments::IdentificationInput& input, const Properties& properties) {
     Case c = input.rig;
     c.substrate.young = properties.young;
     c.friction_coefficient = properties.friction;
     return c;
 }
 
-std::vector<comparisons::InputContribution> input_contributions(
-    const std::string& model, const io::IdentificationInput& input,
-    const comparisons::IdentificationTask& task, const Properties& best, int threads) {
+std::vector<experiments::InputContribution> input_contributions(
+    const std::string& model, const experiments::IdentificationInput& input,
+    const experiments::IdentificationTask& task, const Properties& best, int threads) {
     const Case rig = rig_with(input, best);
     const auto values = [&](const Case& c) {
         return measured_values(model, input.measurement, c, input.given, threads);
     };
     const std::vector<double> unchanged = values(rig);
-    std::vector<comparisons::InputContribution> contributions;
+    std::vector<experiments::InputContribution> contributions;
     for (const auto& [key, error] : input.rig_errors) {
         std::vector<double> changed;
         double sign = 1;
@@ -168,10 +168,10 @@ std::vector<comparisons::InputContribution> input_contributions(
             sign = -1;
             changed = values(with_change(rig, *key, -error));
         }
-        comparisons::IdentificationTask moved = task;
+        experiments::IdentificationTask moved = task;
         for (std::size_t i = 0; i < changed.size(); ++i)
             moved.observed[i] -= sign * (changed[i] - unchanged[i]);
-        const Properties found = comparisons::identify(moved).best;
+        const Properties found = experiments::identify(moved).best;
         contributions.push_back({std::string(key->path),
                                  error,
                                  {found.young - best.young, found.friction - best.friction}});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/models.h"
-#include "comparisons/loading_study.h"
+#include "comparisons/run/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "contact/model.h"

@@ -14,14 +14,15 @@
 #include <system_error>
 #include <thread>
 
-#include "app/command_options.h"
-#include "app/commands.h"
+#include "app/commands/command_options.h"
+#include "app/commands/commands.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
-#include "app/unknown_command.h"
+#include "app/commands/unknown_command.h"
 #include "contact/error.h"
-#include "io/messages.h"
+#include "files/version.h"
+#include "io/keys/messages.h"
 
 namespace {
 
@@ -245,7 +246,7 @@ int flushed(int code) {
 
 int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
-    app.set_version_flag("--version", "tricontact " TRICONTACT_VERSION);
+    app.set_version_flag("--version", std::string("tricontact ") + files::version);
     app.require_subcommand(1);
 
     Commands commands(app, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));

@@ -4,10 +4,10 @@
 
 #include "app/case_run.h"
 #include "app/models.h"
-#include "comparisons/layer.h"
+#include "comparisons/half_space/layer.h"
 #include "contact/load_path.h"
 #include "theory/cattaneo_mindlin.h"
-#include "theory/elastic_layer.h"
+#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::app {
 
@@ -15,7 +15,7 @@ namespace {
 
 using contact::Case;
 using contact::NormalControl;
-using Measurement = io::IdentificationInput::Measurement;
+using Measurement = experiments::IdentificationInput::Measurement;
 
 std::unique_ptr<contact::Model> quiet_model(const std::string& name, const Case& c, int threads) {
     return make_model(name, c, threads, [](const std::string&) {});

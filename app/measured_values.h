@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "io/identification_reader.h"
+#include "experiments/identification/identification_reader.h"
 
 namespace tricontact::app {
 
@@ -18,7 +18,7 @@ std::vector<double> static_shifts(const std::string& model, const contact::Case&
 /// about a measurement on the rig, one value [SI] for each of those `given`; E and mu are the
 /// rig's. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
-                                    io::IdentificationInput::Measurement measurement,
+                                    experiments::IdentificationInput::Measurement measurement,
                                     const contact::Case& rig, const std::vector<double>& given,
                                     int threads);
 

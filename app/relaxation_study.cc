@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "comparisons/reference.h"
-#include "comparisons/relaxation_report.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/run/relaxation_report.h"
 #include "contact/run.h"
 
 namespace tricontact::app {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/models.h"
-#include "comparisons/relaxation_study.h"
+#include "comparisons/quantities/relaxation_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 

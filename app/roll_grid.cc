@@ -3,23 +3,23 @@
 
 #include "app/roll_models.h"
 #include "bem/model.h"
-#include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "rolling/creep_theory.h"
+#include "rolling/readings.h"
 #include "rolling/run.h"
-#include "theory/creep_law.h"
-#include "theory/kalker.h"
+#include "theory/rolling/creep_law.h"
+#include "theory/rolling/kalker.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using comparisons::tractive::centre_line;
-using comparisons::tractive::drive_sign;
-using comparisons::tractive::RollingRun;
 using contact::Case;
+using rolling::centre_line;
+using rolling::drive_sign;
 using rolling::RollingProblem;
+using rolling::RollingRun;
 
 /// F_N [N] of the pressed contact, which a prescribed indentation does not tell.
 double normal_force(const Case& c, const contact::Substrate& substrate,
@@ -79,7 +79,7 @@ void roll_on(const Case& c, rolling::TransientRolling& rolling, const RollRuns& 
 
 /// At which all slides, about: by the stiffness of a circle of this area, or Carter's plane.
 double sliding_creepage(const Case& c) {
-    if (c.is_line_contact()) return comparisons::tractive::creepage_unit(c);
+    if (c.is_line_contact()) return rolling::creepage_unit(c);
     const theory::CombinedMaterial material = theory::combined_material(c.materials());
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
     return theory::sliding_creepage(c.friction_coefficient * scales.normal_force,

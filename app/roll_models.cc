@@ -4,25 +4,23 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/case_json.h"
-#include "comparisons/tractive/rolling_document.h"
+#include "io/results/case_json.h"
+#include "rolling/rolling_document.h"
 
 namespace tricontact::app {
 
-comparisons::tractive::RollingRun roll(const std::string& model, const contact::Case& c,
-                                       const RollRuns& runs) {
+rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs) {
     return model == "mdr" ? roll_springs(c, runs) : roll_grid(model, c, runs);
 }
 
-std::string roll_summary(const comparisons::tractive::RollingReport& report,
-                         const std::string& resolved) {
-    nlohmann::ordered_json json{{"version", report.version}, {"case", case_json(resolved)}};
-    json.update(comparisons::tractive::rolling_json(report));
+std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved) {
+    nlohmann::ordered_json json{{"version", report.version}, {"case", io::case_json(resolved)}};
+    json.update(rolling::rolling_json(report));
     return json.dump(2) + '\n';
 }
 
 bool LineSchedule::due(double way) {
-    using comparisons::tractive::line_distances;
+    using rolling::line_distances;
     const std::size_t before = next_;
     while (next_ < std::size(line_distances) && way >= line_distances[next_]) ++next_;
     return next_ > before;

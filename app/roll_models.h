@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/tractive/rolling_report.h"
 #include "contact/case.h"
+#include "rolling/rolling_report.h"
 
 namespace tricontact::app {
 
@@ -43,20 +43,18 @@ struct RollRuns {
 /// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
 /// or over a relaxing substrate rolled to, creep curve of steady states. A grid whose edge the
 /// contact reaches is enlarged. Throws contact::InputError, contact::NotConverged.
-comparisons::tractive::RollingRun roll_grid(const std::string& model, const contact::Case& c,
-                                            const RollRuns& runs);
+rolling::RollingRun roll_grid(const std::string& model, const contact::Case& c,
+                              const RollRuns& runs);
 
 /// The springs of MDR, one after the other under the profile. Exact but for their spacing. The
 /// steady state is where rolling on ends; the creep curve is rolled point by point.
-comparisons::tractive::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
+rolling::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
 
 /// Either, by the model's name.
-comparisons::tractive::RollingRun roll(const std::string& model, const contact::Case& c,
-                                       const RollRuns& runs);
+rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs);
 
 /// summary.json of all runs, `resolved` being the case as io::write_case has it.
-std::string roll_summary(const comparisons::tractive::RollingReport& report,
-                         const std::string& resolved);
+std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved);
 
 /// Creepages of a curve of `n` points [-]: from small ones to beyond `sliding`, at which all
 /// slides; where the cubic law holds, at equal steps of the force.

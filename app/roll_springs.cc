@@ -4,21 +4,21 @@
 #include <optional>
 
 #include "app/roll_models.h"
-#include "comparisons/tractive/creep_theory.h"
-#include "comparisons/tractive/readings.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "mdr/model.h"
+#include "rolling/creep_theory.h"
+#include "rolling/readings.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using comparisons::tractive::centre_line;
-using comparisons::tractive::drive_sign;
-using comparisons::tractive::RollingRun;
 using contact::Case;
 using contact::TangentialControl;
+using rolling::centre_line;
+using rolling::drive_sign;
+using rolling::RollingRun;
 using rolling::RollingState;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -162,13 +162,13 @@ RollingState steady_state_at(const Case& c, double creepage) {
     constexpr double way = 4;  // two contact lengths, over a
     RollingBed bed(c, way * contact::half_space_scales(c).contact_radius);
     bed.press(0);
-    return steady_state(bed, creepage, comparisons::tractive::creepage_unit(c));
+    return steady_state(bed, creepage, rolling::creepage_unit(c));
 }
 
 double sliding_creepage(const Case& c) {
     const contact::MaterialPair materials = c.materials();
     return 2 * materials.effective_modulus() / materials.effective_shear_modulus() *
-           comparisons::tractive::creepage_unit(c);
+           rolling::creepage_unit(c);
 }
 
 }  // namespace
@@ -199,8 +199,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
         note(bed.roll(given.longitudinal_creepage), step);
         runs.tell(step, n_steps);
     }
-    run.history.steady =
-        steady_state(bed, given.longitudinal_creepage, comparisons::tractive::creepage_unit(c));
+    run.history.steady = steady_state(bed, given.longitudinal_creepage, rolling::creepage_unit(c));
     run.history.steady.distance = infinite;
     run.history.surface = bed.model().surface();
     keep(infinite, infinite);

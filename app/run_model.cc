@@ -8,22 +8,21 @@
 #include "app/case_run.h"
 #include "app/loading_study.h"
 #include "app/models.h"
-#include "app/point_key.h"
+#include "app/studies/point_key.h"
 #include "contact/error.h"
 #include "contact/run.h"
-#include "io/atomic_file.h"
-#include "io/history_csv.h"
-#include "io/journal.h"
-#include "io/progress.h"
-#include "io/vtk_series.h"
+#include "files/version.h"
+#include "io/results/atomic_file.h"
+#include "io/results/history_csv.h"
+#include "io/results/journal.h"
+#include "io/results/progress.h"
+#include "io/results/vtk_series.h"
 
 namespace tricontact::app {
 
 namespace {
 
 using contact::Case;
-
-const std::string version = TRICONTACT_VERSION;
 
 bool wants_surface(const Case& c, const contact::Progress& progress) {
     using enum Case::VtkOutput;
@@ -36,7 +35,7 @@ class States {
     States(const Case& c, const std::string& folder)
         : case_(c),
           // The command that makes the files again from what stands beside the results.
-          provenance_{version, std::string("tricontact run ") + resolved_case_name},
+          provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
           surfaces_(folder, "surface", provenance_),
           volumes_(folder, "volume", provenance_) {}
 

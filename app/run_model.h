@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
-#include "comparisons/loading_study.h"
+#include "app/commands/commands.h"
+#include "comparisons/run/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "comparisons/format.h"
 #include "comparisons/quantities/results.h"
 #include "contact/verdict.h"
+#include "report/format.h"
 
 namespace tricontact::app {
 
@@ -15,7 +15,7 @@ namespace {
 
 // "55.9 um": a terminal may have no other letters.
 std::string metres(double value) {
-    const comparisons::Unit unit = comparisons::fitting_unit(value, "m");
+    const report::Unit unit = report::fitting_unit(value, "m");
     constexpr std::string_view micro = "µ";
     std::string symbol = unit.symbol;
     if (symbol.starts_with(micro)) symbol.replace(0, micro.size(), "u");

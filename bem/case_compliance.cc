@@ -11,10 +11,10 @@
 #include "bem/grid_coverage.h"
 #include "bem/grid_memory.h"
 #include "bem/periodic_compliance.h"
+#include "contact/bodies/rough_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/rough_scales.h"
-#include "theory/case_layers.h"
+#include "theory/layer/case_layers.h"
 
 namespace tricontact::bem {
 

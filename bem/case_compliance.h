@@ -4,8 +4,8 @@
 
 #include "bem/influence_file.h"
 #include "contact/case.h"
-#include "contact/compliance.h"
 #include "contact/error.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::bem {
 

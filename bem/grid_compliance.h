@@ -9,8 +9,8 @@
 #include "bem/grid_interior.h"
 #include "bem/influence.h"
 #include "bem/influence_file.h"
-#include "contact/compliance.h"
-#include "theory/layer_stack.h"
+#include "contact/solvers/compliance.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 

@@ -6,8 +6,8 @@
 
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/normal_solver.h"
 #include "contact/placement.h"
+#include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::bem {

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "contact/bodies/indenter.h"
 #include "contact/case.h"
-#include "contact/compliance.h"
-#include "contact/indenter.h"
+#include "contact/solvers/compliance.h"
 #include "contact/vector2.h"
 
 namespace tricontact::bem {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bem/interior_influence.h"
-#include "contact/compliance.h"
-#include "contact/interior.h"
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/interior.h"
 
 namespace tricontact::bem {
 

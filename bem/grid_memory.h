@@ -2,7 +2,7 @@
 
 #include "bem/case_compliance.h"
 #include "contact/case.h"
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::bem {
 
@@ -11,7 +11,7 @@ enum class Surroundings { free, periodic };
 
 /// Memory that a model of the case takes on a grid [bytes], to some 20 percent: what the
 /// convolutions hold, and by their number the fields of solvers, states and records
-/// (tests/unit/bem_grid_memory.cc).
+/// (tests/unit/bem/grid_memory.cc).
 double predicted_bytes(const contact::Case& c, Body body, Surroundings surroundings,
                        const contact::ContactPoints& grid);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 
 namespace tricontact::bem {
 

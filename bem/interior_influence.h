@@ -6,7 +6,7 @@
 
 #include "contact/vector2.h"
 #include "theory/half_space_interior.h"
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 

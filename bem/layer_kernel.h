@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 

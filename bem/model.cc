@@ -1,6 +1,6 @@
 #include "bem/model.h"
 
-#include "contact/relaxing_case.h"
+#include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::bem {

@@ -5,7 +5,7 @@
 #include "bem/case_compliance.h"
 #include "contact/case.h"
 #include "contact/model.h"
-#include "contact/substrate.h"
+#include "contact/substrates/substrate.h"
 
 namespace tricontact::bem {
 

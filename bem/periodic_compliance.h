@@ -3,7 +3,7 @@
 #include "bem/grid_convolution.h"
 #include "bem/influence_file.h"
 #include "bem/periodic_influence.h"
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::bem {
 

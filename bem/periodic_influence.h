@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "contact/material.h"
-#include "theory/layer_stack.h"
+#include "contact/substrates/material.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 
@@ -18,13 +18,12 @@ struct PeriodicCoefficients {
 /// periodic in x and y, n squares in a period L. At the wave vector k = 2 pi m/L of the grid
 ///   K(m) = sum over aliases q of C(k) sin(k_x h/2)/(k_x h/2) sin(k_y h/2)/(k_y h/2),
 ///   k = 2 pi (m + q n)/L,
-/// C the compliance of theory/layer_compliance.h, of half-spaces that of an infinitely thick layer,
-/// ~ 1/k. Aliases are what makes a sum of sines a
-/// square; they alternate in sign, and their sum is ended by Euler's averages to about 1e-7 of K.
-/// At m = 0 there are none: K is the uniformly loaded layers', b (1 - 2 nu)/(2 G (1 - nu)) of each
-/// and b/G. The cell is then as stiff as an oedometer; at nu = 1/2 not at all compressible. A
-/// half-space gives way without bound; its K is zero there, so that displacements are those from
-/// the mean plane of the displaced surface.
+/// C the compliance of theory/layer/layer_compliance.h, of half-spaces that of an infinitely thick
+/// layer, ~ 1/k. Aliases are what makes a sum of sines a square; they alternate in sign, and their
+/// sum is ended by Euler's averages to about 1e-7 of K. At m = 0 there are none: K is the uniformly
+/// loaded layers', b (1 - 2 nu)/(2 G (1 - nu)) of each and b/G. The cell is then as stiff as an
+/// oedometer; at nu = 1/2 not at all compressible. A half-space gives way without bound; its K is
+/// zero there, so that displacements are those from the mean plane of the displaced surface.
 class PeriodicInfluence {
   public:
     /// `spacing`: h [m]; the period is `n` of them. Throws contact::InputError if the layers' mean

@@ -7,7 +7,7 @@
 #include "bem/layer_kernel.h"
 #include "bem/layer_waves.h"
 #include "bem/plane_layer_influence.h"
-#include "theory/interior_waves.h"
+#include "theory/layer/interior_waves.h"
 
 namespace tricontact::bem {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bem/influence.h"
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 

@@ -10,7 +10,7 @@
 namespace tricontact::benchmarks {
 namespace {
 
-using dynamics::Kernel;
+using walking::Kernel;
 
 // More than latency (4 cycles) times instructions a cycle (2), fewer than there are registers.
 constexpr int n_chains = 12;

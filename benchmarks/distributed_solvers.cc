@@ -15,7 +15,7 @@
 #include "fem/distributed/stiffness.h"
 #include "fem/model.h"
 #include "fem/workshop.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 
 #include "bem/grid_compliance.h"
 #include "benchmarks/rig.h"
-#include "contact/normal_solver.h"
 #include "contact/placement.h"
+#include "contact/solvers/normal_solver.h"
 
 namespace tricontact::benchmarks {
 namespace {

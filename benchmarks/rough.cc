@@ -11,10 +11,10 @@
 
 #include "bem/periodic_compliance.h"
 #include "benchmarks/cpu_timer.h"
-#include "contact/normal_solver.h"
+#include "contact/bodies/rough_indenter.h"
+#include "contact/bodies/roughness.h"
 #include "contact/placement.h"
-#include "contact/rough_indenter.h"
-#include "contact/roughness.h"
+#include "contact/solvers/normal_solver.h"
 
 namespace tricontact::benchmarks {
 namespace {

@@ -10,14 +10,14 @@
 
 #include "benchmarks/arithmetic_peak.h"
 #include "benchmarks/cpu_timer.h"
-#include "dynamics/batch.h"
-#include "dynamics/velocity_verlet.h"
-#include "dynamics/walk_case.h"
+#include "walking/kernels/batch.h"
+#include "walking/machine/velocity_verlet.h"
+#include "walking/machine/walk_case.h"
 
 namespace tricontact::benchmarks {
 namespace {
 
-using namespace dynamics;
+using namespace walking;
 using Detail = Batch::Detail;
 
 constexpr double step = 1e-3;

@@ -18,6 +18,6 @@ install(FILES ${PROJECT_BINARY_DIR}/TricontactConfig.cmake
               ${PROJECT_BINARY_DIR}/TricontactConfigVersion.cmake
         DESTINATION ${package_folder})
 
-install(DIRECTORY cases examples experiments measurements rigs studies
+install(DIRECTORY examples
         DESTINATION ${CMAKE_INSTALL_DATADIR}/tricontact)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -15,12 +15,20 @@ target_compile_options(tricontact_settings INTERFACE
 set_target_properties(tricontact_settings PROPERTIES EXPORT_NAME settings)
 install(TARGETS tricontact_settings EXPORT Tricontact)
 
-# tricontact_library(name SOURCES ... DEPENDS ...): target tricontact_<name> from the current folder,
-# installed with the folder's headers for other projects as Tricontact::<name>; those that need the
-# finite elements' packages with the option FEM. PROGRAM_ONLY: not installed.
+# tricontact_library(name ROOMS ... DEPENDS ...): target tricontact_<name> of all units in the current folder
+# and these of its subfolders, but for those of EXCEPT; installed with their headers for other projects as
+# Tricontact::<name>; those that need the finite elements' packages with the option FEM. PROGRAM_ONLY: not
+# installed.
 function(tricontact_library name)
-    cmake_parse_arguments(ARG "FEM;PROGRAM_ONLY" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
-    add_library(tricontact_${name} STATIC ${ARG_SOURCES})
+    cmake_parse_arguments(ARG "FEM;PROGRAM_ONLY" "" "ROOMS;EXCEPT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+    file(GLOB units CONFIGURE_DEPENDS *.cc)
+    foreach(room IN LISTS ARG_ROOMS)
+        file(GLOB of_room CONFIGURE_DEPENDS ${room}/*.cc)
+        list(APPEND units ${of_room})
+    endforeach()
+    list(TRANSFORM ARG_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    list(REMOVE_ITEM units ${ARG_EXCEPT})
+    add_library(tricontact_${name} STATIC ${units})
     target_link_libraries(tricontact_${name} PUBLIC tricontact_settings ${ARG_DEPENDS}
                                              PRIVATE ${ARG_PRIVATE_DEPENDS})
     if(ARG_PROGRAM_ONLY)
@@ -33,8 +41,10 @@ function(tricontact_library name)
     set_target_properties(tricontact_${name} PROPERTIES EXPORT_NAME ${name})
     install(TARGETS tricontact_${name} EXPORT ${export} DESTINATION ${CMAKE_INSTALL_LIBDIR})
     file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
-    file(GLOB headers CONFIGURE_DEPENDS *.h)
-    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder})
+    foreach(room IN ITEMS . LISTS ARG_ROOMS)
+        file(GLOB headers CONFIGURE_DEPENDS ${room}/*.h)
+        install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tricontact/${folder}/${room})
+    endforeach()
 endfunction()
 
 # tricontact_precompile(target header...): what most of its files include, compiled once. A compiler cache serves

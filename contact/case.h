@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "contact/dma_fit.h"
-#include "contact/height_map.h"
-#include "contact/indenter.h"
-#include "contact/material.h"
-#include "contact/profile_curve.h"
-#include "contact/relaxation.h"
-#include "contact/roughness.h"
+#include "contact/bodies/height_map.h"
+#include "contact/bodies/indenter.h"
+#include "contact/bodies/profile_curve.h"
+#include "contact/bodies/roughness.h"
+#include "contact/substrates/dma_fit.h"
+#include "contact/substrates/material.h"
+#include "contact/substrates/relaxation.h"
 
 namespace tricontact::contact {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/audit.h"
-#include "contact/subsurface.h"
+#include "contact/solvers/subsurface.h"
 #include "contact/surface.h"
 #include "contact/vector2.h"
 

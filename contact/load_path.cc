@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "contact/bodies/pressure_shape.h"
 #include "contact/error.h"
-#include "contact/pressure_shape.h"
 
 namespace tricontact::contact {
 

@@ -7,8 +7,8 @@
 #include "contact/audit.h"
 #include "contact/error.h"
 #include "contact/history.h"
-#include "contact/interior.h"
 #include "contact/load_path.h"
+#include "contact/solvers/interior.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {

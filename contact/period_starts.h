@@ -4,8 +4,8 @@
 #include <map>
 #include <memory>
 
-#include "contact/compliance.h"
-#include "contact/normal_solver.h"
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/normal_solver.h"
 
 namespace tricontact::contact {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "contact/compliance.h"
-#include "contact/indenter.h"
+#include "contact/bodies/indenter.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::contact {
 

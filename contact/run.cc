@@ -9,10 +9,10 @@
 #include <limits>
 #include <optional>
 
+#include "contact/bodies/rough_scales.h"
 #include "contact/error.h"
 #include "contact/lasting_states.h"
 #include "contact/load_path.h"
-#include "contact/rough_scales.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/largest.h"
+#include "contact/solvers/largest.h"
 
 namespace tricontact::contact {
 

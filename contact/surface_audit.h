@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "contact/audit.h"
-#include "contact/compliance.h"
 #include "contact/load_path.h"
-#include "contact/normal_solver.h"
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/normal_solver.h"
 #include "contact/surface.h"
 
 namespace tricontact::contact {

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "contact/fixed_point.h"
-#include "contact/largest.h"
-#include "contact/moving_frame.h"
 #include "contact/placement.h"
+#include "contact/solvers/fixed_point.h"
+#include "contact/solvers/largest.h"
+#include "contact/solvers/moving_frame.h"
 
 namespace tricontact::contact {
 

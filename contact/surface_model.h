@@ -5,15 +5,15 @@
 #include <memory>
 #include <tuple>
 
+#include "contact/bodies/indenter.h"
 #include "contact/case.h"
-#include "contact/compliance.h"
-#include "contact/coupling.h"
-#include "contact/indenter.h"
 #include "contact/model.h"
-#include "contact/normal_solver.h"
 #include "contact/period_starts.h"
-#include "contact/substrate.h"
-#include "contact/tangential_solver.h"
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/coupling.h"
+#include "contact/solvers/normal_solver.h"
+#include "contact/solvers/tangential_solver.h"
+#include "contact/substrates/substrate.h"
 
 namespace tricontact::contact {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/contact_radius.h"
 #include "contact/frictional_work.h"
-#include "contact/mirror.h"
+#include "contact/solvers/contact_radius.h"
+#include "contact/solvers/mirror.h"
 #include "contact/state_bytes.h"
 #include "contact/surface_model.h"
 

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 #include "fem/condensed_layer.h"
 #include "fem/layer_problem.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/compliance.h"
 #include "contact/error.h"
+#include "contact/solvers/compliance.h"
 #include "fem/layer_problem.h"
 #include "fem/memory.h"
 #include "fem/sparse_matrix.h"

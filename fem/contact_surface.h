@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 #include "fem/q2_space.h"
 #include "fem/sparse_matrix.h"
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/compliance.h"
-#include "contact/interior.h"
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/interior.h"
 #include "fem/layer_problem.h"
 #include "fem/sparse_matrix.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 #include "fem/q2_space.h"
 
 namespace tricontact::fem {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/interior.h"
+#include "contact/solvers/interior.h"
 #include "fem/element.h"
 #include "fem/q2_space.h"
 

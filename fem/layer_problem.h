@@ -3,7 +3,7 @@
 #include <array>
 
 #include "contact/case.h"
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 #include "meshes/hex_mesh.h"
 
 namespace tricontact::fem {

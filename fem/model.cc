@@ -7,7 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/far_sides.h"
-#include "contact/relaxing_case.h"
+#include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
 #include "fem/patch.h"
 #include "fem/size_choice.h"

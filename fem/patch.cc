@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "contact/far_sides.h"
-#include "contact/normal_solver.h"
 #include "contact/placement.h"
+#include "contact/solvers/normal_solver.h"
 
 namespace tricontact::fem {
 

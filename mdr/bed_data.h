@@ -6,7 +6,7 @@
 
 #include "contact/case.h"
 #include "contact/load_path.h"
-#include "contact/relaxation.h"
+#include "contact/substrates/relaxation.h"
 #include "mdr/plane_profile.h"
 
 namespace tricontact::mdr {

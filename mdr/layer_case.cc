@@ -7,11 +7,11 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/memory.h"
-#include "contact/normal_solver.h"
-#include "contact/relaxing_case.h"
+#include "contact/solvers/normal_solver.h"
+#include "contact/substrates/relaxing_case.h"
 #include "mdr/bed_data.h"
 #include "mdr/layer_model.h"
-#include "theory/case_layers.h"
+#include "theory/layer/case_layers.h"
 
 namespace tricontact::mdr {
 

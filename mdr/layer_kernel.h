@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::mdr {
 
@@ -10,9 +10,10 @@ namespace tricontact::mdr {
 /// the surface at x against the half-space's by 1/E* ∫ K(x - t) q(t) dt (tangentially 1/G* and
 /// K_t),
 ///   K(s) = 1/pi ∫_0^inf [1 - C/C_half-space](k) cos(k s) dk,
-/// C33 for K, exact for axisymmetric pressure (theory/layer_equation.h). K_t has the mean of C11
-/// and C22, which is exact for the mean over the circle of u_x under tractions along x that depend
-/// on the distance from the axis alone; what varies as the cosine and sine of 2 theta is left out.
+/// C33 for K, exact for axisymmetric pressure (theory/layer/layer_equation.h). K_t has the mean of
+/// C11 and C22, which is exact for the mean over the circle of u_x under tractions along x that
+/// depend on the distance from the axis alone; what varies as the cosine and sine of 2 theta is
+/// left out.
 struct LayerKernel {
     std::vector<double> normal;      ///< K at the distances 0, h, 2h, ... [1/m]
     std::vector<double> tangential;  ///< K_t; empty on a frictionless base, where it diverges

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "contact/relaxing_substrate.h"
+#include "contact/substrates/relaxing_substrate.h"
 #include "mdr/line_surface.h"
 #include "mdr/rolling_line.h"
 

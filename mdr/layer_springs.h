@@ -2,15 +2,15 @@
 
 #include <optional>
 
-#include "contact/compliance.h"
-#include "contact/material.h"
+#include "contact/solvers/compliance.h"
+#include "contact/substrates/material.h"
 #include "mdr/even_load.h"
-#include "theory/layer_stack.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::mdr {
 
-/// The springs of MDR coupled by a layer (theory/layer_equation.h), on a line of equal elements of
-/// length h: with line loads q,
+/// The springs of MDR coupled by a layer (theory/layer/layer_equation.h), on a line of equal
+/// elements of length h: with line loads q,
 ///   u_i = 1/E* [q_i - sum_j K(x_i - x_j) q_j h],   tangentially 1/G* and K_t (layer_kernel.h).
 /// K varies over the layer's thickness: the midpoint rule is of the order h^2 as long as h is
 /// shorter. An elastic indenter adds its own independent springs.

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/memory.h"
-#include "contact/relaxing_case.h"
+#include "contact/substrates/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/spring_bed.h"
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contact/bodies/power_law.h"
 #include "contact/error.h"
-#include "contact/increasing_root.h"
-#include "contact/power_law.h"
+#include "contact/solvers/increasing_root.h"
 #include "mdr/tabulated_profile.h"
 
 namespace tricontact::mdr {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "contact/indenter.h"
+#include "contact/bodies/indenter.h"
 
 namespace tricontact::mdr {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/relaxation.h"
+#include "contact/substrates/relaxation.h"
 #include "mdr/normal_bed.h"
 
 namespace tricontact::mdr {

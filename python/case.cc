@@ -4,18 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/case_json.h"
-#include "io/case_reader.h"
-#include "io/case_writer.h"
-#include "io/walk_reader.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "io/results/case_json.h"
 #include "python/bindings.h"
+#include "walking/input/walk_reader.h"
 
 namespace tricontact::python {
 
 namespace py = pybind11;
 using contact::Case;
 using contact::HalfSpaceScales;
-using dynamics::WalkCase;
+using walking::WalkCase;
 
 namespace {
 
@@ -52,7 +52,7 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
             "Read a case from what a case file would hold, sections as dictionaries.\n\n"
             "Raises InputError; its line counts in the dictionary written as a file.")
         .def(
-            "to_dict", [write](const C& c) { return from_json(app::case_json(write(c)).dump()); },
+            "to_dict", [write](const C& c) { return from_json(io::case_json(write(c)).dump()); },
             "The resolved case with every default, quantities with their SI units.")
         .def(
             "to_toml", [write](const C& c) { return write(c); },
@@ -91,12 +91,12 @@ void add_case(py::module_& module) {
     add_kind<WalkCase>(
         module, "WalkCase", "A micro-walking machine, checked and resolved.",
         [](const std::string& path, const auto& overrides) {
-            return io::read_walk_case(path, overrides);
+            return walking::read_walk_case(path, overrides);
         },
         [](const std::string& text, const char* name, const auto& overrides) {
-            return io::parse_walk_case(text, name, overrides);
+            return walking::parse_walk_case(text, name, overrides);
         },
-        io::write_walk_case);
+        walking::write_walk_case);
 }
 
 }  // namespace tricontact::python

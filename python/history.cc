@@ -2,7 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include "io/history_csv.h"
+#include "io/results/history_csv.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
 

@@ -1,4 +1,5 @@
 #include "contact/error.h"
+#include "files/version.h"
 #include "python/bindings.h"
 
 namespace tricontact::python {
@@ -35,7 +36,7 @@ PYBIND11_MODULE(_core, module) {
     using namespace tricontact;
     namespace py = pybind11;
     module.doc() = "What tricontact has from C++.";
-    module.attr("__version__") = TRICONTACT_VERSION;
+    module.attr("__version__") = files::version;
     python::add_error<contact::InputError>(
         module, "InputError", PyExc_ValueError,
         "Bad input: the text names place, value, rule and remedy.");

@@ -1,24 +1,24 @@
 #include <pybind11/stl.h>
 
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "app/roll_models.h"
-#include "comparisons/tractive/rolling_document.h"
-#include "io/case_writer.h"
+#include "files/version.h"
+#include "io/case/case_writer.h"
 #include "python/bindings.h"
+#include "rolling/rolling_document.h"
 
 namespace tricontact::python {
 
 namespace py = pybind11;
-namespace tractive = comparisons::tractive;
 
 namespace {
 
-tractive::RollingReport roll_all(const contact::Case& c, int points, int threads,
-                                 const py::object& on_step) {
+rolling::RollingReport roll_all(const contact::Case& c, int points, int threads,
+                                const py::object& on_step) {
     const bool tells = !on_step.is_none();
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
-    tractive::RollingReport report{.c = c, .runs = {}, .version = TRICONTACT_VERSION};
+    rolling::RollingReport report{.c = c, .runs = {}, .version = files::version};
     for (const std::string& model : c.models) {
         const auto progress = [&](int step, int steps) {
             check_signals();
@@ -39,13 +39,13 @@ py::tuple roll(const contact::Case& given, const std::optional<std::vector<std::
     const contact::Case c = with_models(given, models);
     app::require_rolling_on(c, "case");
     if (points < 0) throw py::value_error("points: must not be negative");
-    tractive::RollingReport report = roll_all(c, points, thread_count(threads), on_step);
+    rolling::RollingReport report = roll_all(c, points, thread_count(threads), on_step);
     const std::string summary = app::roll_summary(report, io::write_case(c));
-    const std::string creep = tractive::creep_csv(report);
+    const std::string creep = rolling::creep_csv(report);
     py::dict histories, surfaces;
-    for (tractive::RollingRun& run : report.runs) {
+    for (rolling::RollingRun& run : report.runs) {
         const py::str model(run.model);
-        histories[model] = tractive::history_csv(run);
+        histories[model] = rolling::history_csv(run);
         surfaces[model] = py::cast(std::move(run.history.surface));
     }
     return py::make_tuple(from_json(summary), histories, surfaces, creep);

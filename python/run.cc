@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "app/case_run.h"
-#include "app/commands.h"
+#include "app/commands/commands.h"
 #include "comparisons/quantities/results.h"
-#include "io/case_reader.h"
-#include "io/case_writer.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
 #include "python/bindings.h"
 
 namespace tricontact::python {

@@ -3,15 +3,15 @@
 
 #include <limits>
 
-#include "comparisons/layer.h"
+#include "comparisons/half_space/layer.h"
 #include "contact/error.h"
 #include "python/bindings.h"
-#include "theory/carter.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz.h"
-#include "theory/kalker.h"
-#include "theory/layer_shakedown.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/layer/layer_shakedown.h"
+#include "theory/rolling/carter.h"
+#include "theory/rolling/kalker.h"
+#include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::python {
 

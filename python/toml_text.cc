@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "io/messages.h"
+#include "io/keys/messages.h"
 #include "python/bindings.h"
 
 namespace tricontact::python {

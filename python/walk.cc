@@ -1,29 +1,29 @@
 #include <pybind11/stl.h>
 
-#include "app/commands.h"
-#include "app/walk_text.h"
-#include "comparisons/walking/walk_document.h"
-#include "comparisons/walking/walk_report.h"
-#include "dynamics/walk_run.h"
-#include "io/atomic_file.h"
-#include "io/case_writer.h"
+#include "app/commands/commands.h"
+#include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
 #include "python/bindings.h"
+#include "walking/input/walk_reader.h"
+#include "walking/report/walk_document.h"
+#include "walking/report/walk_report.h"
+#include "walking/report/walk_text.h"
+#include "walking/run/walk_run.h"
 
 namespace tricontact::python {
 
 namespace py = pybind11;
-namespace walking = comparisons::walking;
 
 namespace {
 
 /// Summary, motion and windows as the program's files have them; numbers are made of them in
 /// Python.
-py::tuple walk(const dynamics::WalkCase& c) {
+py::tuple walk(const walking::WalkCase& c) {
     std::string summary, motion, windows;
     {
         const py::gil_scoped_release free_the_lock;
-        const dynamics::Walk walk = dynamics::walk(c, walking::report_recording);
-        summary = app::walk_summary(c, io::write_walk_case(c), walk);
+        const walking::Walk walk = walking::walk(c, walking::report_recording);
+        summary = walking::walk_summary(c, walking::write_walk_case(c), walk);
         motion = walking::motion_csv(c, walk);
         windows = walking::windows_csv(c, walk);
     }

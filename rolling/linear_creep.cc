@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "contact/error.h"
-#include "contact/moving_frame.h"
+#include "contact/solvers/moving_frame.h"
 #include "rolling/steady_system.h"
 
 namespace tricontact::rolling {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::rolling {
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "contact/audit.h"
-#include "contact/indenter.h"
+#include "contact/bodies/indenter.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
 #include "contact/vector2.h"
-#include "theory/creep_law.h"
+#include "theory/rolling/creep_law.h"
 
 /// Tractive rolling: the indenter rolls on in the direction +x over the substrate; the contact is
 /// at rest in a frame that moves along, and the substrate flows through it towards -x.

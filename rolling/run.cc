@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "contact/error.h"
-#include "contact/largest.h"
+#include "contact/solvers/largest.h"
 
 namespace tricontact::rolling {
 

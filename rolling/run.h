@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/substrate.h"
+#include "contact/substrates/substrate.h"
 #include "rolling/rolling_contact.h"
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"

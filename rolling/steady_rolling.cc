@@ -5,14 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/coupling.h"
 #include "contact/error.h"
-#include "contact/fixed_point.h"
 #include "contact/frictional_work.h"
-#include "contact/largest.h"
-#include "contact/moving_frame.h"
-#include "contact/normal_solver.h"
 #include "contact/placement.h"
+#include "contact/solvers/coupling.h"
+#include "contact/solvers/fixed_point.h"
+#include "contact/solvers/largest.h"
+#include "contact/solvers/moving_frame.h"
+#include "contact/solvers/normal_solver.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_state.h"

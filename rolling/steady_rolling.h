@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/audit.h"
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {

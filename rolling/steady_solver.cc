@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "contact/error.h"
-#include "contact/friction_disc.h"
-#include "contact/largest.h"
-#include "contact/moving_frame.h"
+#include "contact/solvers/friction_disc.h"
+#include "contact/solvers/largest.h"
+#include "contact/solvers/moving_frame.h"
 #include "rolling/steady_system.h"
 
 namespace tricontact::rolling {

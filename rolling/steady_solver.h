@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 #include "contact/vector2.h"
 
 namespace tricontact::rolling {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contact/substrate.h"
+#include "contact/substrates/substrate.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"
 

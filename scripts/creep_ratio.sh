@@ -6,7 +6,7 @@
 # usage: scripts/creep_ratio.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail
 program=$(realpath "${1:-build/release/app/tricontact}")
-case_file=$(realpath "$(dirname -- "$0")/../cases/rolling_sphere.toml")
+case_file=$(realpath "$(dirname -- "$0")/../examples/cases/rolling_sphere.toml")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"

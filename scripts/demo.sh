@@ -9,11 +9,11 @@ name=rig_sphere_layer_all
 "$root/scripts/setup.sh" build
 cmake -S "$root" --preset release --log-level=NOTICE
 cmake --build "$root/build/release" --target tricontact
-"$root/build/release/app/tricontact" run "$root/cases/$name.toml" \
+"$root/build/release/app/tricontact" run "$root/examples/cases/$name.toml" \
     --output "$root/results/$name"
-"$root/build/release/app/tricontact" rig "$root/rigs/sphere_parallel.toml" \
+"$root/build/release/app/tricontact" rig "$root/examples/rigs/sphere_parallel.toml" \
     --output "$root/results/rig" >/dev/null
-"$root/build/release/app/tricontact" walk "$root/cases/walking_set_b.toml" \
+"$root/build/release/app/tricontact" walk "$root/examples/cases/walking_set_b.toml" \
     --output "$root/results/walking_set_b" --quiet
 printf '\nThe report:   %s\n' "$root/results/$name/report.html"
 printf 'The rig:      %s\n' "$root/results/rig/report.html"

@@ -9,10 +9,10 @@ root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." >/dev/null && pwd)
 results=$root/results/rig_sphere_layer_all
 cp "$results/plots/shift.png" "$results/plots/traction_x.png" "$results/plots/zones_fem.png" \
     "$root/docs/images/"
-"$root/build/release/app/tricontact" run "$root/cases/rig_sphere_inside.toml" --models bem-layer \
+"$root/build/release/app/tricontact" run "$root/examples/cases/rig_sphere_inside.toml" --models bem-layer \
     --output "$root/results/rig_sphere_inside" --quiet
 cp "$root/results/rig_sphere_inside/plots/von_mises_bem-layer.png" "$root/docs/images/von_mises_bem_layer.png"
-"$root/build/release/app/tricontact" sweep "$root/studies/walking_map.toml" \
+"$root/build/release/app/tricontact" sweep "$root/examples/studies/walking_map.toml" \
     --output "$root/results/walking_map_full" --quiet
 # picture NAME SIZE FILE: of the upper end of a page.
 picture() {

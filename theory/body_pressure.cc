@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/rounded_punch.h"
+#include "contact/bodies/rounded_punch.h"
 
 namespace tricontact::theory {
 

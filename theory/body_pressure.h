@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/indenter.h"
+#include "contact/bodies/indenter.h"
 
 namespace tricontact::theory {
 

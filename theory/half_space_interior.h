@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 
 namespace tricontact::theory {
 

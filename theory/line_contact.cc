@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "theory/contact_search.h"
-#include "theory/elastic_layer.h"
-#include "theory/wave_numbers.h"
+#include "theory/layer/elastic_layer.h"
+#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "theory/layer_compliance.h"
+#include "theory/layer/layer_compliance.h"
 
 namespace tricontact::theory {
 

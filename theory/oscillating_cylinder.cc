@@ -9,7 +9,7 @@
 #include <string>
 
 #include "theory/bracketed_root.h"
-#include "theory/carter.h"
+#include "theory/rolling/carter.h"
 
 namespace tricontact::theory {
 

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "contact/error.h"
-#include "theory/elastic_layer.h"
-#include "theory/wave_numbers.h"
+#include "theory/layer/elastic_layer.h"
+#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 

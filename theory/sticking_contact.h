@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/material.h"
-#include "theory/layer_compliance.h"
+#include "contact/substrates/material.h"
+#include "theory/layer/layer_compliance.h"
 
 namespace tricontact::theory {
 

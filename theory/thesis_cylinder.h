@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 
 namespace tricontact::theory {
 

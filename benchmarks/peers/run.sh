@@ -5,7 +5,7 @@ set -eu
 program=$(realpath "$1")
 mkdir -p "$2"
 here=$(dirname "$(realpath "$0")")
-case=$(realpath "$here/../../cases/rig_layer_parallel.toml")
+case=$(realpath "$here/../../examples/cases/rig_layer_parallel.toml")
 cd "$2"
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 PYTHONPATH="$here"
 python=/usr/bin/python3

@@ -1,6 +1,6 @@
 #include "comparisons/quantities/own_limit.h"
 #include "comparisons/quantities/quantities.h"
-#include "comparisons/surface_fields.h"
+#include "comparisons/quantities/surface_fields.h"
 
 namespace tricontact::comparisons::quantities {
 

@@ -2,7 +2,7 @@
 
 #include "comparisons/quantities/own_limit.h"
 #include "comparisons/quantities/quantities.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "comparisons/reference.h"
-#include "comparisons/resample.h"
-#include "comparisons/surface_fields.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/resample.h"
+#include "comparisons/quantities/surface_fields.h"
 
 namespace tricontact::comparisons {
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "comparisons/reference.h"
+#include "comparisons/quantities/reference.h"
 #include "contact/case.h"
 #include "contact/history.h"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "comparisons/quantities/quantities.h"
-#include "comparisons/relaxation_study.h"
+#include "comparisons/quantities/relaxation_study.h"
 
 namespace tricontact::comparisons::quantities {
 

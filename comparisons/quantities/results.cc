@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "comparisons/json_number.h"
+#include "report/json_number.h"
 
 namespace tricontact::comparisons {
 
@@ -17,7 +17,7 @@ json to_json(const QuantityValue& value) {
         json operator()(double number) const { return number; }
         json operator()(int count) const { return count; }
         json operator()(State state) const { return contact::name_of(state); }
-        json operator()(const Numbers& list) const { return numbers(list); }
+        json operator()(const Numbers& list) const { return report::numbers(list); }
     } const visitor;
     return std::visit(visitor, value);
 }
@@ -89,8 +89,8 @@ json results_json(const Results& results) {
         if (member.is_object() && is_empty(member)) member = nullptr;
     json& audit = object["audit"] = json::object();
     for (const auto& check : results.audit)
-        audit[check.name] = {{"worst", number(check.worst)},
-                             {"allowed", number(check.allowed)},
+        audit[check.name] = {{"worst", report::number(check.worst)},
+                             {"allowed", report::number(check.allowed)},
                              {"passed", check.passed()}};
     return object;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "comparisons/layer.h"
-#include "comparisons/model_assumptions.h"
+#include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/model_assumptions.h"
 #include "comparisons/quantities/quantities.h"
 
 namespace tricontact::comparisons::quantities {

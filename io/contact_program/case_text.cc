@@ -7,10 +7,10 @@
 #include <optional>
 #include <span>
 
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 #include "io/contact_program/program_case.h"
 #include "io/contact_program/sequence.h"
-#include "io/messages.h"
+#include "io/keys/messages.h"
 
 namespace tricontact::io {
 

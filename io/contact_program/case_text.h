@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 
 namespace tricontact::io {
 

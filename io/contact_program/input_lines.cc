@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/messages.h"
-#include "io/number_text.h"
+#include "io/keys/messages.h"
+#include "io/keys/number_text.h"
 
 namespace tricontact::io {
 

@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "contact/placement.h"
 #include "io/contact_program/sequence.h"
-#include "io/messages.h"
+#include "io/keys/messages.h"
 
 namespace tricontact::io {
 

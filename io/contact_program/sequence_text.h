@@ -4,7 +4,7 @@
 #include <string>
 
 #include "contact/case.h"
-#include "contact/compliance.h"
+#include "contact/solvers/compliance.h"
 
 namespace tricontact::io {
 

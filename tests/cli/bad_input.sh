@@ -3,7 +3,7 @@
 # usage: bad_input.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 trap 'chmod -R u+rwx "$work" 2>/dev/null; rm -rf "$work"' EXIT
-case_file=$source_dir/cases/rig_sphere_parallel.toml
+case_file=$source_dir/examples/cases/rig_sphere_parallel.toml
 
 # A message of the option parser may have more than one line; the code and the silence count.
 refused_option() {
@@ -16,7 +16,7 @@ refused_option() {
 }
 
 # 1. Every bad case states its message in its first line, from line and column on (" ... " stands for a
-#    path); run refuses it before it makes a folder. Their messages by check: tests/unit/io_bad_cases.cc.
+#    path); run refuses it before it makes a folder. Their messages by check: tests/unit/io/case/bad_cases.cc.
 for file in "$source_dir"/tests/cli/bad/*.toml; do
     read -r expected <"$file"
     expected=${expected#'# expect: '}

@@ -5,7 +5,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # derived CASE NAME VALUE: check derives the value, to five digits.
 derived() {
-    "$program" check "$source_dir/cases/$1.toml" | awk -v name="$2" -v due="$3" '
+    "$program" check "$source_dir/examples/cases/$1.toml" | awk -v name="$2" -v due="$3" '
         $1 == "#" && $2 == name && $3 == "=" { e = $4/due - 1; found = e < 2e-5 && e > -2e-5 }
         END { exit !found }' || complain "$1: $2 is not $3"
 }
@@ -17,7 +17,7 @@ derived body_cone U_max 0.700806
 derived body_cone f_T,lim 0.5776
 
 # 2. An ellipse is a stretched circle: w = 0.24 over the mean half axis, more over the short one.
-limit=$("$program" check "$source_dir/cases/body_ellipsoid.toml" | awk '$2 == "f_T,lim" { print $4 }')
+limit=$("$program" check "$source_dir/examples/cases/body_ellipsoid.toml" | awk '$2 == "f_T,lim" { print $4 }')
 awk -v f="$limit" 'BEGIN { exit !(f > 0.3 && f < 0.646) }' || complain "limit $limit of the ellipse"
 
 # 3. Every case runs, its report names the body.
@@ -25,7 +25,7 @@ awk -v f="$limit" 'BEGIN { exit !(f > 0.3 && f < 0.646) }' || complain "limit $l
 body() { # NAME MODEL OPTIONS...
     local name=$1 model=$2
     shift 2
-    "$program" run "$source_dir/cases/body_$name.toml" --models "$model" --set mdr.springs=1000 \
+    "$program" run "$source_dir/examples/cases/body_$name.toml" --models "$model" --set mdr.springs=1000 \
         --set bem.cells_per_radius=4 --set rolling.steps=turning-points --set rolling.periods=2 \
         --no-studies --quiet --output "$name" "$@" >/dev/null || complain "$name does not run"
 }
@@ -40,13 +40,13 @@ grep -q "mean pressure" cone/report.html || complain "no mean pressure in the co
 
 # 4. What is about spheres only refuses.
 code=0
-"$program" deviation "$source_dir/cases/body_cone.toml" --set "substrate.thickness=8 mm" \
+"$program" deviation "$source_dir/examples/cases/body_cone.toml" --set "substrate.thickness=8 mm" \
     2>message >/dev/null || code=$?
 [ "$code" -eq 2 ] && grep -q "indenter.shape: deviations are those from Hertz" message ||
     complain "deviation of a cone: $code $(cat message)"
 
 # 5. A point of a sweep is found again, unless the table of its profile has changed.
-cp "$source_dir"/cases/body_profile.* .
+cp "$source_dir"/examples/cases/body_profile.* .
 cat >study.toml <<EOF
 case = "body_profile.toml"
 models = ["mdr"]

@@ -3,10 +3,10 @@
 # what a run says at its end.
 # usage: commands.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-cases=$source_dir/cases
+cases=$source_dir/examples/cases
 
 refused "unknown command foo; tricontact --help lists them" foo
-refused "unknown command swep; did you mean tricontact sweep?" swep studies/a.toml
+refused "unknown command swep; did you mean tricontact sweep?" swep examples/studies/a.toml
 refused "is no command; write one before the file, as in tricontact check $cases/rough_plane.toml" \
     "$cases/rough_plane.toml"
 refused "no command is given; tricontact --help lists them"
@@ -14,10 +14,10 @@ refused "unknown option --hlep where a command is due" --hlep
 refused "unknown option --threads where a command is due" --threads 2 run "$cases/rough_plane.toml"
 
 # Each kind of file with every command that reads files of another kind.
-study=$source_dir/studies/rig_layer.toml
-rig=$source_dir/rigs/sphere_parallel.toml
-experiment=$source_dir/experiments/synthetic_shakedown.toml
-measurement=$source_dir/measurements/thesis_static_shift.toml
+study=$source_dir/examples/studies/rig_layer.toml
+rig=$source_dir/examples/rigs/sphere_parallel.toml
+experiment=$source_dir/examples/records/synthetic_shakedown.toml
+measurement=$source_dir/examples/measurements/thesis_static_shift.toml
 walking=$cases/walking_set_b.toml
 rolling=$cases/rolling_sphere.toml
 contact=$cases/rig_sphere_parallel.toml

@@ -44,7 +44,7 @@ tell() {
 
 # 1. Rows of results: the sweep goes on, or is refused; what fit and merge take is the same.
 cat >study.toml <<EOF
-case = "$source_dir/cases/rig_sphere_parallel.toml"
+case = "$source_dir/examples/cases/rig_sphere_parallel.toml"
 models = ["mdr"]
 [set]
 mdr.springs = 100
@@ -76,7 +76,7 @@ tell "results.sqlite"
 
 # 2. Levels of a refinement, which the next call takes over.
 refine() {
-    "$program" refine "$source_dir/cases/rig_sphere_parallel.toml" --model bem --output "$1" \
+    "$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output "$1" \
         --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 }
 refine levels >/dev/null 2>&1 || complain "the plain refinement"
@@ -96,7 +96,7 @@ done
 tell "level.json"
 
 "$program" list | grep -q '^  fem ' || finish
-layer_command=("$program" run "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report
+layer_command=("$program" run "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-report
     --set 'fem.size="2 mm"' --set fem.cache=cache --set output.volume=none --no-studies)
 layer() {
     "${layer_command[@]}" "$@"

@@ -3,7 +3,7 @@
 # there; what is refused leaves nothing behind.
 # usage: deviation.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-rig=$source_dir/cases/rig_layer_parallel.toml
+rig=$source_dir/examples/cases/rig_layer_parallel.toml
 
 # 1. Exact theory alone: the rig's layer, and the thicknesses of docs/half-space-deviation.md.
 "$program" deviation "$rig" --no-runs --quiet >out 2>err || complain "exact part: $(cat err)"
@@ -52,10 +52,10 @@ refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1
 [ -z "$(ls static/*.html static/*.csv static/*.json 2>/dev/null)" ] || complain "old results stayed until the end"
 
 refused "rig_sphere_parallel.toml: substrate.thickness is missing: without it" deviation \
-    "$source_dir/cases/rig_sphere_parallel.toml"
-refused "the exact theory knows one layer" deviation "$source_dir/cases/rig_layer_on_glue.toml"
+    "$source_dir/examples/cases/rig_sphere_parallel.toml"
+refused "the exact theory knows one layer" deviation "$source_dir/examples/cases/rig_layer_on_glue.toml"
 refused "substrate.relaxation: deviations are those of an elastic layer" deviation \
-    "$source_dir/cases/rig_sphere_layer_relaxing.toml"
+    "$source_dir/examples/cases/rig_sphere_layer_relaxing.toml"
 refused "w = W/a is at least 1" deviation "$rig" --set rolling.amplitude_ratio=1.5
 refused "the file cannot be read" deviation missing.toml
 

@@ -78,13 +78,15 @@ class Checker:
     def prepare(self, folder):
         """As after a clone and a build, in a folder of its own; studies with few points."""
         os.chdir(folder)
-        for name in ("cases", "rigs", "experiments", "measurements", "scripts", "examples"):
-            os.symlink(os.path.join(self.source, name), name)
-        os.mkdir("studies")
-        for study in glob.glob(os.path.join(self.source, "studies", "*.toml")):
+        os.symlink(os.path.join(self.source, "scripts"), "scripts")
+        for name in ("cases", "rigs", "records", "measurements", "scripts"):
+            os.makedirs("examples", exist_ok=True)
+            os.symlink(os.path.join(self.source, "examples", name), os.path.join("examples", name))
+        os.mkdir("examples/studies")
+        for study in glob.glob(os.path.join(self.source, "examples/studies/*.toml")):
             with open(study, encoding="utf-8") as file:
                 text = file.read()
-            with open(os.path.join("studies", os.path.basename(study)), "w", encoding="utf-8") as file:
+            with open(os.path.join("examples/studies", os.path.basename(study)), "w", encoding="utf-8") as file:
                 file.write(with_few_points(text))
         os.makedirs("build")
         os.symlink(os.path.dirname(os.path.dirname(self.program)), "build/release")

@@ -3,7 +3,7 @@
 # 2 bad input (in full: bad_input.sh).
 # usage: exit_codes.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-case_file=$source_dir/cases/rig_sphere_parallel.toml
+case_file=$source_dir/examples/cases/rig_sphere_parallel.toml
 coarse=(--set rolling.periods=1 --set rolling.steps=turning-points --set "bem.spacing=0.5 mm"
     --no-report)
 

@@ -27,22 +27,22 @@ refused() {
 
 # 1. The example, by the fast model only: its truth is that of bem-layer.
 cp -r "$source_dir/experiments" .
-sed -i 's/^models = .*/models = ["mdr"]/' experiments/synthetic_case.toml
-expect 0 experiments/synthetic_shakedown.toml --output example --quiet
+sed -i 's/^models = .*/models = ["mdr"]/' examples/records/synthetic_case.toml
+expect 0 examples/records/synthetic_shakedown.toml --output example --quiet
 says "Shakedown in 3 of 3 runs" out
 says "they differ" out
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 says '"state": "shakedown"' example/experiment.json
 says "curvature" example/report.html
-expect 0 experiments/synthetic_shakedown.toml --output again --quiet
+expect 0 examples/records/synthetic_shakedown.toml --output again --quiet
 cmp -s example/experiment.json again/experiment.json || complain "another time, other numbers"
 cmp -s example/report.html again/report.html || complain "another time, another report"
 
 # 2. The same records made again: equal bytes, but for what another processor's models round.
-grep -q SYNTHETIC experiments/synthetic/run_1.csv || complain "a synthetic record does not say so"
+grep -q SYNTHETIC examples/records/synthetic/run_1.csv || complain "a synthetic record does not say so"
 
 # 3. What is wrong with an experiment file.
-run=experiments/synthetic/run_1.csv
+run=examples/records/synthetic/run_1.csv
 write() { printf '%s\n' "$@" >data.toml; }
 write 'runs = ["run.csv"]'
 refused "data.toml:1:1: missing key kind"
@@ -62,10 +62,10 @@ write 'kind = "shakedown"' "runs = [\"$run\"]" '[record]' 'resolution = 80'
 refused "data.toml:4:14: record.resolution = 80: must be a length, but has no unit"
 write 'kind = "shakedown"' "runs = [\"$run\"]" '[errors]' 'friction.coefficient = 0.01'
 refused "[errors] are those of a case, but there is none"
-write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "experiments/synthetic_case.toml"' '[errors]' \
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "examples/records/synthetic_case.toml"' '[errors]' \
     'load.normal_forse = "0.1 N"'
 refused "did you mean load.normal_force?"
-write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "experiments/synthetic_case.toml"' '[errors]' \
+write 'kind = "shakedown"' "runs = [\"$run\"]" 'case = "examples/records/synthetic_case.toml"' '[errors]' \
     'load.tangential_ratio = 0.01'
 refused "data.toml:5:25: errors.load.tangential_ratio: the case does not state this number"
 
@@ -130,7 +130,7 @@ awk 'BEGIN {
     }
     for (i = 0; i < 40; i++) printf "%.2f,%.2f,0\n", t + i * 0.05, u
 }' >run.csv
-write 'kind = "limit"' 'runs = ["run.csv"]' 'case = "experiments/synthetic_case.toml"'
+write 'kind = "limit"' 'runs = ["run.csv"]' 'case = "examples/records/synthetic_case.toml"'
 expect 0 data.toml --output limit --quiet
 says "W_lim = 1.15 ± 0.05 mm" out
 says "MDR: W_lim" out
@@ -141,11 +141,11 @@ refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 # 7. What the rig sets is a force: f_T has the errors of mu and F_N whether the case states F_T or
 #    its ratio, and no number is ± 0. Without [errors] nobody tells whether models differ.
 json() { "$python" -c "import json; print(json.load(open('$1'))$2)"; }
-run=experiments/synthetic/run_1.csv
+run=examples/records/synthetic/run_1.csv
 cp "$source_dir/$run" run.csv
 ratio=$(awk 'BEGIN { printf "%.17g", 6.735 / (0.57 * 21.1) }')
-sed "s/^tangential_force.*/tangential_ratio = $ratio/" experiments/synthetic_case.toml >ratio.toml
-cp experiments/synthetic_case.toml force.toml
+sed "s/^tangential_force.*/tangential_ratio = $ratio/" examples/records/synthetic_case.toml >ratio.toml
+cp examples/records/synthetic_case.toml force.toml
 for case in force ratio; do
     write 'kind = "shakedown"' 'runs = ["run.csv"]' "case = \"$case.toml\"" '[errors]' \
         'friction.coefficient = 0.02'

@@ -10,7 +10,7 @@ export OPENBLAS_NUM_THREADS=1
 "$program" list | grep -q '^  fem ' || { printf 'built without fem\n'; exit 0; }
 
 # A coarse layer: a second to condense, a tenth to step.
-layer_command=("$program" run "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report
+layer_command=("$program" run "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-report
     --set 'fem.size="1.2 mm"' --set 'fem.cache="cache"' --set output.volume=none)
 layer() {
     "${layer_command[@]}" "$@"
@@ -108,15 +108,15 @@ rm -f cache
 
 # 7. Too little memory is refused before it is taken.
 refused 'memory' bash -c "ulimit -v 2000000; exec \"\$@\"" limited "$program" run \
-    "$source_dir/cases/rig_layer_parallel.toml" --models fem --no-report --quiet \
+    "$source_dir/examples/cases/rig_layer_parallel.toml" --models fem --no-report --quiet \
     --set 'fem.size="0.2 mm"' --set 'fem.cache="none"'
 
 # 8. Meshes: written, read again to the same answer; a missing and a misnamed boundary are refused.
-"$program" mesh "$source_dir/cases/rig_layer_parallel.toml" --output meshed \
+"$program" mesh "$source_dir/examples/cases/rig_layer_parallel.toml" --output meshed \
     --set 'fem.size="1.2 mm"' --set 'fem.cache="none"' >mesh.txt 2>&1 || complain "tricontact mesh"
 for file in mesh.msh mesh.geo mesh.vtu; do [ -s meshed/$file ] || complain "no meshed/$file"; done
 own() {
-    sed "s|^size = .*|mesh = \"$1\"|" "$source_dir/cases/rig_layer_parallel.toml" >own.toml
+    sed "s|^size = .*|mesh = \"$1\"|" "$source_dir/examples/cases/rig_layer_parallel.toml" >own.toml
     shift
     "$program" run own.toml --models fem --no-report --set 'fem.cache="none"' \
         --set output.volume=none "$@"

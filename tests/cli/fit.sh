@@ -27,7 +27,7 @@ refused() {
     [ "$code" -eq 2 ] || complain "$*: exit code $code"
     [ "$(wc -l <err)" -eq 1 ] && grep -qF -- "$text" err || complain "$*: $(cat err)"
 }
-rig=$source_dir/cases/rig_sphere_parallel.toml
+rig=$source_dir/examples/cases/rig_sphere_parallel.toml
 
 # 1. MDR with 10000 springs: kappa is 3/2 to 1e-6, whatever the direction.
 study a.toml "$rig" 'rolling.amplitude_ratio = [0.2, 0.4]' 'load.tangential_ratio = [0.1, 0.2, 0.3]' \

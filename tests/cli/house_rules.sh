@@ -81,7 +81,7 @@ while read -r key; do
     [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
 found=$(grep -nE '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/*_json.cc comparisons/*_output.cc \
-    comparisons/*_csv.cc comparisons/study_fit.cc app/*.cc || true)
+    comparisons/*_csv.cc comparisons/shakedown/study_fit.cc app/*.cc || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 
 # Debian's Python has the packages; the first python3 in PATH may be another one.

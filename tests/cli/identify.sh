@@ -10,7 +10,7 @@ number() { "$python" -c "import json; print(json.load(open('out/identify.json'))
 holds() { awk "BEGIN { exit !($1) }" || complain "$1: $2"; }
 
 # 1. Depths: the layer finds the stated 4.22 MPa, the half-space twice as much.
-"$program" identify "$source_dir/measurements/rig_indentation.toml" --output out --quiet >text ||
+"$program" identify "$source_dir/examples/measurements/rig_indentation.toml" --output out --quiet >text ||
     complain "indentation"
 low=$(number "['models']['layer']['young_Pa']['likelihood_interval'][0]")
 high=$(number "['models']['layer']['young_Pa']['likelihood_interval'][1]")
@@ -21,8 +21,8 @@ grep -q "The half-space finds E = .* too high" text || complain "no sentence: $(
 grep -q "<html" out/report.html || complain "no report"
 
 # 2. Shifts: E and mu. 1 % for the coupling that the layer's springs leave out.
-sed 's/, "bem-layer"//' "$source_dir/measurements/rig_static_shift.toml" >shift.toml
-cp "$source_dir/measurements/rig_static_shift.csv" .
+sed 's/, "bem-layer"//' "$source_dir/examples/measurements/rig_static_shift.toml" >shift.toml
+cp "$source_dir/examples/measurements/rig_static_shift.csv" .
 "$program" identify shift.toml --output out --quiet >text || complain "shift"
 young=$(number "['models']['layer']['young_Pa']['value']")
 friction=$(number "['models']['layer']['friction_coefficient']['value']")
@@ -54,7 +54,7 @@ sed 's/rig_static_shift.csv/plain.csv/' shift.toml >plain.toml
 [ "$(number "['models']['layer']['goodness']")" = None ] || complain "goodness without errors"
 
 # 5. The thesis' curve belongs to a softer rubber with more friction.
-"$program" identify "$source_dir/measurements/thesis_static_shift.toml" --output out --quiet \
+"$program" identify "$source_dir/examples/measurements/thesis_static_shift.toml" --output out --quiet \
     >text || complain "thesis"
 young=$(number "['models']['half-space']['young_Pa']['value']")
 holds "5.199e6 < $young && $young < 5.201e6" "the curve is that of the half-space: $young"
@@ -63,7 +63,7 @@ holds "3.7e6 < $young && $young < 3.85e6" "E of the layer by the thesis' curve: 
 
 # 6. The coupled layer, on a coarse grid: 0.5 % of E and mu by 8 cells in the radius.
 sed 's/models = .*/models = ["bem-layer"]/; s/cells_per_radius = 12/cells_per_radius = 8/' \
-    "$source_dir/measurements/rig_static_shift.toml" | sed '/standard_errors/,$d' >coupled.toml
+    "$source_dir/examples/measurements/rig_static_shift.toml" | sed '/standard_errors/,$d' >coupled.toml
 "$program" identify coupled.toml --output out --quiet >text || complain "bem-layer"
 young=$(number "['models']['bem-layer']['young_Pa']['value']")
 friction=$(number "['models']['bem-layer']['friction_coefficient']['value']")
@@ -100,8 +100,8 @@ sed 's/models = .*/models = ["half-space"]/' compressible.toml >alone.toml
 
 # 9. [standard_errors] are in the printed interval, of E by half of those of R: E ~ R^(-1/2).
 sed 's/models = .*/models = ["half-space"]/; /standard_errors/,$d' \
-    "$source_dir/measurements/rig_indentation.toml" >depth.toml
-cp "$source_dir/measurements/rig_indentation.csv" .
+    "$source_dir/examples/measurements/rig_indentation.toml" >depth.toml
+cp "$source_dir/examples/measurements/rig_indentation.csv" .
 "$program" identify depth.toml --output out --quiet >plain_text || complain "depths"
 grep -q "the rig's data taken as exact" plain_text || complain "exact inputs: $(cat plain_text)"
 printf '[standard_errors]\nindenter.radius = "2 mm"\n' >>depth.toml

@@ -30,7 +30,7 @@ whole() {
 # kill_when FILE [PERIODS]: starts a run that takes long, kills it as soon as the file is there.
 kill_when() {
     rm -rf killed
-    "$program" run "$source_dir/cases/rig_sphere_parallel_ratcheting.toml" --output killed --quiet \
+    "$program" run "$source_dir/examples/cases/rig_sphere_parallel_ratcheting.toml" --output killed --quiet \
         --set rolling.periods="${2:-1000}" --set rolling.run_all=true --set output.vtk=all \
         --set "rolling.increment=0.5 mm" --set mdr.springs=300 &
     child=$!
@@ -63,7 +63,7 @@ steps=$(($(wc -l <killed/mdr/history.csv) - 1))
 [ "$(grep -c '<DataSet ' killed/mdr/surface.pvd)" -eq "$n" ] || complain "surface.pvd is not whole"
 
 # 3. The same folder serves the next run.
-"$program" run "$source_dir/cases/rig_sphere_parallel_ratcheting.toml" --output killed --quiet \
+"$program" run "$source_dir/examples/cases/rig_sphere_parallel_ratcheting.toml" --output killed --quiet \
     --models mdr --set rolling.periods=1 --no-report || complain "the folder of a killed run"
 [ -s killed/summary.json ] || complain "no summary after the second run"
 

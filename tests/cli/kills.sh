@@ -10,7 +10,7 @@ mkdir calls temporary
 cd calls || exit 1
 export TMPDIR=$work/temporary
 cat >study.toml <<EOF
-case = "$source_dir/cases/rig_sphere_parallel.toml"
+case = "$source_dir/examples/cases/rig_sphere_parallel.toml"
 models = ["mdr"]
 [set]
 mdr.springs = 2000
@@ -21,9 +21,9 @@ output.vtk = "quarters"
 rolling.amplitude_ratio = [0.1, 0.3]
 load.tangential_ratio = [0.1, 0.2, 0.3]
 EOF
-sed '/^\[rolling\]/,/^$/d; /^\[fem\]/,$d' "$source_dir/cases/rig_layer_parallel.toml" >static.toml
-sphere=$source_dir/cases/rig_sphere_parallel.toml
-layer=$source_dir/cases/rig_layer_parallel.toml
+sed '/^\[rolling\]/,/^$/d; /^\[fem\]/,$d' "$source_dir/examples/cases/rig_layer_parallel.toml" >static.toml
+sphere=$source_dir/examples/cases/rig_sphere_parallel.toml
+layer=$source_dir/examples/cases/rig_layer_parallel.toml
 
 # Each writes into the folder of its name, from the folder above.
 sweep=(sweep study.toml --output sweep --jobs 2 --vtk)

@@ -2,7 +2,7 @@
 # tricontact limit: brackets around the closed form in load and amplitude, files, bad input.
 # usage: limit.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-case_file=$source_dir/cases/rig_sphere_parallel.toml
+case_file=$source_dir/examples/cases/rig_sphere_parallel.toml
 
 # expect CODE ARGUMENTS...: output goes to the files out and err.
 expect() {

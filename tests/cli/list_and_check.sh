@@ -26,13 +26,13 @@ for model in mdr mdr-layer bem bem-layer; do
     holds "$text" "^  $model +[a-z]"
 done
 n=0
-for file in cases/*.toml; do
+for file in examples/cases/*.toml; do
     holds "$text" "^  $file: [A-Z]"
     n=$((n + 1))
 done
 [ "$n" -ge 6 ] || complain "only $n cases"
 [ "$(grep -c '\.toml: ' <<<"$text")" -eq "$n" ] || complain "list names other cases: $text"
-[ "$(cd "$work" && "$program" list "$source_dir/cases" | grep -c '\.toml: ')" -eq "$n" ] ||
+[ "$(cd "$work" && "$program" list "$source_dir/examples/cases" | grep -c '\.toml: ')" -eq "$n" ] ||
     complain "list FOLDER differs from list"
 
 mkdir "$work/empty"
@@ -47,7 +47,7 @@ holds "$message" "^error: $work/missing: is not a folder; "
 #    E* = 5.2 MPa/(1 - 1/4) = 6.9333 MPa (steel adds 3e-5), a^3 = 3 F_N R/(4 E*) -> 4.5029 mm,
 #    d = a^2/R, p0 = 3 F_N/(2 pi a^2), U_max = mu 3/2 d, F_T = 0.56 mu F_N, W = 0.24 a,
 #    limit 1 - 3/2 w + 1/2 w^3; beta = -(1 - 2 nu_1) (1 + nu_1)/(2 E_1) E*.
-text=$("$program" check cases/rig_sphere_parallel.toml)
+text=$("$program" check examples/cases/rig_sphere_parallel.toml)
 # The values here have five digits.
 derived() {
     awk -v name="$1" -v due="$2" -v unit="$3" '
@@ -72,16 +72,16 @@ derived w 0.24 -
 derived f_T,lim 0.64691 -
 
 # 3. check prints a case that reads back to the same text, and writes nothing.
-for file in cases/*.toml; do
+for file in examples/cases/*.toml; do
     "$program" check "$file" >"$work/once.toml" || complain "check $file"
     "$program" check "$work/once.toml" >"$work/twice.toml" || complain "check of $file's check"
     cmp "$work/once.toml" "$work/twice.toml" || complain "$file: does not read back the same"
 done
-(cd "$work/empty" && "$program" check "$source_dir/cases/rig_sphere_parallel.toml" >/dev/null)
+(cd "$work/empty" && "$program" check "$source_dir/examples/cases/rig_sphere_parallel.toml" >/dev/null)
 [ -z "$(ls -A "$work/empty")" ] || complain "check writes files"
 
 # 4. Overrides, one of a pair included.
-text=$("$program" check cases/rig_sphere_parallel.toml --set "load.tangential_force=6 N" \
+text=$("$program" check examples/cases/rig_sphere_parallel.toml --set "load.tangential_force=6 N" \
     --set rolling.angle="90 deg")
 holds "$text" '^tangential_force = "6 N"$'
 grep -q '^tangential_ratio' <<<"$text" && complain "both force and ratio are set"

@@ -38,10 +38,10 @@ models = ["mdr"]
 [vary]
 rolling.amplitude_ratio = [0.1, 0.2]
 TOML
-cp "$source_dir/cases/walking_set_b.toml" slider.toml
-cp "$source_dir"/rigs/sphere_parallel.toml rig.toml
-cp "$source_dir"/measurements/thesis_static_shift.* .
-experiment=$source_dir/experiments/synthetic_shakedown.toml
+cp "$source_dir/examples/cases/walking_set_b.toml" slider.toml
+cp "$source_dir"/examples/rigs/sphere_parallel.toml rig.toml
+cp "$source_dir"/examples/measurements/thesis_static_shift.* .
+experiment=$source_dir/examples/records/synthetic_shakedown.toml
 has_fem=$("$program" list | grep -c '^  fem ')
 
 # Each command with a folder: a name that it writes there, and its arguments without --output.

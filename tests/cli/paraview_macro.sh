@@ -6,14 +6,14 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 command -v "$python" >/dev/null || { echo "no python3: not checked"; exit 0; }
-run=("$program" run "$source_dir/cases/rig_sphere_inside.toml" --models mdr,bem --quiet --no-studies
+run=("$program" run "$source_dir/examples/cases/rig_sphere_inside.toml" --models mdr,bem --quiet --no-studies
     --no-report --set 'bem.spacing="1 mm"' --set mdr.springs=500
     --set 'output.volume_depth="3 mm"' --output run)
 "${run[@]}" >told.txt 2>&1 || complain "$(cat told.txt)"
-"$program" roll "$source_dir/cases/rolling_cylinder.toml" --points 0 --quiet --no-report --output roll \
+"$program" roll "$source_dir/examples/cases/rolling_cylinder.toml" --points 0 --quiet --no-report --output roll \
     --set bem.cells_per_radius=6 --set tractive_rolling.distance=1 >told.txt 2>&1 ||
     complain "$(cat told.txt)"
-cp "$source_dir/examples/pyvista_surface.py" .
+cp "$source_dir/examples/scripts/pyvista_surface.py" .
 for script in run/open_run.py roll/open_run.py pyvista_surface.py; do
     [ "$(wc -l <"$script")" -gt 50 ] || complain "$script is missing"
     "$python" -m py_compile "$script" || complain "$script is no Python"

@@ -2,7 +2,7 @@
 # tricontact refine: table and files, what is taken over after a kill or a second call, bad input.
 # usage: refine.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-case_file=$source_dir/cases/rig_layer_parallel.toml
+case_file=$source_dir/examples/cases/rig_layer_parallel.toml
 child=
 trap 'kill -9 $child 2>/dev/null; rm -rf "$work"' EXIT
 export OPENBLAS_NUM_THREADS=1
@@ -24,7 +24,7 @@ says() {
 }
 
 bem() {
-    expect 0 "$source_dir/cases/rig_sphere_parallel.toml" --model bem --quiet --output "$1" \
+    expect 0 "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --quiet --output "$1" \
         --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points
 }
 
@@ -36,7 +36,7 @@ says "Hertz" out
 [ -s err ] && complain "--quiet is not silent: $(cat err)"
 
 # 2. Bad input.
-expect 2 "$source_dir/cases/rig_sphere_parallel.toml" --output none
+expect 2 "$source_dir/examples/cases/rig_sphere_parallel.toml" --output none
 says "models: fem is not among the models of the case" err
 for levels in 2 9 many; do
     expect 2 "$case_file" --levels "$levels" --output none
@@ -120,7 +120,7 @@ grep -q "taken from" err && complain "levels of another case: $(cat err)"
 cmp -s whole/refinement.csv again/refinement.csv && complain "the same numbers for another load"
 
 # 8. A cylinder's substrate has no ends along y: its block is widened along x, from 8 thicknesses on.
-expect 0 "$source_dir/cases/rig_cylinder.toml" "${coarse[@]/2 mm/0.4 mm}" --output line
+expect 0 "$source_dir/examples/cases/rig_cylinder.toml" "${coarse[@]/2 mm/0.4 mm}" --output line
 says 'width = \"0.12' line/wide/level.json
 grep -q 'depth = ' line/wide/level.json && complain "a line contact in a block with ends"
 says "fem.size, mm" out

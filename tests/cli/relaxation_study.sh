@@ -22,7 +22,7 @@ holds() {
     awk "BEGIN { exit !($1) }" || complain "$1"
 }
 
-relaxing=$source_dir/cases/rig_sphere_layer_relaxing.toml
+relaxing=$source_dir/examples/cases/rig_sphere_layer_relaxing.toml
 sed '/^\[substrate.relaxation\]/,/^$/d; /^hold/d; /^speed/d' "$relaxing" >elastic.toml
 
 run relaxing "$relaxing"

@@ -41,7 +41,7 @@ lines_taken_out() {
 
 # 1. Both models over some rolling, all files and the report; again from the resolved case.
 cd "$work"
-"$program" run "$source_dir/cases/rig_sphere_perpendicular.toml" --output first --threads 1 \
+"$program" run "$source_dir/examples/cases/rig_sphere_perpendicular.toml" --output first --threads 1 \
     --quiet --set rolling.periods=2 --set "rolling.increment=0.5 mm" --set "bem.spacing=0.4 mm" \
     --set mdr.springs=2000
 [ "$(lines_taken_out first/summary.json)" -eq 4 ] || complain "summary.json holds other times"

@@ -11,7 +11,7 @@ tells() {
 
 # 1. All rig files; assumptions that fail are no error.
 n=0
-for file in "$source_dir"/rigs/*.toml; do
+for file in "$source_dir"/examples/rigs/*.toml; do
     name=$(basename "$file" .toml)
     "$program" rig "$file" >"$name.txt" 2>&1 || complain "$name: $(cat "$name.txt")"
     [ -s "results/$name/rig.json" ] && [ -s "results/$name/report.html" ] || complain "$name: files"
@@ -40,7 +40,7 @@ tells sphere_parallel.txt '\(5\.1\.16\) has a square too many'
 tells results/sphere_parallel/report.html 'printed numbers do not follow from the others'
 
 # Of another rig no remark on the thesis; what nobody can compute does not follow from anything.
-sed -e 's/"8 mm"/"7 mm"/; /^maxwell_ratio/d' -e '/^\[printed\]/,$d' "$source_dir/rigs/sphere_parallel.toml" >other.toml
+sed -e 's/"8 mm"/"7 mm"/; /^maxwell_ratio/d' -e '/^\[printed\]/,$d' "$source_dir/examples/rigs/sphere_parallel.toml" >other.toml
 cat >>other.toml <<'END'
 [printed]
 thickness_ratio = {value = "0.78", source = "a note"}
@@ -53,15 +53,15 @@ fi
 tells results/other/report.html '1 of 2 printed numbers can be computed from the others\. All that can be computed \(1\) follow'
 
 # 3. The same file, the same bytes.
-"$program" rig "$source_dir/rigs/sphere_parallel.toml" --output again >/dev/null
+"$program" rig "$source_dir/examples/rigs/sphere_parallel.toml" --output again >/dev/null
 cmp -s again/rig.json results/sphere_parallel/rig.json || complain "rig.json differs"
 cmp -s again/report.html results/sphere_parallel/report.html || complain "report.html differs"
 
-refused "this is a contact case, not a rig file" rig "$source_dir/cases/rig_sphere_parallel.toml"
+refused "this is a contact case, not a rig file" rig "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "the file cannot be read" rig missing.toml
-sed 's/"8 mm"/"8 N"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
+sed 's/"8 mm"/"8 N"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
 refused 'bad.toml:13:13: substrate.thickness = "8 N": "N" is a unit of force' rig ../bad.toml
-sed 's/"8 mm"/"0.02 mm"/' "$source_dir/rigs/sphere_parallel.toml" >bad.toml
+sed 's/"8 mm"/"0.02 mm"/' "$source_dir/examples/rigs/sphere_parallel.toml" >bad.toml
 refused "layer" rig ../bad.toml
 
 finish

@@ -4,10 +4,10 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 source "$source_dir/tests/cli/document_blocks.bash"
 
-ln -s "$source_dir/measurements" measurements
-mkdir experiments cases
-cp -r "$source_dir"/experiments/* experiments
-cp "$source_dir"/cases/rig_layer_parallel.toml cases
+mkdir -p examples/cases
+ln -s "$source_dir/examples/measurements" examples/measurements
+cp -r "$source_dir/examples/records" examples
+cp "$source_dir"/examples/cases/rig_layer_parallel.toml examples/cases
 run_blocks rig-how-to.md
 [ "$blocks" -ge 7 ] || complain "only $blocks blocks"
 

@@ -4,7 +4,7 @@
 # usage: roll.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
-sphere=$source_dir/cases/rolling_sphere.toml
+sphere=$source_dir/examples/cases/rolling_sphere.toml
 coarse=(--set bem.cells_per_radius=8 --set mdr.springs=400 --set tractive_rolling.distance=5
     --points 3 --threads 1 --quiet)
 
@@ -50,7 +50,7 @@ awk '$1 == "mdr" || $1 == "bem" || $1 == "vermeulen_johnson" { n++; if (($3 / 1e
     END { exit bad || n != 3 }' small.txt || complain "a small force is not told: $(cat small.txt)"
 
 # Friction that moves a coupled contact beside the grid that was made for it.
-"$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set friction.coefficient=10 \
+"$program" roll "$source_dir/examples/cases/rolling_dissimilar.toml" --set friction.coefficient=10 \
     --set bem.cells_per_radius=12 --set tractive_rolling.distance=2 --points 2 --quiet --no-report \
     --output far >far.txt 2>&1 || complain "mu = 10: $(cat far.txt)"
 
@@ -60,14 +60,14 @@ awk '$1 == "mdr" || $1 == "bem" || $1 == "vermeulen_johnson" { n++; if (($3 / 1e
     complain "sphere by depth: $(cat deep.txt)"
 
 # Dundurs' beta of a rigid body may exceed 1/2.
-"$program" roll "$source_dir/cases/rolling_dissimilar.toml" --set substrate.poisson=-0.3 \
+"$program" roll "$source_dir/examples/cases/rolling_dissimilar.toml" --set substrate.poisson=-0.3 \
     --set indenter.young='"1e15 Pa"' --set friction.coefficient=1 --set bem.cells_per_radius=8 \
     --set tractive_rolling.distance=1 --points 1 --quiet --output auxetic >auxetic.txt 2>&1 ||
     complain "nu = -0.3: $(cat auxetic.txt)"
 
 refused "tricontact roll computes such a case" run "$sphere"
 refused "tricontact roll computes such a case" refine "$sphere" --model bem
-refused "there is no [tractive_rolling]" roll "$source_dir/cases/rig_sphere_parallel.toml"
-refused "mdr is a line of springs" roll "$source_dir/cases/rolling_spin.toml" --models mdr
+refused "there is no [tractive_rolling]" roll "$source_dir/examples/cases/rig_sphere_parallel.toml"
+refused "mdr is a line of springs" roll "$source_dir/examples/cases/rolling_spin.toml" --models mdr
 
 finish

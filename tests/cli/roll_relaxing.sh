@@ -6,7 +6,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # roll CASE ARGUMENTS...: its summary is summary.json.
 roll() {
-    local file=$source_dir/cases/$1.toml
+    local file=$source_dir/examples/cases/$1.toml
     shift
     "$program" roll "$file" --points 0 --threads 1 --no-report --quiet --output out \
         --set output.vtk='"none"' "$@" >/dev/null || complain "failed: $file $*"

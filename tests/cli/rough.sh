@@ -5,7 +5,7 @@
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
 # 1. The plane of the cases, on half-space and layer.
-"$program" run "$source_dir/cases/rough_plane.toml" --quiet --no-studies --output plane \
+"$program" run "$source_dir/examples/cases/rough_plane.toml" --quiet --no-studies --output plane \
     --set rolling.periods=1 >plane.txt 2>&1 || complain "$(cat plane.txt)"
 [ -s plane/summary.json ] && [ -s plane/report.html ] || complain "the plane's files"
 grep -q '"audit_passed": *true\|"passed": *true' plane/summary.json || complain "audit of the plane"

@@ -31,7 +31,7 @@ truncate -s -1 one/contact/model.cc
 digest one moved.cc
 ! cmp -s moved.cc another.cc || complain "the same digest of another name"
 
-"$program" refine "$source_dir/cases/rig_sphere_parallel.toml" --model bem --output refined --quiet \
+"$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output refined --quiet \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null ||
     complain "the refinement"
 kept=$(grep -oE '"numerics": "[0-9a-f]{64}"' refined/level_0/level.json | grep -oE '[0-9a-f]{64}')
@@ -41,7 +41,7 @@ unit=$(dirname "$program")/app_numerics_digest.cc
 
 # What another program, or this one with other numerics, left is not taken.
 sed -i "s/$kept/$(printf '%064d' 0)/" refined/level_0/level.json
-"$program" refine "$source_dir/cases/rig_sphere_parallel.toml" --model bem --output refined \
+"$program" refine "$source_dir/examples/cases/rig_sphere_parallel.toml" --model bem --output refined \
     --set "bem.spacing=1 mm" --set rolling.periods=1 --set rolling.steps=turning-points >/dev/null 2>log ||
     complain "the second refinement"
 grep -c 'taken from' log | grep -qx 2 || complain "taken over: $(grep 'taken from' log)"

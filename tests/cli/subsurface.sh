@@ -3,7 +3,7 @@
 # usage: subsurface.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 
-case_file=$source_dir/cases/rig_sphere_inside.toml
+case_file=$source_dir/examples/cases/rig_sphere_inside.toml
 
 # 1. Half-space and layer, nu = 0.3 and no friction.
 "$program" run "$case_file" --models bem,bem-layer --quiet --no-studies --output inside \

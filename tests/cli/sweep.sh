@@ -10,7 +10,7 @@ study() {
     local file=$1
     shift
     cat >"$file" <<EOF
-case = "$source_dir/cases/rig_sphere_parallel.toml"
+case = "$source_dir/examples/cases/rig_sphere_parallel.toml"
 models = ["mdr", "bem"]
 [set]
 rolling.steps = "turning-points"
@@ -31,7 +31,7 @@ study a.toml 'load.tangential_ratio = [0.1, 0.3]' \
     "load.tangential_ratio,rolling.amplitude_m,model,level 0.1,5e-04,mdr,0 0.1,5e-04,bem,0 \
 0.1,0.001,mdr,0 0.3,5e-04,mdr,0 " ] || complain "order: $(cut -d, -f1-4 a/results.csv)"
 grep -q '^sweep: 12 points in ' log || complain "progress: $(cat log)"
-"$program" run "$source_dir/cases/rig_sphere_parallel.toml" --output alone --quiet --no-report \
+"$program" run "$source_dir/examples/cases/rig_sphere_parallel.toml" --output alone --quiet --no-report \
     --no-studies --models bem --set rolling.steps=turning-points --set rolling.periods=3 \
     --set bem.cells_per_radius=6 --set load.tangential_ratio=0.3 --set "rolling.amplitude=1 mm"
 for name in final_shift_ratio contact_radius_m limit_tangential_ratio; do
@@ -131,7 +131,7 @@ refused "the file cannot be read" sweep missing.toml
 refused "--shard 4/3: must be i/n" sweep ../a.toml --shard 4/3
 refused "--shard 0/3: must be i/n" sweep ../a.toml --shard 0/3
 refused "--shard 1of3: must be i/n" sweep ../a.toml --shard 1of3
-refused "this is a contact case, not a study" sweep "$source_dir/cases/rig_sphere_parallel.toml"
+refused "this is a contact case, not a study" sweep "$source_dir/examples/cases/rig_sphere_parallel.toml"
 refused "missing: holds no results.sqlite" merge out missing
 refused "is the output folder too" merge ../whole ../whole
 echo "no database at all, but long enough to be taken for one" >results/results.sqlite
@@ -139,7 +139,7 @@ refused "is no file of results" merge ../whole ../results
 refused "results.sqlite: is there already, and tricontact did not write it" sweep ../a.toml --output ../results
 
 # 7. The example of docs/sweeps.md is refused by nothing but its size.
-"$program" sweep "$source_dir/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||
+"$program" sweep "$source_dir/examples/studies/rig_layer.toml" --output example --shard 1/100000 --quiet ||
     complain "the example"
 
 finish

@@ -8,7 +8,7 @@ trap 'kill -9 $child 2>/dev/null; chmod -R u+w "$work"; rm -rf "$work"' EXIT
 
 # Every fifth point fails: it would slide, which the model finds out when it knows F_N.
 cat >study.toml <<EOF
-case = "$source_dir/cases/rig_sphere_parallel.toml"
+case = "$source_dir/examples/cases/rig_sphere_parallel.toml"
 models = ["mdr"]
 [set]
 load.indentation = "0.5 mm"

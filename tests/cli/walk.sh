@@ -3,7 +3,7 @@
 # walk; what is refused leaves nothing behind.
 # usage: walk.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
-cases=$source_dir/cases
+cases=$source_dir/examples/cases
 
 # walk NAME CASE OPTIONS...: into the folder NAME, table to NAME.txt.
 walk() {

@@ -10,7 +10,7 @@ study() {
     local file=$1
     shift
     cat >"$file" <<EOF
-case = "$source_dir/cases/walking_set_b.toml"
+case = "$source_dir/examples/cases/walking_set_b.toml"
 [set]
 time.end = 60
 [vary]
@@ -90,7 +90,7 @@ refused "is a study of walking machines" fit ../bad.toml
 
 # 6. A machine on rounded tips shakes down, or ratchets, as it is rocked: its limit is m = 0.5.
 cat >rocking.toml <<END
-case = "$source_dir/cases/walking_rocking.toml"
+case = "$source_dir/examples/cases/walking_rocking.toml"
 [set]
 bed.springs = 24
 time.end = 2513.3
@@ -103,7 +103,7 @@ grep -q '^7e-05,ratcheting,' rocking/results.csv || complain "0.7 does not ratch
 grep -q 'Quasi-static, it shakes down up to' rocking/report.html || complain "no limit in the report"
 
 # 7. The studies of the thesis are refused by nothing but their size.
-for file in "$source_dir"/studies/walking_*.toml; do
+for file in "$source_dir"/examples/studies/walking_*.toml; do
     "$program" sweep "$file" --output example --shard 1/100000 --quiet || complain "$file"
     rm -rf example
 done

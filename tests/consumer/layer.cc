@@ -5,8 +5,8 @@
 
 #include "contact/load_path.h"
 #include "fem/model.h"
-#include "io/case_reader.h"
-#include "theory/elastic_layer.h"
+#include "io/case/case_reader.h"
+#include "theory/layer/elastic_layer.h"
 
 using namespace tricontact;
 

@@ -7,7 +7,7 @@
 #include "bem/model.h"
 #include "contact/error.h"
 #include "contact/run.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 #include "theory/cattaneo_mindlin.h"
 
 using namespace tricontact;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "contact/error.h"
-#include "io/case_reader.h"
-#include "io/case_writer.h"
-#include "io/walk_reader.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "walking/input/walk_reader.h"
 
 namespace {
 

@@ -18,7 +18,7 @@ cmake --install "$build" --prefix "$copy.prefix" >/dev/null
 mv "$copy.prefix" "$copy"
 
 for file in bin/tricontact lib*/cmake/Tricontact/TricontactConfig.cmake include/tricontact/contact/case.h \
-    lib*/libtricontact_contact.a share/tricontact/cases/rig_sphere_parallel.toml; do
+    lib*/libtricontact_contact.a share/tricontact/examples/cases/rig_sphere_parallel.toml; do
     compgen -G "$copy/$file" >/dev/null || complain "there is no $file"
 done
 # Neither by name nor by a path: the build, the sources, the first prefix.

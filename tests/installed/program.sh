@@ -15,11 +15,11 @@ complain() {
 }
 
 ln -s "$copy/bin/tricontact" linked
-./linked run "$copy/share/tricontact/cases/rig_sphere_parallel.toml" --models mdr --quiet \
+./linked run "$copy/share/tricontact/examples/cases/rig_sphere_parallel.toml" --models mdr --quiet \
     --no-report --output mdr || complain "the program does not run a case"
 [ -s mdr/summary.json ] || complain "no summary.json"
 if ./linked list | grep -q '^  fem '; then
-    ./linked mesh "$copy/share/tricontact/cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' \
+    ./linked mesh "$copy/share/tricontact/examples/cases/rig_layer_parallel.toml" --set 'fem.size=2 mm' \
         --output mesh >/dev/null || complain "the program does not find its finite elements"
 fi
 

@@ -12,7 +12,7 @@ COPY = Path(os.environ["TRICONTACT_COPY"])
 
 @pytest.fixture
 def examples():
-    return COPY / "share" / "tricontact"
+    return COPY / "share" / "tricontact" / "examples"
 
 
 @pytest.fixture

@@ -6,8 +6,7 @@ from pathlib import Path
 
 
 def test_examples(examples, tmp_path, monkeypatch):
-    for name in ("cases", "studies"):
-        (tmp_path / name).symlink_to(examples / name)
+    (tmp_path / "examples").symlink_to(examples)
     monkeypatch.chdir(tmp_path)
     document = Path(os.environ["TRICONTACT_DOCS"]) / "python.md"
     flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE

@@ -9,7 +9,7 @@
 #include <random>
 #include <string_view>
 
-#include "contact/material.h"
+#include "contact/substrates/material.h"
 
 namespace tricontact::random_cases {
 

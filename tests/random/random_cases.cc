@@ -17,7 +17,7 @@
 
 #include "contact/error.h"
 #include "contact/run.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 #include "tests/random/case_generator.h"
 #include "tests/random/random_models.h"
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/walk_batch.h"
+#include "walking/run/walk_batch.h"
 
 namespace {
 
-using namespace tricontact::dynamics;
+using namespace tricontact::walking;
 
 constexpr double times = 10;
 

@@ -18,8 +18,8 @@
 #include "contact/error.h"
 #include "contact/run.h"
 #include "contact/verdict.h"
-#include "io/case_reader.h"
-#include "io/case_writer.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
 #include "tests/random/case_generator.h"
 #include "tests/random/random_models.h"
 

@@ -10,7 +10,7 @@
 #include "contact/load_path.h"
 #include "tests/verification/bem_rig.h"
 #include "tests/verification/bodies_cases.h"
-#include "theory/body_rolling.h"
+#include "theory/rolling/body_rolling.h"
 
 namespace tricontact::bem {
 namespace {

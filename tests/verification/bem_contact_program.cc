@@ -12,7 +12,7 @@
 #include "contact/load_path.h"
 #include "contact/placement.h"
 #include "contact/surface_model.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"
 #include "tests/verification/contact_program_prints.h"
 #include "theory/cattaneo_mindlin.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "bem/grid_interior.h"
-#include "contact/subsurface.h"
+#include "contact/solvers/subsurface.h"
 #include "tests/verification/bem_rig.h"
 #include "theory/axisymmetric_interior.h"
 

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "bem/model.h"
-#include "comparisons/peer_shifts.h"
+#include "comparisons/run/peer_shifts.h"
 #include "contact/run.h"
 #include "tests/verification/bem_rig.h"
-#include "theory/elastic_layer.h"
+#include "theory/layer/elastic_layer.h"
 
 namespace tricontact {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "bem/model.h"
-#include "contact/line_contact_scales.h"
+#include "contact/bodies/line_contact_scales.h"
 #include "contact/run.h"
 #include "theory/line_contact.h"
 #include "theory/oscillating_cylinder.h"

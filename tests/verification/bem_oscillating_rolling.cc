@@ -8,9 +8,9 @@
 #include <numbers>
 #include <string>
 
-#include "comparisons/peer_shifts.h"
+#include "comparisons/run/peer_shifts.h"
 #include "tests/verification/bem_rig.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::bem {
 namespace {

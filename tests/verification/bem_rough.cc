@@ -9,11 +9,11 @@
 
 #include "bem/model.h"
 #include "bem/periodic_compliance.h"
-#include "contact/normal_solver.h"
+#include "contact/bodies/rough_indenter.h"
+#include "contact/bodies/roughness.h"
 #include "contact/placement.h"
-#include "contact/rough_indenter.h"
-#include "contact/roughness.h"
 #include "contact/run.h"
+#include "contact/solvers/normal_solver.h"
 
 namespace tricontact {
 namespace {

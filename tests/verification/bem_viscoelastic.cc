@@ -10,7 +10,7 @@
 
 #include "bem/model.h"
 #include "contact/load_path.h"
-#include "contact/relaxing_case.h"
+#include "contact/substrates/relaxing_case.h"
 #include "tests/verification/bem_rig.h"
 
 namespace tricontact {

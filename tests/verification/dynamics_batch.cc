@@ -5,11 +5,11 @@
 #include <string>
 #include <tuple>
 
-#include "../unit/dynamics_sets.h"
-#include "dynamics/batch.h"
-#include "dynamics/walk_case.h"
+#include "tests/unit/walking/sets.h"
+#include "walking/kernels/batch.h"
+#include "walking/machine/walk_case.h"
 
-namespace tricontact::dynamics {
+namespace tricontact::walking {
 namespace {
 
 constexpr double step = 1e-3;
@@ -153,4 +153,4 @@ TEST(WalkingMap, SharesAreThoseOfTheTableInBothPrecisions) {
 }
 
 }  // namespace
-}  // namespace tricontact::dynamics
+}  // namespace tricontact::walking

@@ -8,18 +8,18 @@
 #include <numbers>
 #include <optional>
 
-#include "dynamics/bed.h"
-#include "dynamics/drift.h"
-#include "dynamics/velocity_verlet.h"
-#include "dynamics/walk_case.h"
-#include "dynamics/walk_run.h"
 #include "tests/verification/mdr_roller.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/rolling/oscillating_rolling.h"
+#include "walking/machine/bed.h"
+#include "walking/machine/velocity_verlet.h"
+#include "walking/machine/walk_case.h"
+#include "walking/run/drift.h"
+#include "walking/run/walk_run.h"
 
 namespace tricontact {
 namespace {
 
-using namespace dynamics;
+using namespace walking;
 
 // A rocker on one tip whose centre of curvature is above the centre of gravity. A long soft spring
 // at the height of the ground pulls with constant force and without a moment.

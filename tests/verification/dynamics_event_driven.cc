@@ -3,14 +3,14 @@
 #include <array>
 #include <cmath>
 
-#include "../unit/dynamics_sets.h"
-#include "dynamics/event_driven.h"
-#include "dynamics/reference_cycle.h"
-#include "dynamics/velocity_verlet.h"
-#include "dynamics/verlet_energy.h"
-#include "dynamics/walk_case.h"
+#include "tests/unit/walking/sets.h"
+#include "walking/machine/event_driven.h"
+#include "walking/machine/velocity_verlet.h"
+#include "walking/machine/verlet_energy.h"
+#include "walking/machine/walk_case.h"
+#include "walking/run/reference_cycle.h"
 
-namespace tricontact::dynamics {
+namespace tricontact::walking {
 namespace {
 
 double distance(const Motion& a, const Motion& b) {
@@ -126,4 +126,4 @@ TEST(EventDrivenReference, EndsInTheLimitCycleOfSetB) {
 }
 
 }  // namespace
-}  // namespace tricontact::dynamics
+}  // namespace tricontact::walking

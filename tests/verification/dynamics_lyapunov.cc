@@ -3,12 +3,12 @@
 #include <cmath>
 #include <vector>
 
-#include "../unit/dynamics_sets.h"
-#include "dynamics/event_driven.h"
-#include "dynamics/lyapunov.h"
-#include "dynamics/walk_case.h"
+#include "tests/unit/walking/sets.h"
+#include "walking/machine/event_driven.h"
+#include "walking/machine/walk_case.h"
+#include "walking/run/lyapunov.h"
 
-namespace tricontact::dynamics {
+namespace tricontact::walking {
 namespace {
 
 struct Sample {
@@ -95,10 +95,11 @@ TEST(Lyapunov, IsZeroOnTheLimitCycle) {
     Motion start = run.motion();
     start.x -= start.base;  // where x is large, its rounding is
     start.base = 0;
-    const Mean found = lyapunov_exponent(machine, start, {.alignment = 200, .duration = 1000});
+    const statistics::Mean found =
+        lyapunov_exponent(machine, start, {.alignment = 200, .duration = 1000});
     EXPECT_NEAR(found.value, 0, 0.003);
     EXPECT_LT(found.error, 0.01);
 }
 
 }  // namespace
-}  // namespace tricontact::dynamics
+}  // namespace tricontact::walking

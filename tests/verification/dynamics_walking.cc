@@ -7,10 +7,10 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/batch.h"
-#include "dynamics/walk_batch.h"
+#include "walking/kernels/batch.h"
+#include "walking/run/walk_batch.h"
 
-namespace tricontact::dynamics {
+namespace tricontact::walking {
 namespace {
 
 // Wetter (2016), eqs. 4.1.25 and 4.1.26.
@@ -135,4 +135,4 @@ TEST(Walking, IntervalsOfChaosHoldTheMean) {
 }
 
 }  // namespace
-}  // namespace tricontact::dynamics
+}  // namespace tricontact::walking

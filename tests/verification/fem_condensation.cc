@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "fem/condensed_layer.h"
-#include "tests/unit/fem_box_mesh.h"
-#include "theory/layer_compliance.h"
+#include "tests/unit/fem/box_mesh.h"
+#include "theory/layer/layer_compliance.h"
 
 namespace tricontact {
 namespace {

@@ -14,7 +14,7 @@
 #include "fem/layer_cache.h"
 #include "fem/model.h"
 #include "fem/workshop.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact {
 namespace {

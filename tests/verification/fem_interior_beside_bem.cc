@@ -12,7 +12,7 @@
 #include "bem/model.h"
 #include "contact/load_path.h"
 #include "tests/verification/fem_rig.h"
-#include "theory/case_layers.h"
+#include "theory/layer/case_layers.h"
 
 namespace tricontact::fem {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "comparisons/peer_shifts.h"
-#include "fem_rig.h"
+#include "comparisons/run/peer_shifts.h"
+#include "tests/verification/fem_rig.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::fem {

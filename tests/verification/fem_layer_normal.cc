@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "fem_rig.h"
+#include "tests/verification/fem_rig.h"
 #include "theory/hertz.h"
 
 namespace tricontact::fem {

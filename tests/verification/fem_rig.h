@@ -4,7 +4,7 @@
 
 #include "contact/run.h"
 #include "fem/model.h"
-#include "theory/elastic_layer.h"
+#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::fem {
 

@@ -4,7 +4,7 @@
 
 #include "bem/model.h"
 #include "contact/run.h"
-#include "io/case_reader.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact {
 namespace {

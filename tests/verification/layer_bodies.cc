@@ -8,13 +8,13 @@
 #include <string>
 
 #include "bem/model.h"
-#include "contact/pressure_shape.h"
+#include "contact/bodies/pressure_shape.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 #include "tests/verification/bodies_cases.h"
-#include "theory/body_rolling.h"
-#include "theory/case_layers.h"
-#include "theory/elastic_layer.h"
+#include "theory/layer/case_layers.h"
+#include "theory/layer/elastic_layer.h"
+#include "theory/rolling/body_rolling.h"
 
 namespace tricontact {
 namespace {

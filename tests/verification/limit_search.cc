@@ -1,7 +1,7 @@
 // Limits of shakedown by bisection: against the closed form of Hertz' contact, 1 - 3/2 w + 1/2 w^3,
 // exact without coupling at any angle, and against the limit of the exact layer.
 
-#include "comparisons/limit_search.h"
+#include "comparisons/shakedown/limit_search.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "tests/verification/bem_rig.h"
 #include "tests/verification/mdr_roller.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "tests/verification/bodies_cases.h"
 #include "tests/verification/mdr_roller.h"
-#include "theory/body_rolling.h"
+#include "theory/rolling/body_rolling.h"
 
 namespace tricontact {
 namespace {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "bem/model.h"
-#include "contact/normal_solver.h"
 #include "contact/run.h"
+#include "contact/solvers/normal_solver.h"
 #include "mdr/even_load.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
-#include "theory/elastic_layer.h"
+#include "theory/layer/elastic_layer.h"
 
 namespace tricontact {
 namespace {

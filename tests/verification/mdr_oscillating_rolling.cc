@@ -7,7 +7,7 @@
 
 #include "contact/run.h"
 #include "tests/verification/mdr_roller.h"
-#include "theory/oscillating_rolling.h"
+#include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "rolling/steady_rolling.h"
-#include "tests/unit/rolling_problems.h"
-#include "theory/carter.h"
+#include "tests/unit/rolling/problems.h"
+#include "theory/rolling/carter.h"
 
 namespace tricontact {
 namespace {

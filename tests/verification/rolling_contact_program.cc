@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "bem/model.h"
-#include "contact/moving_frame.h"
-#include "io/case_reader.h"
+#include "contact/solvers/moving_frame.h"
+#include "io/case/case_reader.h"
 #include "rolling/steady_rolling.h"
 #include "rolling/transient_rolling.h"
-#include "tests/unit/rolling_problems.h"
+#include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
 
 namespace tricontact {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/moving_frame.h"
+#include "contact/solvers/moving_frame.h"
 #include "rolling/linear_creep.h"
 #include "rolling/steady_rolling.h"
-#include "tests/unit/rolling_problems.h"
-#include "theory/case_layers.h"
-#include "theory/free_rolling.h"
+#include "tests/unit/rolling/problems.h"
+#include "theory/layer/case_layers.h"
+#include "theory/rolling/free_rolling.h"
 
 namespace tricontact {
 namespace {

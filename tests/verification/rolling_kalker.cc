@@ -1,4 +1,4 @@
-// The linear theory of elliptic contacts against Kalker's table (see theory/kalker.h).
+// The linear theory of elliptic contacts against Kalker's table (see theory/rolling/kalker.h).
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
-#include "comparisons/tractive/creep_theory.h"
+#include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
 #include "rolling/steady_rolling.h"
-#include "theory/kalker.h"
+#include "theory/rolling/kalker.h"
 
 namespace tricontact {
 namespace {
@@ -86,9 +86,8 @@ TEST(RollingKalker, CoefficientsOfEllipses) {
 double stiffness_ratio(const contact::Case& given, double cells) {
     contact::Case c = given;
     c.bem.cells_per_radius = cells;
-    const auto theories = comparisons::tractive::creep_theories(c);
-    const auto linear =
-        std::ranges::find(theories, "kalker_linear", &comparisons::tractive::CreepTheory::key);
+    const auto theories = rolling::creep_theories(c);
+    const auto linear = std::ranges::find(theories, "kalker_linear", &rolling::CreepTheory::key);
     const double friction = c.friction_coefficient * *c.load.normal_force;
     rolling::RollingProblem problem;
     problem.indenter = c.make_indenter();

@@ -8,12 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "contact/relaxing_substrate.h"
+#include "contact/substrates/relaxing_substrate.h"
 #include "rolling/run.h"
-#include "tests/unit/rolling_problems.h"
-#include "theory/foundation_rolling.h"
-#include "theory/hunter.h"
-#include "theory/slow_rolling.h"
+#include "tests/unit/rolling/problems.h"
+#include "theory/rolling/foundation_rolling.h"
+#include "theory/rolling/hunter.h"
+#include "theory/rolling/slow_rolling.h"
 
 namespace tricontact {
 namespace {
@@ -129,8 +129,8 @@ TEST(RollingRelaxing, TheMaterialDissipatesWhatResistanceWorks) {
     EXPECT_LT(error[1], 1e-3);
 }
 
-// Slow rolling takes W = F_N sum g_i v tau_i/R of any paraboloid (theory/slow_rolling.h); what
-// comes next is linear in the speed.
+// Slow rolling takes W = F_N sum g_i v tau_i/R of any paraboloid (theory/rolling/slow_rolling.h);
+// what comes next is linear in the speed.
 TEST(RollingRelaxing, SlowRollingOfASphereResistsLikeAViscousForce) {
     const Rig rig{.n = 12};
     std::vector<double> error;

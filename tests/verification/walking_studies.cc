@@ -6,41 +6,41 @@
 #include <algorithm>
 #include <thread>
 
-#include "comparisons/walking/walk_grid.h"
-#include "comparisons/walking/walk_sweep.h"
-#include "dynamics/walk_batch.h"
+#include "walking/run/walk_batch.h"
+#include "walking/study/walk_grid.h"
+#include "walking/study/walk_sweep.h"
 
-namespace tricontact::comparisons::walking {
+namespace tricontact::walking {
 namespace {
 
-constexpr dynamics::Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
+constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
 
-std::vector<dynamics::Walk> walks_of(const std::vector<dynamics::WalkCase>& cases) {
+std::vector<Walk> walks_of(const std::vector<WalkCase>& cases) {
     const int n_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    return dynamics::walk_batch(cases, {.tail = 1, .interval = 0.1}, {.n_threads = n_threads});
+    return walk_batch(cases, {.tail = 1, .interval = 0.1}, {.n_threads = n_threads});
 }
 
 /// 40 x 40 machines over kappa8 in [0, 2] and mu in [0.1, 2], T = 4000, tilting beyond |phi| =
 /// 0.01.
 WalkSweep map_of_the_thesis() {
     constexpr int n = 40;
-    std::vector<dynamics::WalkCase> cases;
+    std::vector<WalkCase> cases;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            dynamics::WalkCase& c = cases.emplace_back();
+            WalkCase& c = cases.emplace_back();
             c.machine.kappas = set_b;
             c.machine.kappas.kappa8 = 2. * i / (n - 1);
             c.machine.kappas.kappa5 = 0.1 + 1.9 * j / (n - 1);
             c.machine.tilting_angle = 0.02;
             c.time = {.step = 1e-3, .end = 4000};
         }
-    const std::vector<dynamics::Walk> walks = walks_of(cases);
+    const std::vector<Walk> walks = walks_of(cases);
     WalkSweep sweep{.title = {},
                     .settings = {},
                     .axes = {{"machine.kappa8", ""}, {"machine.kappa5", ""}},
                     .points = {}};
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const dynamics::Machine& machine = cases[i].machine;
+        const Machine& machine = cases[i].machine;
         sweep.points.push_back({.values = {machine.kappas.kappa8, machine.kappas.kappa5},
                                 .machine = machine,
                                 .outcome = outcome_of(cases[i], walks[i])});
@@ -67,4 +67,4 @@ TEST(WalkingStudies, RegionsOfTheMap) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons::walking
+}  // namespace tricontact::walking

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+
+#include "app/any_case.h"
+#include "app/commands/commands.h"
+#include "app/models.h"
+#include "comparisons/quantities/glossary.h"
+#include "comparisons/quantities/reference.h"
+#include "contact/error.h"
+#include "io/case/case_keys.h"
+#include "io/case/case_writer.h"
+#include "io/keys/key_reference.h"
+#include "rolling/creep_theory.h"
+#include "walking/input/walk_keys.h"
+#include "walking/input/walk_reader.h"
+#include "walking/report/walk_text.h"
+
+namespace tricontact::app {
+
+namespace {
+
+std::string derived_values(const contact::Case& c) {
+    const contact::HalfSpaceScales hertz = half_space_scales(c);
+    const contact::MaterialPair materials = c.materials();
+    std::string text = c.is_cylindrical()
+                           ? "# What follows from it (Hertz' line contact, a strip of its length)\n"
+                           : "# What follows from it on the half-space\n";
+    auto line = [&](const char* name, double value, const char* unit, const char* meaning) {
+        text += fmt::format("# {:<8} = {:>12.6g} {:<4} {}\n", name, value, unit, meaning);
+    };
+    line("a", hertz.contact_radius * 1e3, "mm",
+         c.is_cylindrical() ? "half width of the contact" : "contact radius");
+    line("d", hertz.indentation * 1e3, "mm", "indentation");
+    line("F_N", hertz.normal_force, "N", "normal force");
+    line(contact::has_conical_tip(c) ? "p_m" : "p0", hertz.peak_pressure * 1e-6, "MPa",
+         comparisons::pressure_name(c));
+    line("U_max", hertz.unit_shift * 1e3, "mm", "shift at the onset of sliding");
+    line("E*", materials.effective_modulus() * 1e-6, "MPa", "effective modulus");
+    line("G*", materials.effective_shear_modulus() * 1e-6, "MPa", "effective shear modulus");
+    line("beta", materials.dundurs_beta(), "-", "Dundurs' constant");
+    if (c.tractive_rolling)
+        line("xi_unit", rolling::creepage_unit(c), "-", "unit of creepage, mu a/R");
+    if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
+    const double limit = c.friction_coefficient * hertz.normal_force;
+    const double force =
+        c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
+    line("F_T", force, "N", "tangential force");
+    line("f_T", force / limit, "-", "F_T/(mu F_N)");
+    if (!c.rolling) return text;
+    const double amplitude = rolling_amplitude(*c.rolling, hertz.contact_radius);
+    const double w = amplitude / hertz.contact_radius;
+    line("W", amplitude * 1e3, "mm", "rolling amplitude");
+    line("w", w, "-", "W/a");
+    if (const auto limit_ratio = comparisons::reference(c).limit_tangential_ratio)
+        line("f_T,lim", *limit_ratio, "-", "shakedown limit of uncoupled contact");
+    return text;
+}
+
+/// The resolved case and what follows from it.
+struct Resolved {
+    std::string operator()(const contact::Case& c) const {
+        return io::write_case(c) + '\n' + derived_values(c);
+    }
+    std::string operator()(const walking::WalkCase& c) const {
+        return walking::write_walk_case(c) + '\n' + walking::walk_scales_text(c);
+    }
+};
+
+}  // namespace
+
+void check_command(const std::string& case_file, const std::vector<std::string>& overrides) {
+    std::cout << std::visit(Resolved{}, read_any_case(case_file, overrides));
+}
+
+void list_command(const std::optional<std::string>& given) {
+    const std::string folder = given.value_or(
+        std::filesystem::is_directory("examples/cases") ? "examples/cases" : "cases");
+    std::cout << "models\n";
+    for (const auto& model : known_models())
+        std::cout << fmt::format("  {:<8} {}\n", model.name, model.text);
+    if (!std::filesystem::is_directory(folder)) {
+        if (!given) return;
+        throw contact::InputError(folder + ": is not a folder; name one that holds case files");
+    }
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    std::cout << "cases\n";
+    for (const auto& file : files) {
+        const auto title = [](const auto& c) { return c.title; };
+        std::cout << fmt::format("  {}: {}\n", file, std::visit(title, read_any_case(file)));
+    }
+}
+
+void keys_command(const std::string& kind) {
+    if (kind == "results")
+        std::cout << comparisons::glossary();
+    else if (kind == "summary")
+        std::cout << comparisons::summary_keys();
+    else
+        std::cout << io::key_reference(kind == "walking" ? walking::walk_key_list()
+                                                         : io::case_key_list());
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/commands/commands.h"
+#include "app/studies/compute_point.h"
+#include "app/studies/point_runs.h"
+#include "comparisons/half_space/deviation_output.h"
+#include "contact/error.h"
+#include "files/version.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+#include "io/results/result_store.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::HalfSpaceDeviation;
+using comparisons::RolledResult;
+using comparisons::RolledRun;
+
+/// Refuses a case without deviations, with the place of the file, before anything is removed.
+void check_contact(const DeviationOptions& options, const contact::Case& c) {
+    try {
+        comparisons::deviation_contact(c);
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(options.case_file + ": " + error.what());
+    }
+}
+
+std::vector<RolledRun> runs_of(const HalfSpaceDeviation& deviation) {
+    std::vector<RolledRun> runs;
+    for (const auto& body : comparisons::rolled_bodies(deviation))
+        for (const RolledRun& run : comparisons::runs_on(body, deviation.amplitudes))
+            runs.push_back(run);
+    return runs;
+}
+
+SweepPoint point_of(const HalfSpaceDeviation& deviation, const RolledRun& run,
+                    const std::string& name) {
+    const contact::Case c =
+        comparisons::rolled_case(deviation.c, deviation.contact, deviation.amplitudes, run);
+    // Whatever the user's case passes, that of a run is checked by itself.
+    const contact::Case checked = io::parse_case(io::write_case(c), name);
+    return make_point(checked, checked.models.front(), run.level, name);
+}
+
+void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
+    const std::vector<RolledRun> runs = runs_of(deviation);
+    if (runs.empty()) return;
+    std::vector<SweepPoint> points;
+    for (const RolledRun& run : runs) points.push_back(point_of(deviation, run, options.case_file));
+    io::ResultStore store = open_results(options.output);
+    compute_missing(points, store,
+                    {.name = "deviation", .jobs = options.jobs, .quiet = options.quiet});
+    std::vector<RolledResult> results;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const auto outcome = store.find(points[i].key);
+        results.push_back({runs[i], outcome && outcome->results
+                                        ? std::optional(results_of(*outcome))
+                                        : std::nullopt});
+    }
+    comparisons::add_rolled(results, deviation);
+}
+
+std::string command_of(const DeviationOptions& options) {
+    std::string command = "tricontact deviation " + options.case_file;
+    for (const std::string& text : options.overrides) command += fmt::format(" --set \"{}\"", text);
+    return command + (options.runs ? "" : " --no-runs");
+}
+
+void write(const DeviationOptions& options, const contact::Case& c,
+           const HalfSpaceDeviation& deviation) {
+    io::write_file(options.output + "/deviation.csv", deviation_csv(deviation));
+    io::write_file(options.output + "/deviation.json",
+                   deviation_json(files::version, io::write_case(c), deviation));
+    report::Document document = deviation_document(deviation);
+    document.command = command_of(options);
+    document.version = files::version;
+    io::write_file(options.output + "/report.html", document_html(document));
+}
+
+}  // namespace
+
+void deviation_command(const DeviationOptions& given) {
+    DeviationOptions options = given;
+    options.output = io::output_folder(options.output, options.case_file, "_deviation");
+    const contact::Case c = io::read_case(options.case_file, options.overrides);
+    refuse_rolling_on(c, options.case_file);
+    io::OutputFolder folder(options.output, {{"deviation.csv", "deviation.json", "report.html"},
+                                             io::result_store_files()});
+    check_contact(options, c);
+    HalfSpaceDeviation deviation;
+    folder.fill([&] {
+        deviation = comparisons::exact_deviation(c);
+        if (options.runs) add_runs(options, deviation);
+        write(options, c, deviation);
+    });
+    std::cout << deviation_text(deviation);
+    for (const auto& verdict : deviation_verdicts(deviation)) std::cout << verdict.sentence << '\n';
+    if (!options.quiet)
+        std::cerr << fmt::format("results in {} (open report.html)\n", options.output);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/case_run.h"
+#include "app/commands/commands.h"
+#include "contact/error.h"
+#include "experiments/records/experiment_reader.h"
+#include "experiments/records/experiment_report.h"
+#include "files/version.h"
+#include "io/case/case_reader.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using experiments::CaseQuantity;
+using experiments::Experiment;
+using experiments::ExperimentEvaluation;
+
+constexpr int enough_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
+
+/// What ratios of a case stand for: its own F_N [N] and W [m].
+struct Loads {
+    double normal_force = 0, amplitude = 0;
+};
+
+// The number of the case that a key stands for; null where the case states another one instead.
+double* number_of(const io::CaseKey& key, Case& c) {
+    const io::Field field = key.field(c);
+    if (auto* const* value = std::get_if<double*>(&field)) return *value;
+    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
+        return *value && **value ? &***value : nullptr;
+    return nullptr;
+}
+
+// Of an error of f_T or w the force or the length that the rig sets, see as_the_rig_sets.
+std::optional<CaseQuantity> set_quantity(const experiments::ExperimentInput::CaseError& error,
+                                         Case c, const Loads& loads) {
+    const double* stated = number_of(*error.key, c);
+    const std::string name(error.key->path);
+    if (stated && name == "load.tangential_ratio")
+        return CaseQuantity{name,
+                            error.standard_error * c.friction_coefficient * loads.normal_force,
+                            [](Case& set) -> double& { return *set.load.tangential_force; }};
+    if (stated && name == "rolling.amplitude_ratio")
+        return CaseQuantity{name, error.standard_error * loads.amplitude / *stated,
+                            [](Case& set) -> double& { return *set.rolling->amplitude; }};
+    return {};
+}
+
+// `c` as it was read, its loads as they were.
+std::vector<CaseQuantity> quantities_of(const experiments::ExperimentInput& input, const Case& c,
+                                        const Loads& loads) {
+    Case set = experiments::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
+    std::vector<CaseQuantity> quantities;
+    for (const auto& error : input.errors) {
+        const io::CaseKey& key = *error.key;
+        if (auto quantity = set_quantity(error, c, loads)) {
+            quantities.push_back(std::move(*quantity));
+            continue;
+        }
+        if (!number_of(key, set))
+            throw contact::InputError(fmt::format(
+                "{}: errors.{}: the case does not state this number; name the key that it has",
+                error.place, key.path));
+        quantities.push_back({std::string(key.path), error.standard_error,
+                              [&key](Case& any) -> double& { return *number_of(key, any); },
+                              key.range.high});
+    }
+    return quantities;
+}
+
+/// The models of the case, rolled as the rig rolled.
+class Predictions {
+  public:
+    Predictions(const experiments::ExperimentInput& input, const ExperimentOptions& options,
+                ExperimentEvaluation& evaluation)
+        : input_(input), options_(options), evaluation_(evaluation) {}
+
+    void add() {
+        rest_as_recorded();
+        const auto& stage = evaluation_.runs.front().stages.front();
+        const Case c = case_with(evaluation_.amplitude, stage.period, evaluation_.periods, true);
+        if (!contact::is_hertz_round(c))
+            throw contact::InputError(*input_.case_file +
+                                      ": indenter.shape: records are compared with the formulas of "
+                                      "a sphere; give that, or a paraboloid");
+        const auto hertz = contact::half_space_scales(c);
+        const double amplitude =
+            c.rolling ? contact::rolling_amplitude(*c.rolling, hertz.contact_radius) : 0;
+        for (const auto& error : input_.errors)
+            evaluation_.uncertain_numbers.emplace_back(error.key->path);
+        experiments::normalise(evaluation_, c,
+                               quantities_of(input_, c, {hertz.normal_force, amplitude}));
+        for (const std::string& model : c.models)
+            if (evaluation_.kind == Experiment::Kind::limit)
+                add_states(model);
+            else
+                add_shift(model, c);
+    }
+
+  private:
+    /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
+    void rest_as_recorded() {
+        const Case c = io::read_case(*input_.case_file, {});
+        if (!c.relaxation) return;
+        const experiments::Rest& rest = evaluation_.rest;
+        experiments::RolledAs& as = evaluation_.rolled_as;
+        const bool case_knows = c.load.hold > 0 && c.load.hold >= rest.time;
+        as.hold_is_known = rest.is_whole || case_knows;
+        as.hold = !rest.is_whole && case_knows ? c.load.hold : rest.time;
+    }
+
+    Case case_with(double amplitude, double period, int periods, bool run_all) const {
+        std::vector<std::string> overrides{fmt::format("rolling.periods={}", periods),
+                                           fmt::format("rolling.run_all={}", run_all)};
+        if (amplitude > 0) overrides.push_back(fmt::format("rolling.amplitude={} m", amplitude));
+        const auto& hold = evaluation_.rolled_as.hold;
+        if (hold) overrides.push_back(fmt::format("load.hold={} s", *hold));
+        Case c = io::read_case(*input_.case_file, overrides);
+        if (!hold) return c;
+        if (amplitude == 0)
+            amplitude = contact::rolling_amplitude(*c.rolling,
+                                                   contact::half_space_scales(c).contact_radius);
+        c.rolling->speed = 4 * amplitude / period;
+        evaluation_.rolled_as.speed = c.rolling->speed;
+        return c;
+    }
+
+    contact::History run(const std::string& name, const Case& c) const {
+        return history_of(name, c, options_.threads, [](const std::string&) {});
+    }
+    void say(const std::string& line) const {
+        if (!options_.quiet) std::cerr << line << '\n';
+    }
+
+    static std::vector<double> shift_of(const contact::History& history) {
+        std::vector<double> shift{history.static_shift};
+        shift.insert(shift.end(), history.shift_per_period.begin(), history.shift_per_period.end());
+        return shift;
+    }
+    void add_shift(const std::string& name, const Case& c) {
+        say(fmt::format("{}: {} periods", name, evaluation_.periods));
+        const contact::History history = run(name, c);
+        experiments::ModelPrediction prediction{name,
+                                                shift_of(history),
+                                                history.verdict.state,
+                                                experiments::model_wobble(c, history),
+                                                {}};
+        const Loads loads{history.friction_limit / c.friction_coefficient, history.amplitude};
+        const Case set = experiments::as_the_rig_sets(c, loads.normal_force, loads.amplitude);
+        for (const CaseQuantity& quantity : quantities_of(input_, c, loads))
+            prediction.raised.push_back(raised(name, set, quantity, prediction.shift));
+        experiments::add_prediction(evaluation_, std::move(prediction));
+    }
+
+    /// The shift with a number larger by its error; where it cannot be, mirrored from a smaller
+    /// one.
+    std::vector<double> raised(const std::string& name, const Case& set,
+                               const CaseQuantity& quantity,
+                               const std::vector<double>& unchanged) const {
+        say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
+        Case other = set;
+        double& number = quantity.of_case(other);
+        const bool larger = number + quantity.standard_error <= quantity.largest;
+        number += larger ? quantity.standard_error : -quantity.standard_error;
+        std::vector<double> shift = shift_of(run(name, other));
+        for (std::size_t n = 0; n < shift.size() && !larger; ++n)
+            shift[n] = 2 * unchanged[n] - shift[n];
+        return shift;
+    }
+
+    void add_states(const std::string& name) {
+        experiments::PredictedLimit limit{name, {}};
+        for (const auto& stage : evaluation_.runs.front().stages) {
+            say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
+            const Case c = case_with(stage.amplitude, stage.period, enough_periods, false);
+            limit.states.push_back(run(name, c).verdict.state);
+        }
+        evaluation_.model_limits.push_back(std::move(limit));
+    }
+
+    const experiments::ExperimentInput& input_;
+    const ExperimentOptions& options_;
+    ExperimentEvaluation& evaluation_;
+};
+
+}  // namespace
+
+void experiment_command(const ExperimentOptions& given) {
+    ExperimentOptions options = given;
+    options.output = io::output_folder(options.output, options.data_file);
+    const experiments::ExperimentInput input = experiments::read_experiment(options.data_file);
+    io::OutputFolder folder(options.output, {{"experiment.json", "report.html"}});
+    ExperimentEvaluation evaluation = experiments::evaluate_experiment(input.experiment);
+    report::Document document;
+    folder.fill([&] {
+        if (input.case_file) Predictions(input, options, evaluation).add();
+        document = experiments::experiment_document(evaluation);
+        document.version = files::version;
+        document.command = "tricontact experiment " + options.data_file;
+        document.files = {{"all numbers", "experiment.json"}};
+        io::write_file(options.output + "/experiment.json",
+                       experiments::experiment_json(document.version, evaluation));
+        io::write_file(options.output + "/report.html", report::document_html(document));
+    });
+    for (const auto& verdict : document.verdicts) std::cout << verdict.sentence << '\n';
+    if (!options.quiet) std::cerr << "results in " << options.output << " (open report.html)\n";
+}
+
+}  // namespace tricontact::app

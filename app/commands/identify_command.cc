@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "app/commands/commands.h"
+#include "app/identification_models.h"
+#include "app/measured_values.h"
+#include "contact/error.h"
+#include "experiments/identification/identification_reader.h"
+#include "experiments/identification/identification_report.h"
+#include "files/version.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+#include "report/format.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using experiments::IdentificationStudy;
+using experiments::IdentificationTask;
+using experiments::IdentifiedModel;
+using experiments::Properties;
+using experiments::Property;
+using Measurement = experiments::IdentificationInput::Measurement;
+
+constexpr int n_curve_points = 60, n_profile_points = 41, n_map_points = 41;
+// Interpolated and direct model values at the best properties may differ by this, over the largest
+// value; ten times what the tables are made for, where grid cells make a curve rough.
+constexpr double largest_interpolation_error = 5e-3;
+
+IdentificationTask task_of(const experiments::IdentificationInput& input) {
+    IdentificationTask task;
+    task.observed = input.observed;
+    task.standard_errors = input.standard_errors;
+    task.start = {input.rig.substrate.young, input.rig.friction_coefficient};
+    task.young_is_free = input.young_is_free;
+    task.friction_is_free = input.friction_is_free;
+    if (input.friction_is_free)
+        task.least_friction = std::ranges::max(input.given) / *input.rig.load.normal_force;
+    task.confidence = input.confidence;
+    return task;
+}
+
+std::vector<double> equal_steps(double from, double to, int n) {
+    std::vector<double> values;
+    for (int i = 0; i < n; ++i) values.push_back(from + (to - from) * i / (n - 1));
+    return values;
+}
+
+/// Over the ranges of both profiles.
+experiments::SquaresMap map_of(const IdentificationTask& task, const IdentifiedModel& model) {
+    const auto range = [](const experiments::Profile& profile) {
+        return equal_steps(profile.value.front(), profile.value.back(), n_map_points);
+    };
+    experiments::SquaresMap map{range(*model.young_profile), range(*model.friction_profile), {}};
+    map.values = experiments::sums_of_squares(task, map.young, map.friction);
+    return map;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+    double difference = 0, largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        difference = std::max(difference, std::abs(a[i] - b[i]));
+        largest = std::max(largest, std::abs(b[i]));
+    }
+    return difference / largest;
+}
+
+/// One model at work on the input.
+class Identifier {
+  public:
+    Identifier(const experiments::IdentificationInput& input, int threads)
+        : input_(input), threads_(threads), task_(task_of(input)) {}
+
+    IdentifiedModel identify(const std::string& name, const std::vector<double>& curve_points) {
+        task_.model = prediction_of(name, input_, threads_);
+        IdentifiedModel model;
+        model.name = name;
+        model.found = experiments::identify(task_);
+        const Properties best = model.found.best;
+        if (input_.young_is_free) task_.start.young = best.young;  // of the next model
+        if (model.found.young) model.young_profile = profile(model, Property::young);
+        if (model.found.friction) model.friction_profile = profile(model, Property::friction);
+        if (model.found.young && model.found.friction) model.map = map_of(task_, model);
+        if (slides(best)) return model;
+        check_interpolation(model);
+        model.contributions = input_contributions(name, input_, task_, best, threads_);
+        model.curve = measured_values(name, input_.measurement, rig_with(input_, best),
+                                      curve_points, threads_);
+        return model;
+    }
+
+  private:
+    experiments::Profile profile(const IdentifiedModel& model, Property property) const {
+        return experiments::profile_of(task_, model.found, property, n_profile_points);
+    }
+
+    /// The largest force is all that this mu holds: models have no state there.
+    bool slides(const Properties& best) const {
+        constexpr double margin = 1e-6;
+        return input_.friction_is_free && best.friction < (1 + margin) * task_.least_friction;
+    }
+
+    void check_interpolation(IdentifiedModel& model) const {
+        if (model.name == "half-space") return;
+        const auto direct =
+            measured_values(model.name, input_.measurement, rig_with(input_, model.found.best),
+                            input_.given, threads_);
+        model.interpolation_error = largest_difference(model.found.fitted, direct);
+        if (*model.interpolation_error > largest_interpolation_error)
+            throw contact::NotConverged(fmt::format(
+                "{}: interpolated values are {:.1e} off the model's own, allowed {:.0e}; take a "
+                "finer resolution",
+                model.name, *model.interpolation_error, largest_interpolation_error));
+    }
+
+    const experiments::IdentificationInput& input_;
+    int threads_;
+    IdentificationTask task_;
+};
+
+struct Labels {
+    experiments::MeasuredQuantity given, observed;
+};
+
+Labels labels_of(Measurement measurement) {
+    const Labels labels[] = {// in the order of Measurement
+                             {{"tangential force F_T", "N"}, {"static shift U", "m"}},
+                             {{"indentation d", "m"}, {"normal force F_N", "N"}},
+                             {{"normal force F_N", "N"}, {"contact radius a", "m"}}};
+    return labels[static_cast<int>(measurement)];
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(
+    const experiments::IdentificationInput& input) {
+    const contact::Case& rig = input.rig;
+    std::vector<std::pair<std::string, std::string>> settings{
+        {"measurement", std::string(experiments::name_of(input.measurement))},
+        {"table", std::filesystem::path(input.data_file).filename().string()},
+        {"observations", std::to_string(input.observed.size())},
+        {"R", report::given_quantity(rig.indenter.radius, "m")},
+        {"nu", report::as_given(rig.substrate.poisson)}};
+    if (rig.layer.thickness)
+        settings.emplace_back("b", report::given_quantity(*rig.layer.thickness, "m"));
+    if (input.measurement == Measurement::static_shift)
+        settings.emplace_back("F_N", report::given_quantity(*rig.load.normal_force, "N"));
+    if (!input.young_is_free)
+        settings.emplace_back("E", report::given_quantity(rig.substrate.young, "Pa"));
+    if (!input.friction_is_free && input.measurement == Measurement::static_shift)
+        settings.emplace_back("mu", report::as_given(rig.friction_coefficient));
+    return settings;
+}
+
+IdentificationStudy study_of(const experiments::IdentificationInput& input,
+                             const IdentifyOptions& options) {
+    IdentificationStudy study;
+    study.title =
+        input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
+    study.measurement = experiments::name_of(input.measurement);
+    const Labels labels = labels_of(input.measurement);
+    study.given = labels.given;
+    study.observed = labels.observed;
+    study.given_values = input.given;
+    study.observed_values = input.observed;
+    study.standard_errors = input.standard_errors;
+    study.has_input_errors = !input.rig_errors.empty();
+    const double largest = std::ranges::max(input.given);
+    study.curve_points = equal_steps(largest / n_curve_points, largest, n_curve_points);
+    if (input.friction_is_free) study.least_friction = largest / *input.rig.load.normal_force;
+    study.settings = settings_of(input);
+    study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
+    study.version = files::version;
+    Identifier identifier(input, options.threads);
+    for (const std::string& name : input.models) {
+        if (!options.quiet) std::cerr << name << '\n';
+        study.models.push_back(identifier.identify(name, study.curve_points));
+    }
+    if (input.rig.layer.thickness) {
+        const contact::Case rig = rig_with(input, reference_model(study).found.best);
+        study.thickness_ratio =
+            *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
+    }
+    return study;
+}
+
+void print(const IdentificationStudy& study) {
+    std::cout << fmt::format("{:<11} {:<32} {:<26} {:>8}  {}\n", "model", "E", "mu", "R^2",
+                             "residuals");
+    for (const IdentifiedModel& model : study.models) {
+        const auto& found = model.found;
+        std::cout << fmt::format(
+            "{:<11} {:<32} {:<26} {:>8.5f}  {}\n", model.name,
+            found.young ? experiments::shown_young(model) : "given",
+            found.friction ? experiments::shown_friction(model) : "given", found.r_squared,
+            found.goodness
+                ? fmt::format("chi^2 = {:.3g}, {} degrees of freedom", found.sum_of_squares,
+                              found.degrees_of_freedom)
+                : report::quantity(found.residual_standard_deviation, study.observed.unit, 2));
+    }
+    for (const auto& verdict : experiments::identification_verdicts(study))
+        std::cout << verdict.sentence << '\n';
+}
+
+}  // namespace
+
+void identify_command(const IdentifyOptions& options) {
+    const experiments::IdentificationInput input = experiments::read_identification(options.file);
+    const std::string folder = io::output_folder(options.output, options.file);
+    io::OutputFolder output(folder, {{"identify.json", "report.html"}});
+    IdentificationStudy study;
+    output.fill([&] {
+        study = study_of(input, options);
+        io::write_file(folder + "/identify.json",
+                       experiments::identification_json(study).dump(2) + '\n');
+        io::write_file(folder + "/report.html",
+                       report::document_html(experiments::identification_document(study)));
+    });
+    print(study);
+}
+
+}  // namespace tricontact::app

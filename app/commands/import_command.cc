@@ -1,0 +1,35 @@
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "app/commands/commands.h"
+#include "bem/grid_compliance.h"
+#include "io/contact_program/case_text.h"
+#include "io/keys/file_kind.h"
+#include "io/keys/input_file.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_target.h"
+
+namespace tricontact::app {
+
+namespace {
+
+constexpr std::size_t largest_input_mb = 100;
+
+}  // namespace
+
+void import_command(const ImportOptions& options) {
+    io::refuse_toml(options.input_file);
+    const io::ImportedCase imported = io::case_of_sequence(
+        io::read_input_file(options.input_file, "input file of CONTACT", largest_input_mb),
+        options.input_file, bem::is_coupled);
+    io::check_output_file(options.output, io::imported_case_beginning);
+    io::write_file(options.output, imported.text);
+    std::cout << fmt::format("steps                {}\n", imported.n_steps);
+    if (imported.left_out > 0)
+        std::cout << fmt::format("left out             {} normal problems ahead of them\n",
+                                 imported.left_out);
+    std::cout << fmt::format("written              {}\n", options.output);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/numerics.h"
+#include "app/run_model.h"
+#include "app/studies/point_key.h"
+#include "app/studies/refinement_levels.h"
+#include "comparisons/resolution/refined_values.h"
+#include "comparisons/resolution/refinement_report.h"
+#include "comparisons/run/report.h"
+#include "contact/bodies/pressure_shape.h"
+#include "files/digest.h"
+#include "files/regular_file.h"
+#include "files/version.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Results;
+using json = nlohmann::ordered_json;
+
+const std::vector<std::string> results{resolved_case_name, "report.html", "refinement.csv",
+                                       "refinement.json"};
+
+/// The numbers of a finished level.
+struct Finished {
+    Results values;
+    double cpu_s = 0;
+};
+
+/// Empty if it cannot be read.
+std::string read_text(const std::string& path) {
+    constexpr std::uint64_t most_bytes = 100'000'000;
+    try {
+        return files::RegularFile(path).content(most_bytes);
+    } catch (const files::Unreadable&) {
+        return "";
+    }
+}
+
+/// What a level.json holds: nothing of it is believed unless all of it is what belongs to its
+/// numbers.
+json document_of(const Level& level, const Finished& done) {
+    json document{
+        {"version", files::version}, {"numerics", numerics_digest()},
+        {"case", level.resolved},    {"files", file_digests(level.c)},
+        {"cpu_s", done.cpu_s},       {"values", comparisons::stored_results(done.values)}};
+    document["digest"] = files::digest_of(document.dump());
+    return document;
+}
+
+/// Levels in the folders of a refinement. A level that is finished is not computed again as long as
+/// program and case are the same, and its file is as it was written.
+class Levels {
+  public:
+    explicit Levels(const RefineOptions& options) : options_(options) {}
+
+    Finished finish(const Level& level) const {
+        if (const auto found = find(level)) return *found;
+        return keep(level, run(level));
+    }
+    contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
+        say(fmt::format("{}: {}", level.name, level.what));
+        io::make_output_folder(folder(level));
+        // Those of an earlier call must not seem to be of this one while it is unfinished.
+        io::remove_old_results(options_.output, results);
+        io::remove_old_results(folder(level), {"level.json"});
+        io::remove_old_results(folder(level) + '/' + options_.model, model_results);
+        RunOptions options;
+        options.output = folder(level);
+        options.threads = options_.threads;
+        options.quiet = options_.quiet;
+        return run_model(options_.model, level.c, level.resolved, options, study);
+    }
+    Finished keep(const Level& level, const contact::History& history) const {
+        const Finished done{Results(level.c, history), history.cpu_s};
+        io::write_file(file(level), document_of(level, done).dump(2) + "\n");
+        return done;
+    }
+    std::optional<Finished> find(const Level& level) const {
+        const json found = json::parse(read_text(file(level)), nullptr, false);
+        if (found.is_discarded() || !found.is_object()) return {};
+        try {
+            const Finished done{comparisons::read_stored_results(found.at("values")),
+                                found.at("cpu_s").get<double>()};
+            if (found != document_of(level, done)) return {};
+            say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
+            return done;
+        } catch (const json::exception&) {  // not of our making
+            return {};
+        }
+    }
+    void say(const std::string& line) const {
+        if (!options_.quiet) std::cerr << line << '\n';
+    }
+
+  private:
+    std::string folder(const Level& level) const { return options_.output + "/" + level.name; }
+    std::string file(const Level& level) const { return folder(level) + "/level.json"; }
+
+    const RefineOptions& options_;
+};
+
+std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool layer) {
+    if (!layer) {
+        const bool exact = c.indenter.shape == contact::Case::Shape::paraboloid ||
+                           c.indenter.shape == contact::Case::Shape::power_law;
+        if (exact && contact::pressure_falls(c) && !contact::has_conical_tip(c))
+            return comparisons::hertz_values(c);
+        return {};
+    }
+    const auto comparison = comparisons::compare_with_layer(c, {});
+    return comparison ? comparison->exact : std::nullopt;
+}
+
+comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
+    const bool layer = options.model == "fem";
+    const contact::Case& c = plan.levels.front().c;
+    comparisons::RefinedLevels result;
+    result.model = options.model;
+    result.key = plan.key;
+    result.wide_factor = plan.wide_factor;
+    result.exact = theory_of(c, layer);
+    result.exact_name = layer ? "exact layer" : contact::is_hertz_round(c) ? "Hertz" : "half-space";
+    result.tolerance = layer ? c.fem.tolerance : c.bem.tolerance;
+    return result;
+}
+
+void add(const Level& level, const Finished& done, comparisons::RefinedLevels& refined) {
+    refined.sizes.push_back(level.size);
+    refined.values.push_back(done.values);
+    refined.cpu_s.push_back(done.cpu_s);
+}
+
+void write_report(const Level& finest, const contact::History& history,
+                  const comparisons::ReportExtras& extras, const std::string& output) {
+    io::make_output_folder(output + "/plots");
+    io::write_file(output + "/" + resolved_case_name, finest.resolved);
+    for (const auto& file :
+         comparisons::make_report(finest.c, finest.resolved, files::version, {history}, extras))
+        io::write_file(output + "/" + file.name, file.content);
+}
+
+/// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
+/// written.
+comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
+                                    comparisons::RefinedLevels refined, const std::string& output) {
+    const std::string report = output + "/report.html", numbers = output + "/refinement.json";
+    if (const auto found = levels.find(finest)) {
+        comparisons::RefinedLevels all = refined;
+        add(finest, *found, all);
+        const comparisons::Refinement result = make_refinement(all);
+        if (std::filesystem::exists(report) &&
+            read_text(numbers) == refinement_json(files::version, result))
+            return result;
+        levels.say(finest.name + ": once more, for the report");
+    }
+    comparisons::ReportExtras extras;
+    const contact::History history = levels.run(finest, &extras.study);
+    const Finished done{Results(finest.c, history), history.cpu_s};
+    add(finest, done, refined);
+    extras.refinement = make_refinement(refined);
+    write_report(finest, history, extras, output);
+    io::write_file(output + "/refinement.csv", refinement_csv(*extras.refinement));
+    io::write_file(numbers, refinement_json(files::version, *extras.refinement));
+    levels.keep(finest, history);
+    return *extras.refinement;
+}
+
+// Results stay until a level has to be computed (Levels::run).
+io::OutputNames names_of(const RefinementPlan& plan) {
+    io::OutputNames names{{}, results};
+    names.kept.push_back("plots/");
+    for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
+    if (plan.wide) names.kept.push_back(plan.wide->name + '/');
+    return names;
+}
+
+}  // namespace
+
+void refine_command(const RefineOptions& given) {
+    RefineOptions options = given;
+    options.output = io::output_folder(options.output, options.case_file, "_refined");
+    const Levels levels(options);
+    const RefinementPlan plan =
+        plan_refinement(options, [&](const std::string& line) { levels.say(line); });
+    io::OutputFolder folder(options.output, names_of(plan));
+
+    comparisons::RefinedLevels refined = start_of(plan, options);
+    comparisons::Refinement result;
+    folder.fill([&] {
+        for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
+            add(plan.levels[k], levels.finish(plan.levels[k]), refined);
+        if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
+        result = finish_last(plan.levels.back(), levels, refined, options.output);
+    });
+
+    std::cout << refinement_text(result);
+    for (const std::string& sentence : refinement_sentences(result)) std::cout << sentence << '\n';
+    levels.say("results in " + options.output + " (open report.html)");
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include "app/commands/commands.h"
+#include "app/roll_models.h"
+#include "app/run_model.h"
+#include "bem/case_compliance.h"
+#include "contact/error.h"
+#include "files/version.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+#include "io/results/paraview_macro.h"
+#include "io/results/progress.h"
+#include "io/results/vtk_series.h"
+#include "report/format.h"
+#include "rolling/creep_theory.h"
+#include "rolling/readings.h"
+#include "rolling/rolling_document.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using rolling::RollingReport;
+using rolling::RollingRun;
+
+const std::string command = std::string("tricontact roll ") + resolved_case_name;
+
+Case read(const RollOptions& options) {
+    Case c = io::read_case(options.case_file, options.overrides, options.models);
+    require_rolling_on(c, options.case_file);
+    return c;
+}
+
+io::OutputNames names_of(const std::vector<std::string>& models) {
+    io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
+                          {io::paraview_macro_name}};
+    for (const std::string& model : models)
+        for (const char* name : {"/history.csv", "/surface.pvd", "/steady.pvd"})
+            names.results.push_back(model + name);
+    return names;
+}
+
+RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
+    const std::string folder = options.output + "/" + model;
+    io::make_output_folder(folder);
+    const io::Provenance provenance{files::version, command};
+    std::optional<io::VtkSeries> surfaces, steady;
+    const auto begin = [&] {
+        surfaces.emplace(folder, "surface", provenance);
+        steady.emplace(folder, "steady", provenance);
+    };
+    begin();
+    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
+    RollRuns runs{.points = options.points,
+                  .threads = options.threads,
+                  .progress = [&](int step, int steps) { bar.update(step, steps); },
+                  .show = {},
+                  .show_all = c.output.vtk == Case::VtkOutput::all,
+                  .begin_again = begin};
+    if (c.output.vtk != Case::VtkOutput::none)
+        runs.show = [&](double way, const contact::Surface& surface) {
+            std::isfinite(way) ? surfaces->add(way, surface) : steady->add(0, surface);
+        };
+    RollingRun run = roll(model, c, runs);
+    bar.finish("");
+    if (runs.show) {
+        surfaces->finish();
+        steady->finish();
+    }
+    io::write_file(folder + "/history.csv", rolling::history_csv(run));
+    return run;
+}
+
+std::vector<std::pair<std::string, std::string>> files_of(const Case& c) {
+    std::vector<std::pair<std::string, std::string>> files{{"all numbers", "summary.json"},
+                                                           {"creep curves", "creep.csv"}};
+    for (const std::string& model : c.models) {
+        const std::string name = report::display_name(model);
+        files.emplace_back(name + ", step by step", model + "/history.csv");
+        if (c.output.vtk == Case::VtkOutput::none) continue;
+        files.emplace_back(name + ", for ParaView", model + "/surface.pvd");
+        files.emplace_back(name + " in steady rolling, for ParaView", model + "/steady.pvd");
+    }
+    files.emplace_back("the case, resolved", resolved_case_name);
+    return files;
+}
+
+/// A row per model, and what closed forms say.
+std::string table_of(const RollingReport& report) {
+    const double mu = report.c.friction_coefficient;
+    std::string text = fmt::format("{:<22} {:>12} {:>12} {:>12} {:>8}\n", "", "xi", "F_x/(mu F_N)",
+                                   "F_y/(mu F_N)", "stick");
+    for (const RollingRun& run : report.runs) {
+        const auto& s = run.history.steady;
+        text += fmt::format("{:<22} {:>12.5g} {:>12.5g} {:>12.5g} {:>8.4f}\n", run.model,
+                            s.creepage.longitudinal, rolling::force_ratio(s, mu),
+                            s.force[1] / (mu * s.normal_force), s.stick_area / s.contact_area);
+    }
+    if (!rolling::straight(report.c)) return text;
+    const auto& first = report.runs.front().history.steady;
+    const double f = rolling::force_ratio(first, mu), xi = first.creepage.longitudinal;
+    for (const auto& theory : rolling::creep_theories(report.c))
+        if (rolling::by_creepage(report.c))
+            text +=
+                fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, xi, theory.force_ratio(xi));
+        else if (std::abs(f) < 1)
+            text += fmt::format("{:<22} {:>12.5g} {:>12.5g}\n", theory.key, theory.creepage(f), f);
+    return text;
+}
+
+void write(const RollingReport& report, const std::string& resolved, const RollOptions& options) {
+    io::write_file(options.output + "/summary.json", roll_summary(report, resolved));
+    io::write_file(options.output + "/creep.csv", rolling::creep_csv(report));
+    io::write_file(options.output + "/" + io::paraview_macro_name,
+                   io::paraview_macro(options.output));
+    if (options.report)
+        io::write_file(options.output + "/report.html",
+                       report::document_html(rolling::rolling_document(report)));
+}
+
+void roll_models(const Case& c, const RollOptions& options) {
+    const std::string resolved = io::write_case(c);
+    io::write_file(options.output + "/" + resolved_case_name, resolved);
+    RollingReport report{
+        .c = c, .runs = {}, .files = files_of(c), .command = command, .version = files::version};
+    for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
+    write(report, resolved, options);
+    std::cout << table_of(report);
+}
+
+}  // namespace
+
+void refuse_rolling_on(const Case& c, const std::string& case_file) {
+    if (c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": [tractive_rolling]: the indenter rolls on and does not come "
+                                  "back; tricontact roll computes such a case");
+}
+
+void require_rolling_on(const Case& c, const std::string& case_file) {
+    if (!c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": there is no [tractive_rolling], so that nothing rolls on; "
+                                  "tricontact run computes it, or add that section");
+}
+
+void roll_command(const RollOptions& given) {
+    RollOptions options = given;
+    const Case c = read(options);
+    bem::check_influence_file(c);  // before anything is written
+    options.output = io::output_folder(options.output, options.case_file);
+    io::OutputFolder folder(options.output, names_of(c.models));
+    folder.fill([&] { roll_models(c, options); });
+    if (!options.quiet)
+        std::cerr << "results in " << options.output
+                  << (options.report ? " (open report.html)" : "") << '\n';
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "app/commands/commands.h"
+#include "app/run_model.h"
+#include "files/version.h"
+#include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_folder.h"
+#include "walking/input/walk_reader.h"
+#include "walking/report/walk_animation.h"
+#include "walking/report/walk_document.h"
+#include "walking/report/walk_text.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using walking::report_recording;
+using walking::Snapshot;
+using walking::Walk;
+using walking::WalkCase;
+using walking::WalkReport;
+
+const std::string command = std::string("tricontact walk ") + resolved_case_name;
+
+/// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
+/// at equal intervals.
+std::vector<Snapshot> frames_of(const Walk& walk, std::size_t most) {
+    constexpr double swings = 20;
+    const double shown = walk.result.period.value_or(swings) / report_recording.interval;
+    const std::size_t n =
+        std::min(walk.tail.size(), static_cast<std::size_t>(std::ceil(shown)) + 1);
+    if (most == 0) return {};
+    const std::size_t stride = (n + most - 1) / most;
+    std::vector<Snapshot> frames;
+    for (std::size_t i = walk.tail.size() - n; i < walk.tail.size(); i += stride)
+        frames.push_back(walk.tail[i]);
+    return frames;
+}
+
+void write_animation(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+    const auto frames = frames_of(walk, static_cast<std::size_t>(walk_case.output.frames));
+    if (frames.empty()) return;
+    const std::string folder = output + "/animation";
+    io::make_output_folder(folder);
+    walking::write_walk_animation(folder, walk_case, frames, {files::version, command});
+}
+
+void write_report(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+    WalkReport report{.walk_case = walk_case,
+                      .walk = walk,
+                      .files = {{"all numbers", "summary.json"},
+                                {"means of the run, window by window", "windows.csv"},
+                                {"motion and forces at its end", "motion.csv"},
+                                {"the case, resolved", resolved_case_name}},
+                      .command = command,
+                      .version = files::version};
+    if (walk_case.output.frames > 0)
+        report.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
+    io::write_file(output + "/report.html", report::document_html(walking::walk_document(report)));
+}
+
+}  // namespace
+
+void walk_command(const WalkOptions& options) {
+    const WalkCase walk_case = walking::read_walk_case(options.case_file, options.overrides);
+    const std::string output = io::output_folder(options.output, options.case_file);
+    const std::string resolved = walking::write_walk_case(walk_case);
+    io::OutputFolder folder(output, {{resolved_case_name, "summary.json", "report.html",
+                                      "windows.csv", "motion.csv", "animation/machine.pvd"}});
+    Walk walk;
+    folder.fill([&] {
+        io::write_file(output + "/" + resolved_case_name, resolved);
+        walk = walking::walk(walk_case, report_recording);
+        io::write_file(output + "/summary.json", walking::walk_summary(walk_case, resolved, walk));
+        io::write_file(output + "/windows.csv", walking::windows_csv(walk_case, walk));
+        io::write_file(output + "/motion.csv", walking::motion_csv(walk_case, walk));
+        write_animation(output, walk_case, walk);
+        if (options.report) write_report(output, walk_case, walk);
+    });
+    if (options.quiet) return;
+    std::cout << walking::walk_text(walk_case, walk);
+    std::cerr << "results in " << output << (options.report ? " (open report.html)" : "") << '\n';
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,53 @@
+#include "app/studies/point_key.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "app/numerics.h"
+#include "contact/error.h"
+#include "files/digest.h"
+#include "files/regular_file.h"
+#include "files/version.h"
+
+namespace tricontact::app {
+
+namespace {
+
+std::string digest_of_file(const std::string& path) {
+    try {
+        files::RegularFile file(path);
+        files::Digest digest;
+        std::array<char, 65536> buffer{};
+        while (const std::size_t n = file.read(buffer.data(), buffer.size()))
+            digest.add(buffer.data(), n);
+        return digest.text();
+    } catch (const files::Unreadable& why) {
+        throw contact::InputError(path + ": " + why.what() + "; name a readable file");
+    }
+}
+
+}  // namespace
+
+std::string program_identity() {
+    return std::string(files::version) + '\n' + std::string(numerics_digest());
+}
+
+std::string point_key(const std::string& resolved) {
+    return files::digest_of(program_identity() + '\n' + resolved);
+}
+
+std::string file_digests(const contact::Case& c) {
+    std::string digests;
+    for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh})
+        if (*name) digests += digest_of_file(**name) + '\n';
+    return digests;
+}
+
+bool Shard::has(const std::string& key) const {
+    const std::uint64_t front = std::strtoull(key.substr(0, 16).c_str(), nullptr, 16);
+    return front % static_cast<std::uint64_t>(n) == static_cast<std::uint64_t>(i - 1);
+}
+
+}  // namespace tricontact::app

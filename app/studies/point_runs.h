@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/studies/sweep_points.h"
+#include "io/results/result_store.h"
+
+namespace tricontact::app {
+
+/// How points are computed.
+struct PointRuns {
+    std::string name;           ///< of the command, before its progress
+    int jobs = 1;               ///< processes side by side
+    bool retry_failed = false;  ///< points whose failure the store has
+    bool quiet = false;         ///< no progress
+    std::string folder = {};    ///< of the sweep, if points write files of their own (ParaView)
+    std::function<void()> attend = {};  ///< called while points are computed; may throw
+};
+
+/// The store in the folder of a sweep, for writing; says on standard error if rows of it were
+/// damaged and are computed again. Throws contact::InputError.
+io::ResultStore open_results(const std::string& folder);
+
+/// Computes the points that the store has not yet, or whose files are asked for and not there, in
+/// processes side by side, each stored as it ends; prints how far it is. The BLAS of the processes
+/// has one thread each. Throws contact::InputError if the store cannot
+/// be written.
+void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
+                     const PointRuns& runs);
+
+/// How many of the points with these keys have failed, or have not been computed.
+std::size_t n_without_result(const std::vector<std::string>& keys, const io::ResultStore& store);
+
+}  // namespace tricontact::app

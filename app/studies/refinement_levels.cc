@@ -1,0 +1,129 @@
+#include "app/studies/refinement_levels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/commands/commands.h"
+#include "contact/error.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#ifdef TRICONTACT_WITH_FEM
+#include "app/fem_entries.h"
+#endif
+
+namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+using Overrides = std::vector<std::string>;
+
+constexpr double least_growth = 1.05;  // that a case file may ask for
+
+std::string length(double metres) {
+    return fmt::format("\"{} m\"", metres);
+}
+
+/// The case with its own resolution.
+struct Start {
+    Case c;
+    double size;  // [m]
+};
+
+/// Block and element size of our own mesh of the case [m].
+struct Block {
+    double size, width, depth;
+};
+Block block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+#ifdef TRICONTACT_WITH_FEM
+    const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
+    return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
+#else
+    throw contact::InputError("models: this program was built without the model fem");
+#endif
+}
+
+double start_size(const Case& c, const RefineOptions& options, const Say& say) {
+    if (options.model == "bem")
+        return c.bem.spacing
+                   ? *c.bem.spacing
+                   : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
+    if (c.fem.mesh)
+        throw contact::InputError(
+            fmt::format("{}: fem.mesh = {}: a mesh from a file cannot be refined; give fem.size or "
+                        "fem.accuracy instead",
+                        options.case_file, *c.fem.mesh));
+    return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
+}
+
+Start read_start(const RefineOptions& options, const Say& say) {
+    const Case all = io::read_case(options.case_file, options.overrides);
+    refuse_rolling_on(all, options.case_file);
+    if (std::find(all.models.begin(), all.models.end(), options.model) == all.models.end())
+        throw contact::InputError(fmt::format(
+            "{}: models: {} is not among the models of the case; add it, or name another with "
+            "--model",
+            options.case_file, options.model));
+    Overrides overrides = options.overrides;
+    std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
+    const Case c = io::read_case(options.case_file, overrides, {options.model});
+    return {c, start_size(c, options, say)};
+}
+
+/// The case with further keys set, checked like any case file.
+Level make_level(const Case& c, const std::string& name, const std::string& what, double size,
+                 Overrides overrides, const std::string& case_file) {
+    // The folders of a level hold numbers; fields are for runs.
+    overrides.insert(overrides.end(), {"output.vtk=none", "output.volume=none"});
+    try {
+        const Case level = io::parse_case(io::write_case(c), case_file, overrides);
+        return {name, what, level, io::write_case(level), size};
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(
+            fmt::format("{}: {} ({}): {}", case_file, name, what, error.what()));
+    }
+}
+
+Overrides resolution(const Case& c, const std::string& key, double size, int k) {
+    Overrides result{key + "=" + length(size)};
+    if (key == "fem.size") {
+        const double growth = std::pow(c.fem.growth, std::pow(2., -k / 2.));
+        result.push_back(fmt::format("fem.growth={}", std::max(growth, least_growth)));
+    }
+    return result;
+}
+
+Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
+    const Block block = block_of(level.c, say);
+    Overrides sides{"substrate.width=" + length(factor * block.width)};
+    // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
+    if (!level.c.is_cylindrical())
+        sides.push_back("substrate.depth=" + length(factor * block.depth));
+    return make_level(level.c, "wide",
+                      fmt::format("{}, block {} times as wide", level.what, factor), level.size,
+                      std::move(sides), case_file);
+}
+
+}  // namespace
+
+RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
+    const Start start = read_start(options, say);
+    RefinementPlan plan;
+    plan.key = options.model == "bem" ? "bem.spacing" : "fem.size";
+    for (int k = 0; k < options.levels; ++k) {
+        const double size = start.size * std::pow(2., -k / 2.);
+        plan.levels.push_back(make_level(start.c, fmt::format("level_{}", k),
+                                         fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size), size,
+                                         resolution(start.c, plan.key, size, k),
+                                         options.case_file));
+    }
+    if (options.model == "fem")
+        plan.wide =
+            wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.case_file, say);
+    return plan;
+}
+
+}  // namespace tricontact::app

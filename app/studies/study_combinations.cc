@@ -1,0 +1,126 @@
+#include "app/studies/study_combinations.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "contact/error.h"
+#include "statistics/latin_hypercube.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using io::Study;
+using Entries = std::vector<io::Entry>;
+
+/// Axes that vary together, row by row: a list or range alone, or the axes of the sample.
+struct Block {
+    std::vector<std::size_t> axes;
+    std::vector<Entries> rows;  ///< one entry per axis
+};
+
+bool is_sampled(const Study::Axis& axis) {
+    const auto* range = std::get_if<Study::Range>(&axis.values);
+    return range && !range->points;
+}
+
+Entries values_of(const Study::Axis& axis) {
+    if (const auto* list = std::get_if<Entries>(&axis.values)) return *list;
+    const int n = *std::get<Study::Range>(axis.values).points;
+    std::vector<double> fractions;
+    for (int i = 0; i < n; ++i) fractions.push_back(static_cast<double>(i) / (n - 1));
+    return io::entries_at(axis, fractions);
+}
+
+Block sampled_block(const Study& study) {
+    Block block;
+    for (std::size_t i = 0; i < study.axes.size(); ++i)
+        if (is_sampled(study.axes[i])) block.axes.push_back(i);
+    if (block.axes.empty()) return block;
+    const auto sample = statistics::latin_hypercube(
+        study.sampling->points, static_cast<int>(block.axes.size()), study.sampling->seed);
+    block.rows.resize(static_cast<std::size_t>(study.sampling->points));
+    for (std::size_t j = 0; j < block.axes.size(); ++j) {
+        const Entries values = io::entries_at(study.axes[block.axes[j]], sample[j]);
+        for (std::size_t row = 0; row < values.size(); ++row)
+            block.rows[row].push_back(values[row]);
+    }
+    return block;
+}
+
+/// The sample stands where its first axis stands.
+std::vector<Block> blocks_of(const Study& study) {
+    std::vector<Block> blocks;
+    const Block sampled = sampled_block(study);
+    for (std::size_t i = 0; i < study.axes.size(); ++i) {
+        if (!is_sampled(study.axes[i])) {
+            Block& block = blocks.emplace_back();
+            block.axes = {i};
+            for (io::Entry& entry : values_of(study.axes[i])) block.rows.push_back({entry});
+        } else if (i == sampled.axes.front()) {
+            blocks.push_back(sampled);
+        }
+    }
+    return blocks;
+}
+
+void check_number(const Study& study, const std::vector<Block>& blocks, std::size_t n_each) {
+    auto n = static_cast<double>(n_each);
+    for (const Block& block : blocks) n *= static_cast<double>(block.rows.size());
+    if (n > static_cast<double>(most_points))
+        throw contact::InputError(fmt::format(
+            "{}: the study has {:.6g} points, more than {}, which are checked ahead and kept in "
+            "memory; split it, or sample it by [latin_hypercube]",
+            study.name, n, most_points));
+}
+
+/// Goes through the blocks' rows like an odometer.
+class Odometer {
+  public:
+    Odometer(const Study& study, std::vector<Block> blocks,
+             const std::function<void(const Combination&)>& call)
+        : study_(study), blocks_(std::move(blocks)), call_(call) {
+        at_.entries = study.settings;
+        at_.values.resize(study.axes.size());
+    }
+
+    void run(std::size_t depth = 0) {
+        if (depth == blocks_.size()) return call_(at_);
+        const Block& block = blocks_[depth];
+        const std::size_t n_before = at_.entries.size();
+        for (const Entries& row : block.rows) {
+            for (std::size_t j = 0; j < row.size(); ++j) {
+                at_.values[block.axes[j]] =
+                    io::table_value(*study_.axes[block.axes[j]].key, row[j]);
+                at_.entries.push_back(row[j]);
+            }
+            run(depth + 1);
+            at_.entries.resize(n_before);
+        }
+    }
+
+  private:
+    const Study& study_;
+    std::vector<Block> blocks_;
+    const std::function<void(const Combination&)>& call_;
+    Combination at_;
+};
+
+}  // namespace
+
+void for_each_combination(const Study& study, std::size_t n_each,
+                          const std::function<void(const Combination&)>& call) {
+    std::vector<Block> blocks = blocks_of(study);
+    check_number(study, blocks, n_each);
+    Odometer(study, std::move(blocks), call).run();
+}
+
+std::string text_of(const Study& study, const Combination& combination) {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < study.axes.size(); ++i)
+        parts.push_back(
+            fmt::format("{} = {}", io::table_heading(*study.axes[i].key), combination.values[i]));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include "app/verification/verification_problems.h"
+#include "app/verification/verification_rows.h"
+#include "contact/bodies/line_contact_scales.h"
+#include "theory/line_contact.h"
+#include "theory/oscillating_cylinder.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Verification;
+using contact::Case;
+
+constexpr double amplitude = 0.26, force = 0.5;
+
+/// The rig with a cylinder a hundred times as long under the same load per length, so that (a/L)^2
+/// of the strip is nothing; no coupling, which the closed forms leave out.
+Case cylinder_case() {
+    Case c;
+    c.indenter.shape = Case::Shape::cylinder;
+    c.indenter.radius = 40e-3;
+    c.indenter.length = 8;
+    c.substrate = {3.6e6, 0.5};
+    c.friction_coefficient = 0.79;
+    c.contact.coupling = false;
+    c.load.normal_force = 3230;
+    c.load.tangential_ratio = force;
+    c.rolling.emplace();
+    c.rolling->amplitude_ratio = amplitude;
+    c.rolling->steps = Case::Steps::turning_points;
+    c.rolling->periods = 200;
+    return c;
+}
+
+struct LineTolerances {
+    Allowed width, others;
+};
+
+void add_half_space(const Levels& levels, const LineTolerances& allowed, Verification& all) {
+    const Case c = cylinder_case();
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
+    const double length_ratio = c.indenter.length / hertz.contact_radius;
+    const double lambda = contact::line_shift_factor(c.materials(), length_ratio);
+    const double stick = theory::line_stick_half_width(amplitude, force).value();
+    const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.43 to 4.45 (Hertz)";
+    const char* const strip = "Boussinesq (1885), Cerruti (1882) over a strip of the length L";
+    const char* const punches = "flat punches superposed (theory/oscillating_cylinder.h)";
+    const std::string problem = "Line contact, w = 0.26, f_T = 0.5";
+    Rows rows(levels, all);
+    rows.add(problem, "a, mm", johnson, hertz.contact_radius * 1e3, allowed.width, radius_mm);
+    rows.add(problem, "p0, MPa", johnson, hertz.peak_pressure * 1e-6, allowed.others,
+             peak_pressure_mpa);
+    rows.add(problem, "d, mm", strip, hertz.indentation * 1e3, allowed.others, indentation_mm);
+    rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, allowed.others, unit_shift_mm);
+    rows.add(problem, "u_stat", "Cattaneo (1938), two ellipses over the strip",
+             theory::line_static_shift_ratio(force, lambda), allowed.others, static_ratio);
+    rows.add(problem, "u_sd", punches, theory::line_settled_shift_ratio(amplitude, stick, lambda),
+             allowed.others, settled_ratio);
+    rows.add(problem, "f_T,lim", "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
+             theory::line_shakedown_limit(amplitude), allowed.others, limit);
+}
+
+void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowed,
+               Verification& all) {
+    const theory::LineContact exact = theory::solve_line_contact(
+        {c.substrate, *c.layer.thickness, theory::LayerBase::bonded}, c.indenter.radius,
+        {theory::LineControl::Kind::load, *c.load.normal_force / c.indenter.length});
+    const char* const source = "singular integral equation of the bonded layer in plane strain";
+    const double path = amplitude * contact::half_space_scales(c).contact_radius;
+    const std::string problem = "Line contact, layer b = 2.6 a";
+    Rows rows(levels, all);
+    rows.add(problem, "a, mm", source, exact.half_width * 1e3, allowed.width, radius_mm);
+    rows.add(problem, "d, mm", source, exact.indentation * 1e3, allowed.others, indentation_mm);
+    rows.add(problem, "p0, MPa", source, exact.centre_pressure * 1e-6, allowed.others,
+             peak_pressure_mpa);
+    rows.add(problem, "f_T,lim", source, exact.load_beyond(path) / exact.load, allowed.others,
+             limit);
+}
+
+Case layer_case() {
+    Case c = cylinder_case();
+    c.layer.thickness = 5e-3;
+    return c;
+}
+
+}  // namespace
+
+void verify_fem_line(const Say& say, Verification& all) {
+    Case c = layer_case();
+    c.fem.cache = "none";
+    const double hertz_width = contact::half_space_scales(c).contact_radius;
+    const Levels levels = run_levels(
+        "fem", c, [](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
+        [&](const Case& level) { return *level.fem.size / hertz_width; }, say);
+    // Edges fall between nodes, a tenth of a tributary length of which is seen.
+    add_layer(levels, c, {{3e-3}, {1e-3}}, all);
+}
+
+void verify_cylinder(bool brief, const Say& say, Verification& all) {
+    const double cells = brief ? 10 : 40, coarser = brief ? 8 : 1;
+    const SetLevel set_cells = [&](Case& c, int factor) {
+        c.bem.cells_per_radius = cells * factor;
+    };
+    const Size size = [](const Case& c) { return 1 / *c.bem.cells_per_radius; };
+    // Second order but for edges between cells.
+    const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
+    const Case c = layer_case();
+    add_half_space(run_levels("bem", cylinder_case(), set_cells, size, say), allowed, all);
+    add_layer(run_levels("bem-layer", c, set_cells, size, say), c, allowed, all);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,213 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "app/roll_models.h"
+#include "app/verification/verification_problems.h"
+#include "app/verification/verification_rows.h"
+#include "bem/case_compliance.h"
+#include "contact/load_path.h"
+#include "contact/placement.h"
+#include "contact/solvers/normal_solver.h"
+#include "rolling/creep_theory.h"
+#include "rolling/linear_creep.h"
+#include "theory/rolling/carter.h"
+#include "theory/rolling/creep_law.h"
+#include "theory/rolling/free_rolling.h"
+#include "theory/rolling/kalker.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Verification;
+using comparisons::VerificationRow;
+using contact::Case;
+
+constexpr double force = .56;
+
+Case rolling_on(double nu) {
+    Case c = rig_sphere(nu, force);
+    c.tractive_rolling.emplace().distance = .01;
+    return c;
+}
+
+Case cylinder() {
+    Case c = rolling_on(.5);
+    c.indenter.shape = Case::Shape::cylinder;
+    c.indenter.length = 8;  // (a/L)^2 of the strip is nothing
+    *c.load.normal_force *= 100;
+    return c;
+}
+
+/// Errors of cells are of the first order: what two grids, one half as fine as the other, lead to.
+/// One value fewer than given.
+std::vector<double> led_to(const std::vector<double>& values) {
+    std::vector<double> result;
+    for (std::size_t i = 1; i < values.size(); ++i) result.push_back(2 * values[i] - values[i - 1]);
+    return result;
+}
+
+void verify_springs(bool brief, const Say& say, Verification& all) {
+    VerificationRow row{.problem = "Springs of MDR rolled on",
+                        .quantity = "xi, f_T = 0.56, nu = 1/2",
+                        .model = "mdr",
+                        .source = "Wetter, thesis (TU Berlin 2016), eqs. 2.2.24 and 2.2.27",
+                        .reference = 0,
+                        .tolerance = brief ? 2e-2 : 2e-3,
+                        .least_order = .9};
+    for (const int factor : {1, 2, 4}) {
+        Case c = rolling_on(.5);
+        c.tractive_rolling->distance = 5;
+        c.mdr.springs = (brief ? 400 : 2500) * factor;
+        say(fmt::format("mdr, rolling on, {} springs", c.mdr.springs));
+        row.sizes.push_back(7. / c.mdr.springs);
+        row.values.push_back(roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal);
+        for (const auto& theory : rolling::creep_theories(c))
+            if (theory.key == "mdr_closed_form") row.reference = theory.creepage(force);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+void verify_carter(bool brief, const Say& say, Verification& all) {
+    VerificationRow creepage{.problem = "Carter",
+                             .quantity = "xi R/(mu a), f_T = 0.56",
+                             .model = "bem",
+                             .source =
+                                 "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; "
+                                 "extrapolated from this and twice the size of cells",
+                             .reference = theory::carter_creepage_ratio(force),
+                             .tolerance = brief ? 2e-2 : 3e-3};
+    VerificationRow stick = creepage;
+    stick.quantity = "c/a, f_T = 0.56";
+    stick.reference = theory::carter_stick_ratio(force);
+    stick.source = "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick";
+    stick.tolerance = brief ? .05 : 3e-3;
+    std::vector<double> creepages, sticks;
+    for (const int factor : {1, 2, 4, 8}) {
+        Case c = cylinder();
+        c.bem.cells_per_radius = (brief ? 10 : 40) * factor;
+        say(fmt::format("bem, rolling cylinder, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        creepages.push_back(steady.creepage.longitudinal / rolling::creepage_unit(c));
+        sticks.push_back(steady.stick_area / steady.contact_area);
+        if (factor == 1) continue;
+        for (VerificationRow* row : {&creepage, &stick})
+            row->sizes.push_back(1 / *c.bem.cells_per_radius);
+    }
+    creepage.values = led_to(creepages);
+    stick.values = led_to(sticks);
+    all.rows.push_back(std::move(creepage));
+    all.rows.push_back(std::move(stick));
+}
+
+/// C11, C22, C23 and C33 of the pressed contact, a circle of the area that its pressure has.
+std::array<double, 4> coefficients(const Case& c) {
+    const auto compliance = bem::case_compliance(c, 1, bem::Body::half_space);
+    const auto pressed =
+        contact::NormalSolver(*compliance, 1e-9)
+            .solve(contact::heights_over(compliance->points(), *c.make_indenter(), {}),
+                   contact::press_step(c).normal);
+    const auto creep = rolling::linear_creep(*compliance, pressed.pressure);
+    const double a = contact::half_space_scales(c).contact_radius;
+    const double stiffness = theory::combined_material(c.materials()).shear_modulus * a * a;
+    return {creep[0][0] / stiffness, creep[1][1] / stiffness, creep[1][2] / (stiffness * a),
+            creep[2][2] / (stiffness * a * a)};
+}
+
+void verify_kalker(const Say& say, Verification& all) {
+    constexpr const char* names[] = {"C11", "C22", "C23", "C33"};
+    for (const double nu : {0., .25, .5}) {
+        std::array<std::vector<double>, 4> values;
+        std::vector<double> sizes;
+        for (const int factor : {1, 2, 4, 8}) {
+            Case c = rolling_on(nu);
+            c.bem.cells_per_radius = 8 * factor;
+            say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
+                            *c.bem.cells_per_radius));
+            const auto found = coefficients(c);
+            for (std::size_t i = 0; i < 4; ++i) values[i].push_back(found[i]);
+            if (factor > 1) sizes.push_back(1 / *c.bem.cells_per_radius);
+        }
+        const theory::KalkerCoefficients table = theory::kalker_coefficients(1, nu);
+        const double expected[] = {table.longitudinal, table.lateral, table.spin, table.moment};
+        for (std::size_t i = 0; i < 4; ++i)
+            all.rows.push_back({.problem = "Linear creep",
+                                .quantity = fmt::format("{}, nu = {}", names[i], nu),
+                                .model = "bem",
+                                .source = "Kalker (1990), Three-Dimensional Elastic Bodies in "
+                                          "Rolling Contact, table E.3, three digits; extrapolated "
+                                          "from this and twice the size of cells",
+                                .reference = expected[i],
+                                .sizes = sizes,
+                                .values = led_to(values[i]),
+                                .tolerance = 6e-3});  // half of the last digit of 1.16, and cells
+    }
+}
+
+/// Rolled freely over a relaxing half-space: the pressure leads the cylinder.
+void verify_hunter(bool brief, const Say& say, Verification& all) {
+    constexpr double relaxation_time = .3;
+    Case c = cylinder();
+    c.load.tangential_ratio = 0;
+    c.relaxation = contact::Relaxation{{{2, relaxation_time}}, {}};
+    c.tractive_rolling->speed = .5 * contact::half_space_scales(c).contact_radius / relaxation_time;
+    c.tractive_rolling->distance = 6;
+    VerificationRow row{.problem = "Cylinder over a standard solid, v tau = a/2, G2 = 2 G1",
+                        .quantity = "1000 W/F_N",
+                        .model = "bem",
+                        .source = "Hunter (1961), J. Mech. Phys. Solids 9, 219",
+                        .reference = 0,
+                        .tolerance = brief ? 1e-2 : 2e-3};
+    for (const auto& theory : rolling::resistance_theories(c))
+        if (theory.key == "hunter") row.reference = 1e3 * theory.ratio;
+    for (const int factor : {1, 2, 4}) {
+        c.bem.cells_per_radius = (brief ? 6 : 10) * factor;
+        say(fmt::format("bem, relaxing, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        row.sizes.push_back(1 / *c.bem.cells_per_radius);
+        row.values.push_back(1e3 * steady.resistance / *c.load.normal_force);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+/// A rigid cylinder on a half-space of nu = 0, the most dissimilar that there is, without F_T; so
+/// little friction that all slips.
+void verify_free_rolling(bool brief, const Say& say, Verification& all) {
+    Case c = cylinder();
+    c.substrate.poisson = 0;
+    c.contact.coupling = true;
+    c.friction_coefficient = .002;
+    c.load.tangential_ratio = 0;
+    VerificationRow row{.problem = "Free rolling, Dundurs' beta = 0.5",
+                        .quantity = "xi R/a, mu = 0.002",
+                        .model = "bem",
+                        .source =
+                            "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without "
+                            "friction (theory/rolling/free_rolling.h): the difference is of the "
+                            "order of mu/beta",
+                        .reference = theory::smooth_free_creepage(.5),
+                        .tolerance = brief ? 2e-2 : 5e-3};
+    for (const int factor : {1, 2, 4}) {
+        c.bem.cells_per_radius = (brief ? 15 : 30) * factor;
+        say(fmt::format("bem, dissimilar cylinders, {} cells", *c.bem.cells_per_radius));
+        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        row.sizes.push_back(1 / *c.bem.cells_per_radius);
+        row.values.push_back(steady.creepage.longitudinal * c.indenter.radius /
+                             contact::half_space_scales(c).contact_radius);
+    }
+    all.rows.push_back(std::move(row));
+}
+
+}  // namespace
+
+void verify_rolling(bool brief, const Say& say, Verification& all) {
+    verify_springs(brief, say, all);
+    verify_carter(brief, say, all);
+    verify_kalker(say, all);
+    verify_hunter(brief, say, all);
+    verify_free_rolling(brief, say, all);
+}
+
+}  // namespace tricontact::app

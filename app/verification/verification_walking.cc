@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "app/verification/verification_problems.h"
+#include "walking/machine/linear_stability.h"
+#include "walking/machine/steady_sliding.h"
+#include "walking/machine/verlet_energy.h"
+#include "walking/run/lyapunov.h"
+#include "walking/run/reference_cycle.h"
+#include "walking/run/walk_run.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::Verification;
+using comparisons::VerificationRow;
+using walking::Kappas;
+using walking::Machine;
+using walking::Motion;
+
+// Wetter (2016), eqs. 4.1.25 and 4.1.26.
+constexpr Kappas set_a{2, 1.2, 0.5, 1e-4, 0.5, 1e-4, 0.42, 0.5};
+constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
+constexpr const char* reference_integrator =
+    "event-driven Runge-Kutta-Fehlberg 7(8) (docs/walking.md)";
+
+constexpr double usual_step = 1e-3;
+
+// A quantity with the usual step, its double and its half.
+template <class Value>
+VerificationRow row_of(VerificationRow row, const Value& value) {
+    row.model = "walk";
+    for (const double step : {2 * usual_step, usual_step, usual_step / 2}) {
+        row.sizes.push_back(step);
+        row.values.push_back(value(step));
+    }
+    return row;
+}
+
+Motion verlet_motion(const Machine& machine, double step, double end) {
+    walking::VelocityVerlet run(machine, motion_at_start(machine), step);
+    for (auto n = std::lround(end / step); n > 0; --n) run.advance();
+    return run.motion();
+}
+
+void add_motions(Verification& all) {
+    const Machine block{.kappas = set_b, .mechanisms = {.vertical = false, .rotation = false}};
+    const double end = 0.4, stiffness = set_b.kappa1 + 2, omega = std::sqrt(stiffness);
+    // x'' = kappa1 (kappa6 t - x) - 2 x until the spots slip.
+    const double exact = set_b.kappa1 * set_b.kappa6 / stiffness *
+                         (end - std::sin(omega * end) / omega) / set_b.kappa4;
+    all.rows.push_back(
+        row_of({.problem = "Walking machine, a block that sticks",
+                .quantity = "x/kappa4, t = 0.4",
+                .source = "vibration on k_s and two contact spots",
+                .reference = exact,
+                .tolerance = 1e-5,
+                .least_order = 1.9},
+               [&](double step) { return verlet_motion(block, step, end).x / set_b.kappa4; }));
+    const Machine walking{.kappas = set_b};
+    walking::EventDriven reference(walking, motion_at_start(walking), 1e-13);
+    reference.advance_to(10);
+    const double rest = static_displacement(walking);
+    all.rows.push_back(
+        row_of({.problem = "Walking machine, set B",
+                .quantity = "z/z_stat, t = 10",
+                .source = reference_integrator,
+                .reference = reference.motion().z / rest,
+                .tolerance = 1e-5},
+               [&](double step) { return verlet_motion(walking, step, 10).z / rest; }));
+}
+
+void add_sliding(Verification& all) {
+    all.rows.push_back(row_of({.problem = "Walking machine, set A",
+                               .quantity = "mu_e",
+                               .source = "steady sliding: mu N",
+                               .reference = 1,
+                               .tolerance = 1e-3},
+                              [](double step) {
+                                  walking::WalkCase c;
+                                  c.machine.kappas = set_a;
+                                  c.time = {.step = step, .end = 4000};
+                                  return walking::walk(c).result.mu_e;
+                              }));
+    Machine machine{.kappas = set_b,
+                    .model = Machine::Model::spots,
+                    .spots = {{.position = -0.7}, {.position = 1.3, .stiffness = 0.9}}};
+    machine.kappas.kappa5 = 0.6, machine.kappas.kappa8 = 0.8;
+    const Motion steady = *steady_sliding(machine);
+    const std::complex<double> leading = leading_eigenvalue(machine, steady);
+    // Over half turns the distance of two runs grows by the rate alone.
+    const double half_turn = std::numbers::pi / leading.imag();
+    all.rows.push_back(row_of({.problem = "Walking machine, spots at -0.7 b and 1.3 b",
+                               .quantity = "rate of flutter",
+                               .source = "eigenvalue of steady sliding (docs/walking.md)",
+                               .reference = leading.real(),
+                               .tolerance = 1e-3},
+                              [&](double step) {
+                                  const double steps = std::round(half_turn / step);
+                                  return lyapunov_exponent(machine, steady,
+                                                           {.step = half_turn / steps,
+                                                            .interval = half_turn,
+                                                            .alignment = 40 * half_turn,
+                                                            .duration = 10 * half_turn})
+                                      .value;
+                              }));
+}
+
+// What is left of the base's work in a period, over it, plus 1.
+double balance_over(const Machine& machine, const walking::ReferenceCycle& cycle, double step) {
+    Motion start = cycle.start;
+    start.x -= start.base;  // where x is large, its rounding is
+    start.base = 0;
+    const double n_steps = std::round(cycle.period / step);
+    walking::VelocityVerlet run(machine, start, cycle.period / n_steps);
+    walking::VerletEnergy energy(run);
+    for (int i = 0; i < static_cast<int>(n_steps); ++i) {
+        run.advance();
+        energy.add_step();
+    }
+    return 1 + energy.balance().residual() / energy.balance().base;
+}
+
+void add_cycle(const Say& say, Verification& all) {
+    const Machine machine{.kappas = set_b};
+    say("walking machine, limit cycle of the reference integrator");
+    walking::EventDriven reference(machine, motion_at_start(machine), 1e-12);
+    // Chaotic for 1450 units of time on average.
+    reference.advance_to(16000);
+    const walking::ReferenceCycle cycle = reference_cycle(reference);
+    all.rows.push_back(row_of({.problem = "Walking machine, limit cycle of set B",
+                               .quantity = "work accounted for, over that of the base",
+                               .source = "energy balance",
+                               .reference = 1,
+                               .tolerance = 1e-6},
+                              [&](double step) { return balance_over(machine, cycle, step); }));
+    say("walking machine, limit cycle by velocity Verlet");
+    walking::WalkCase c;
+    c.machine = machine;
+    const walking::WalkResult found = walking::walk(c).result;
+    const auto add = [&](const char* quantity, double exact, double value, double tolerance) {
+        all.rows.push_back({.problem = "Walking machine, limit cycle of set B",
+                            .quantity = quantity,
+                            .model = "walk",
+                            .source = reference_integrator,
+                            .reference = exact,
+                            .sizes = {usual_step},
+                            .values = {value},
+                            .tolerance = tolerance});
+    };
+    // Onsets of stick and slip are seen at the steps, some 4300 in a period.
+    add("period", cycle.period, found.period.value_or(0), 1e-6);
+    add("mu_e", cycle.spring_force / sliding_force(machine), found.mu_e, 1e-4);
+    add("z_min/z_stat", cycle.z_min / static_displacement(machine), found.z_min_ratio, 1e-5);
+    add("stick time 1", cycle.stick_times[0], found.spots[0].stick_time, 1e-3);
+    add("stick time 2", cycle.stick_times[1], found.spots[1].stick_time, 1e-3);
+}
+
+}  // namespace
+
+void verify_walking(const Say& say, Verification& all) {
+    say("walking machine");
+    add_motions(all);
+    add_sliding(all);
+    add_cycle(say, all);
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,195 @@
+#include "comparisons/half_space/deviation_figures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "comparisons/half_space/deviation_rows.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using theory::LayerBase;
+
+const report::FigureAxis thickness_axis{"thickness over contact width b/D_c", true};
+
+std::string setting(const HalfSpaceDeviation& deviation) {
+    return fmt::format("nu = {}, {} base", report::as_given(deviation.c.substrate.poisson),
+                       name_of(deviation.base));
+}
+
+std::string of_curve(const ExactCurve& curve) {
+    if (curve.base == LayerBase::frictionless) return "frictionless base, any nu";
+    return "nu = " + report::as_given(curve.poisson);
+}
+
+/// A quantity along a curve; `percent`: 100 |ratio - 1|.
+report::Curve exact_line(const ExactCurve& curve, ExactQuantity q, const std::string& name,
+                         bool percent) {
+    report::Curve line{.name = name, .x = {}, .y = {}};
+    for (std::size_t i = 0; i < curve.ratios.size(); ++i) {
+        const auto& ratio = curve.ratios[i].at(static_cast<std::size_t>(q));
+        if (!ratio) continue;
+        line.x.push_back(curve.thickness_ratios[i]);
+        line.y.push_back(percent ? 100 * std::abs(*ratio - 1) : *ratio);
+    }
+    return line;
+}
+
+/// Where the case is.
+report::Curve here(const HalfSpaceDeviation& deviation, double low, double high) {
+    return {.name = "this layer",
+            .x = {deviation.thickness_ratio, deviation.thickness_ratio},
+            .y = {low, high},
+            .theory = true};
+}
+
+report::Figure over_thickness(const std::string& id, const std::string& title,
+                              const std::string& caption, const report::FigureAxis& y) {
+    return {.id = id, .title = title, .caption = caption, .x = thickness_axis, .y = y};
+}
+
+/// A computed quantity along a curve; `percent`: 100 |ratio - 1|, gaps where that is no more than
+/// its error and has no place on a logarithmic axis.
+report::Curve computed_line(const RolledCurve& curve, RolledQuantity q, const std::string& name,
+                            bool percent) {
+    report::Curve line{
+        .name = name, .x = {}, .y = {}, .kind = report::Curve::Kind::line_and_points};
+    for (const RolledDeviation& point : curve.points) {
+        const auto& ratio = point.ratios.at(static_cast<std::size_t>(q));
+        if (!ratio || (percent && std::abs(ratio->value - 1) <= ratio->error)) continue;
+        line.x.push_back(point.body.thickness_ratio);
+        line.y.push_back(percent ? 100 * std::abs(ratio->value - 1) : ratio->value);
+        line.y_error.push_back(percent ? 100 * ratio->error : ratio->error);
+    }
+    return line;
+}
+
+bool is_own(const HalfSpaceDeviation& deviation, const RolledCurve& curve) {
+    return curve.poisson == deviation.c.substrate.poisson;
+}
+
+/// Levels of a map [%], beyond which its colours do not reach.
+const std::vector<double> map_levels{-60, -40, -20, -10, -5, -2, -1, 1, 2, 5, 10, 20, 40, 60};
+
+}  // namespace
+
+std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviation) {
+    const ExactCurve& curve = deviation.curves.front();
+    report::Figure ratios = over_thickness(
+        "ratios", "Layer over half-space",
+        "Exact theory, same force, " + setting(deviation) +
+            ". What lies at 1 is that of a half-space; the dashed line is the case's layer.",
+        {"layer over half-space [-]", true});
+    report::Figure percents = over_thickness(
+        "deviations", "Deviation from the half-space",
+        std::string("The same as |ratio - 1|") +
+            (deviation.rolled.empty()
+                 ? ""
+                 : ", with what boundary elements computed (points, numerical error as bars; left "
+                   "out where the error is larger)") +
+            ". Thick layers fall by the powers of theory: d, U_max and the stiffnesses as D_c/b, a "
+            "and p0 as its third, the limits as its fifth.",
+        {"deviation [%]", true});
+    for (const ExactQuantity q : exact_quantities()) {
+        if (!curve.ratios.front().at(static_cast<std::size_t>(q))) continue;
+        ratios.curves.push_back(exact_line(curve, q, describe(q).symbol, false));
+        percents.curves.push_back(exact_line(curve, q, describe(q).symbol, true));
+        // Below 1e-6 % only rounding is left.
+        for (double& y : percents.curves.back().y)
+            if (y < 1e-6) y = std::numeric_limits<double>::quiet_NaN();
+    }
+    for (const RolledCurve& rolled : deviation.rolled) {
+        if (!is_own(deviation, rolled) || rolled.coupled != deviation.c.contact.coupling) continue;
+        for (const RolledQuantity q :
+             {RolledQuantity::static_shift, RolledQuantity::settled_shift,
+              RolledQuantity::settled_shift_ratio, RolledQuantity::shift_increment_ratio}) {
+            report::Curve points = computed_line(rolled, q, describe(q).symbol, true);
+            points.kind = report::Curve::Kind::points;
+            if (!points.x.empty()) percents.curves.push_back(points);
+        }
+    }
+    ratios.curves.push_back(here(deviation, .1, 10));
+    percents.curves.push_back(here(deviation, 1e-3, 1e3));
+    return {ratios, percents};
+}
+
+std::vector<report::Figure> material_figures(const HalfSpaceDeviation& deviation) {
+    std::vector<report::Figure> figures;
+    for (const ExactQuantity q : {ExactQuantity::indentation, ExactQuantity::unit_shift}) {
+        report::Figure figure = over_thickness(
+            fmt::format("materials_{}", ratio_key(describe(q))),
+            fmt::format("{} by Poisson's ratio and base", describe(q).symbol),
+            fmt::format("Exact {} of the layer over that of the half-space of the same material "
+                        "under the same force; bonded base where nothing else is said.",
+                        describe(q).name),
+            {fmt::format("{} over half-space [-]", describe(q).symbol)});
+        for (const ExactCurve& curve : deviation.curves)
+            if (curve.ratios.front().at(static_cast<std::size_t>(q)))
+                figure.curves.push_back(exact_line(curve, q, of_curve(curve), false));
+        figure.curves.push_back(here(deviation, 0, 1));
+        figures.push_back(figure);
+    }
+    return figures;
+}
+
+std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
+    std::vector<report::Figure> figures;
+    const ExactMap& map = deviation.map;
+    for (const ExactQuantity q : exact_quantities()) {
+        const auto i = static_cast<std::size_t>(q);
+        if (!map.ratios.front().at(i)) continue;
+        report::ContourMap contours{
+            .label = "deviation [%]", .x = map.thickness_ratios, .y = map.poissons, .values = {}};
+        for (const ExactRatios& ratios : map.ratios)
+            contours.values.push_back(100 * (*ratios.at(i) - 1));
+        contours.levels = map_levels;
+        report::Figure figure = over_thickness(
+            fmt::format("map_{}", ratio_key(describe(q))),
+            fmt::format("{}: {}", describe(q).symbol, describe(q).name),
+            "Layer over half-space minus 1 in percent, exact, bonded base, same force.",
+            {"Poisson ratio nu [-]"});
+        figure.map = std::move(contours);
+        if (deviation.base == LayerBase::bonded && deviation.c.substrate.poisson >= 0)
+            figure.curves.push_back({.name = "this layer",
+                                     .x = {deviation.thickness_ratio},
+                                     .y = {deviation.c.substrate.poisson},
+                                     .kind = report::Curve::Kind::points});
+        figures.push_back(figure);
+    }
+    return figures;
+}
+
+std::vector<report::Figure> rolled_figures(const HalfSpaceDeviation& deviation) {
+    std::vector<report::Figure> figures;
+    for (const RolledQuantity q : rolled_quantities()) {
+        report::Figure figure = over_thickness(
+            fmt::format("computed_{}", ratio_key(describe(q))),
+            fmt::format("{}: {}", describe(q).symbol, describe(q).name),
+            fmt::format(
+                "Boundary elements of the bonded layer over those of the half-space, "
+                "coupled where nothing else is said, f_T = {}, {}; bars: numerical error.",
+                report::significant(deviation.contact.tangential_ratio, 3),
+                q < RolledQuantity::settled_shift ? "before rolling"
+                : q < RolledQuantity::shift_increment || q == RolledQuantity::limit_tangential_ratio
+                    ? "w = " + report::significant(deviation.amplitudes.settling, 3)
+                    : "w = " + report::significant(deviation.amplitudes.ratcheting, 3)),
+            {fmt::format("{} over half-space [-]", describe(q).symbol)});
+        for (const RolledCurve& curve : deviation.rolled) {
+            if (!curve.coupled && !is_own(deviation, curve)) continue;
+            report::Curve line =
+                computed_line(curve, q,
+                              fmt::format("nu = {}{}", report::as_given(curve.poisson),
+                                          curve.coupled ? "" : ", uncoupled"),
+                              false);
+            if (!line.x.empty()) figure.curves.push_back(line);
+        }
+        if (!figure.curves.empty()) figures.push_back(figure);
+    }
+    return figures;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,146 @@
+// Sentences and lines for people.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/half_space/deviation_output.h"
+#include "comparisons/half_space/deviation_rows.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Standing = report::Verdict::Standing;
+
+/// Of a deviation from which on a half-space is said to fail.
+constexpr double tolerable = .05;
+
+std::string below(double ratio) {
+    return fmt::format("{} % {}", report::significant(100 * std::abs(ratio - 1), 3),
+                       ratio < 1 ? "below" : "above");
+}
+
+std::string higher(double ratio) {
+    return fmt::format("{} % too {}", report::significant(100 * std::abs(ratio - 1), 3),
+                       ratio > 1 ? "high" : "low");
+}
+
+double here(const HalfSpaceDeviation& deviation, ExactQuantity q) {
+    return *deviation.here.at(static_cast<std::size_t>(q));
+}
+
+double largest_exact(const HalfSpaceDeviation& deviation) {
+    double largest = 0;
+    for (const auto& ratio : deviation.here)
+        if (ratio) largest = std::max(largest, std::abs(*ratio - 1));
+    return largest;
+}
+
+report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
+    std::string text = fmt::format(
+        "The layer is {} widths of Hertz' contact thick ({}, {} base, nu = {}): on it the "
+        "indentation is {} that of a half-space under the same force, the contact radius {}, the "
+        "peak pressure {}, the normal stiffness {}",
+        report::significant(deviation.thickness_ratio, 3),
+        report::given_quantity(*deviation.c.layer.thickness, "m"), name_of(deviation.base),
+        report::as_given(deviation.c.substrate.poisson),
+        below(here(deviation, ExactQuantity::indentation)),
+        below(here(deviation, ExactQuantity::contact_radius)),
+        below(here(deviation, ExactQuantity::peak_pressure)),
+        below(here(deviation, ExactQuantity::normal_stiffness)));
+    if (deviation.base == theory::LayerBase::bonded)
+        text += fmt::format(", U_max {}", below(here(deviation, ExactQuantity::unit_shift)));
+    return {largest_exact(deviation) > tolerable ? Standing::fails : Standing::holds, text + "."};
+}
+
+report::Verdict modulus_verdict(const HalfSpaceDeviation& deviation) {
+    const double young = deviation.c.substrate.young;
+    const ApparentModuli& apparent = deviation.apparent;
+    std::string text = fmt::format(
+        "Identified by Hertz' theory, E would be {} from force and indentation, {} from the "
+        "contact "
+        "radius",
+        higher(apparent.from_indentation / young), higher(apparent.from_contact_radius / young));
+    if (apparent.from_unit_shift)
+        text += fmt::format(", {} from U_max", higher(*apparent.from_unit_shift / young));
+    return {Standing::finding, text + "."};
+}
+
+std::optional<report::Verdict> needed_verdict(const HalfSpaceDeviation& deviation) {
+    std::vector<std::string> parts;
+    for (const DeviationRow& row : rows_here(deviation)) {
+        if (row.computed || !row.needed) continue;
+        parts.push_back(fmt::format("{} in {}",
+                                    needed_text(row.needed->front(), thinnest_of(deviation, row)),
+                                    row.quantity->symbol));
+    }
+    if (parts.empty()) return {};
+    return report::Verdict{
+        Standing::finding,
+        fmt::format("For 1 % the layer has to be so many contact widths thick: {}.",
+                    fmt::join(parts, ", "))};
+}
+
+/// "U_stat 12.1 ± 0.2 % below, ...": what is more than its error.
+std::optional<report::Verdict> rolled_verdict(const HalfSpaceDeviation& deviation) {
+    const RolledDeviation* point = rolled_here(deviation);
+    if (!point) return {};
+    std::vector<std::string> differs, same;
+    for (const RolledQuantity q : rolled_quantities()) {
+        const auto& ratio = point->ratios.at(static_cast<std::size_t>(q));
+        if (!ratio) continue;
+        const double size = std::abs(ratio->value - 1);
+        if (size <= ratio->error)
+            same.push_back(fmt::format("{} (to {} %)", describe(q).symbol,
+                                       report::significant(100 * (size + ratio->error), 2)));
+        else
+            differs.push_back(fmt::format(
+                "{} {} ± {} % {}", describe(q).symbol, report::significant(100 * size, 3),
+                report::significant(100 * ratio->error, 2), ratio->value < 1 ? "lower" : "higher"));
+    }
+    std::string text = "Friction and rolling on the layer against the half-space: ";
+    text += differs.empty() ? "nothing differs by more than its numerical error"
+                            : fmt::format("{}", fmt::join(differs, ", "));
+    if (!same.empty()) text += fmt::format("; no difference in {}", fmt::join(same, ", "));
+    if (point->state == contact::State::ratcheting &&
+        point->half_space_state == contact::State::shakedown)
+        text += "; at w = " + report::significant(deviation.amplitudes.settling, 3) +
+                " it ratchets, the half-space shakes down";
+    return report::Verdict{Standing::finding, text + "."};
+}
+
+}  // namespace
+
+std::vector<report::Verdict> deviation_verdicts(const HalfSpaceDeviation& deviation) {
+    std::vector<report::Verdict> verdicts{layer_verdict(deviation), modulus_verdict(deviation)};
+    for (const auto& verdict : {needed_verdict(deviation), rolled_verdict(deviation)})
+        if (verdict) verdicts.push_back(*verdict);
+    if (deviation.n_failed_runs > 0)
+        verdicts.push_back(
+            {Standing::cannot_tell,
+             fmt::format("Failed runs: {}; their values are missing.", deviation.n_failed_runs)});
+    return verdicts;
+}
+
+std::string deviation_text(const HalfSpaceDeviation& deviation) {
+    std::string text = fmt::format("{:<34}{:>10}{:>11}   b/D_c for {}\n", "layer over half-space",
+                                   "ratio", "error", "1 %, 2 %, 5 %");
+    for (const DeviationRow& row : rows_here(deviation)) {
+        std::vector<std::string> needed;
+        if (row.needed)
+            for (const NeededThickness& n : *row.needed)
+                needed.push_back(needed_text(n, thinnest_of(deviation, row)));
+        text += fmt::format(
+            "{:<34}{:>10}{:>11}   {}\n",
+            fmt::format("{} ({})", ratio_key(*row.quantity), row.quantity->symbol),
+            row.ratio ? fmt::format("{:.4f}", row.ratio->value) : "-",
+            !row.computed ? "exact" : (row.ratio ? fmt::format("{:.4f}", row.ratio->error) : "-"),
+            needed.empty() ? "-" : fmt::format("{}", fmt::join(needed, ", ")));
+    }
+    return text;
+}
+
+}  // namespace tricontact::comparisons

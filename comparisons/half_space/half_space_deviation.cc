@@ -1,0 +1,221 @@
+#include "comparisons/half_space/half_space_deviation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using theory::LayerBase;
+
+constexpr std::array<double, 7> rolled_thickness_ratios{.25, .5, 1, 2, 4, 8, 16};
+constexpr std::array<double, 3> rolled_poissons{.3, .45, .5};
+constexpr std::array<double, 6> curve_poissons{0, .3, .4, .45, .49, .5};
+constexpr std::array<double, 13> map_poissons{0,   .1,   .2,  .3,  .35,  .4, .425,
+                                              .45, .465, .48, .49, .495, .5};
+
+/// Ten per decade.
+std::vector<double> decades(int from, int to) {
+    std::vector<double> values;
+    for (int i = 10 * from; i <= 10 * to; ++i) values.push_back(std::pow(10., i / 10.));
+    return values;
+}
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw contact::InputError(what);
+}
+
+void check(const Case& c) {
+    if (!contact::is_hertz_round(c))
+        refuse(
+            "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "
+            "sphere");
+    if (!c.layer.thickness)
+        refuse(
+            "substrate.thickness is missing: without it the substrate is a half-space; give the "
+            "thickness, --set \"substrate.thickness=8 mm\"");
+    if (c.relaxation)
+        refuse(
+            "substrate.relaxation: deviations are those of an elastic layer; describe the relaxed "
+            "one, without this section");
+    if (c.load.normal_amplitude_ratio != 0 || c.load.tangential_amplitude_ratio != 0)
+        refuse(
+            "load: deviations are those under constant loads; set normal_amplitude_ratio and "
+            "tangential_amplitude_ratio to 0");
+}
+
+NeededThicknesses needed_on(const ExactDeviation& exact, ExactQuantity q, const ExactCurve& curve) {
+    std::vector<RatioPoint> points;
+    for (std::size_t i = 0; i < curve.ratios.size(); ++i)
+        points.push_back(
+            {curve.thickness_ratios[i], *curve.ratios[i].at(static_cast<std::size_t>(q))});
+    const auto ratio = [&](double thickness) { return *exact.ratio(q, thickness); };
+    NeededThicknesses result;
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result.at(i) = needed_thickness(points, ratio, deviation_tolerances.at(i));
+    return result;
+}
+
+ExactCurve curve_of(const DeviationContact& contact, double poisson, LayerBase base, bool coupled) {
+    const ExactDeviation exact(contact, poisson, base);
+    // To 1000 D_c, where no deviation is above a tenth of a percent.
+    ExactCurve curve{.poisson = poisson,
+                     .base = base,
+                     .coupled = coupled,
+                     .thickness_ratios = decades(-1, 3),
+                     .ratios = {},
+                     .needed = {}};
+    for (const double thickness : curve.thickness_ratios)
+        curve.ratios.push_back(exact.ratios(thickness, coupled));
+    for (const ExactQuantity q : exact_quantities())
+        if (curve.ratios.front().at(static_cast<std::size_t>(q)))
+            curve.needed.at(static_cast<std::size_t>(q)) = needed_on(exact, q, curve);
+    return curve;
+}
+
+ExactMap map_of(const DeviationContact& contact) {
+    ExactMap map{decades(-1, 2), {map_poissons.begin(), map_poissons.end()}, {}};
+    for (const double poisson : map.poissons) {
+        const ExactDeviation exact(contact, poisson, LayerBase::bonded);
+        for (const double thickness : map.thickness_ratios)
+            map.ratios.push_back(exact.ratios(thickness, false));
+    }
+    return map;
+}
+
+/// The longest row of points that know a quantity, from the thickest on.
+std::vector<RatioPoint> known_points(const RolledCurve& curve, std::size_t q) {
+    std::vector<RatioPoint> points;
+    for (auto p = curve.points.rbegin(); p != curve.points.rend() && p->ratios.at(q); ++p)
+        points.push_back({p->body.thickness_ratio, p->ratios.at(q)->value, p->ratios.at(q)->error});
+    std::reverse(points.begin(), points.end());
+    return points;
+}
+
+void add_needed(RolledCurve& curve) {
+    for (std::size_t q = 0; q < n_rolled_quantities; ++q) {
+        const auto points = known_points(curve, q);
+        if (points.size() < 3) continue;
+        NeededThicknesses& needed = curve.needed.at(q).emplace();
+        for (std::size_t i = 0; i < needed.size(); ++i)
+            needed.at(i) = needed_thickness(points, deviation_tolerances.at(i));
+    }
+}
+
+}  // namespace
+
+DeviationContact deviation_contact(const Case& c) {
+    check(c);
+    const auto layer = compare_with_layer(c, {});
+    if (!layer->exact) refuse(layer->why_not);
+    const double modulus = c.substrate.young / (1 - c.substrate.poisson * c.substrate.poisson);
+    DeviationContact contact{
+        .indenter = c.make_axisymmetric_indenter(),
+        .normal_force = c.load.normal_force.value_or(layer->exact->normal_force),
+        .effective_modulus = modulus};
+    contact.hertz_diameter =
+        2 * std::cbrt(3 * contact.normal_force * c.indenter.radius / (4 * modulus));
+    const double limit = c.friction_coefficient * contact.normal_force;
+    contact.tangential_ratio = c.load.tangential_force ? *c.load.tangential_force / limit
+                                                       : c.load.tangential_ratio.value_or(0);
+    if (!(contact.tangential_ratio < 1))
+        refuse("load.tangential_force: reaches the friction limit mu F_N; reduce it");
+    if (c.rolling) {
+        const double radius = layer->exact->contact_radius;
+        const bool model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+        contact.amplitude_ratio =
+            rolling_amplitude(*c.rolling,
+                              model ? radius : contact::half_space_scales(c).contact_radius) /
+            radius;
+    }
+    if (contact.amplitude_ratio >= 1)
+        refuse("rolling: w = W/a is at least 1: nothing stays in contact; reduce the amplitude");
+    return contact;
+}
+
+HalfSpaceDeviation exact_deviation(const Case& c) {
+    HalfSpaceDeviation result;
+    result.c = c;
+    result.contact = deviation_contact(c);
+    result.thickness_ratio = *c.layer.thickness / result.contact.hertz_diameter;
+    if (c.layer.base == Case::Base::frictionless) result.base = LayerBase::frictionless;
+    const ExactDeviation exact(result.contact, c.substrate.poisson, result.base);
+    result.here = exact.ratios(result.thickness_ratio);
+    result.apparent = *compare_with_layer(c, {})->apparent;
+
+    const auto add = [&](double poisson, LayerBase base) {
+        const bool first = result.curves.empty();
+        const auto same = [&](const ExactCurve& curve) {
+            return curve.base == base &&
+                   (curve.poisson == poisson || base == LayerBase::frictionless);
+        };
+        if (std::none_of(result.curves.begin(), result.curves.end(), same))
+            result.curves.push_back(curve_of(result.contact, poisson, base, first));
+    };
+    add(c.substrate.poisson, result.base);
+    for (const double poisson : curve_poissons) add(poisson, LayerBase::bonded);
+    add(c.substrate.poisson, LayerBase::frictionless);
+    result.map = map_of(result.contact);
+    if (result.contact.amplitude_ratio > 0 && result.contact.tangential_ratio > 0)
+        result.amplitudes =
+            rolled_amplitudes(result.contact.amplitude_ratio, result.contact.tangential_ratio);
+    return result;
+}
+
+std::vector<RolledBody> rolled_bodies(const HalfSpaceDeviation& deviation) {
+    if (deviation.base == LayerBase::frictionless || deviation.contact.tangential_ratio == 0)
+        return {};
+    const double own = deviation.c.substrate.poisson;
+    std::vector<double> poissons{rolled_poissons.begin(), rolled_poissons.end()};
+    if (std::find(poissons.begin(), poissons.end(), own) == poissons.end()) poissons.push_back(own);
+    std::sort(poissons.begin(), poissons.end());
+    std::vector<RolledBody> bodies;
+    for (const double poisson : poissons)
+        for (const bool coupled : {true, false}) {
+            std::vector<double> thicknesses{rolled_thickness_ratios.begin(),
+                                            rolled_thickness_ratios.end()};
+            if (poisson == own) thicknesses.push_back(deviation.thickness_ratio);
+            std::sort(thicknesses.begin(), thicknesses.end());
+            thicknesses.erase(std::unique(thicknesses.begin(), thicknesses.end()),
+                              thicknesses.end());
+            for (const double thickness : thicknesses)
+                bodies.push_back({thickness, poisson, coupled});
+            bodies.push_back({.poisson = poisson, .coupled = coupled});
+        }
+    return bodies;
+}
+
+void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& deviation) {
+    for (const RolledDeviation& point : rolled_deviations(results)) {
+        auto& curves = deviation.rolled;
+        const auto mine = std::find_if(curves.begin(), curves.end(), [&](const RolledCurve& curve) {
+            return curve.poisson == point.body.poisson && curve.coupled == point.body.coupled;
+        });
+        RolledCurve& curve = mine != curves.end()
+                                 ? *mine
+                                 : curves.emplace_back(RolledCurve{.poisson = point.body.poisson,
+                                                                   .coupled = point.body.coupled,
+                                                                   .points = {},
+                                                                   .needed = {}});
+        curve.points.push_back(point);
+    }
+    for (RolledCurve& curve : deviation.rolled) add_needed(curve);
+    deviation.n_failed_runs = static_cast<std::size_t>(std::count_if(
+        results.begin(), results.end(), [](const RolledResult& result) { return !result.values; }));
+}
+
+const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation) {
+    for (const RolledCurve& curve : deviation.rolled)
+        for (const RolledDeviation& point : curve.points)
+            if (curve.poisson == deviation.c.substrate.poisson &&
+                curve.coupled == deviation.c.contact.coupling &&
+                point.body.thickness_ratio == deviation.thickness_ratio)
+                return &point;
+    return nullptr;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,171 @@
+#include "comparisons/half_space/layer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/half_space/line_layer.h"
+#include "contact/bodies/rough_scales.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "theory/hertz.h"
+#include "theory/layer/elastic_layer.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::History;
+using contact::NormalControl;
+
+/// Compliance of the indenter over the substrate's up to which it counts as rigid.
+constexpr double negligible_compliance = 1e-3;
+
+theory::LayerContact solve(const Case& c) {
+    return theory::solve_layer_contact(elastic_layer(c), *c.make_axisymmetric_indenter(),
+                                       contact::press_step(c).normal);
+}
+
+void add_exact(const Case& c, LayerComparison& result) {
+    result.why_not = why_no_exact_theory(c);
+    if (!result.why_not.empty()) return;
+    try {
+        if (c.is_line_contact()) {
+            result.exact = line_pressed_values(c, exact_line_contact(c).value());
+            return;
+        }
+        const theory::LayerContact exact = solve(c);
+        std::optional<double> shift = exact.unit_shift;
+        if (shift) *shift *= c.friction_coefficient;
+        result.exact = {exact.contact_radius,
+                        exact.indentation,
+                        exact.normal_force,
+                        exact.centre_pressure,
+                        shift,
+                        exact.normal_stiffness};
+    } catch (const contact::InputError& error) {
+        result.why_not = error.what();
+    } catch (const contact::NotConverged& error) {
+        result.why_not = error.what();
+    }
+}
+
+ApparentModuli apparent_moduli(const Case& c, const PressedValues& layer) {
+    const contact::MaterialPair pair = c.materials();
+    const double force = layer.normal_force, radius = c.indenter.radius;
+    // All moduli in proportion: E_app/E = E*_app/E*.
+    const auto young = [&](double effective_modulus) {
+        return c.substrate.young * effective_modulus / pair.effective_modulus();
+    };
+    const auto from_indentation = [&](double d) {
+        return young(theory::hertz_modulus_from_indentation(force, radius, d));
+    };
+    ApparentModuli result{
+        from_indentation(layer.indentation),
+        young(theory::hertz_modulus_from_contact_radius(force, radius, layer.contact_radius)),
+        {}};
+    if (layer.unit_shift && c.friction_coefficient > 0)
+        result.from_unit_shift =
+            from_indentation(*layer.unit_shift * pair.effective_shear_modulus() /
+                             (c.friction_coefficient * pair.effective_modulus()));
+    return result;
+}
+
+double half_space_stiffness(const Case& c, double contact_radius) {
+    return c.is_line_contact() ? line_stiffness(c, contact_radius)
+                               : 2 * c.materials().effective_modulus() * contact_radius;
+}
+
+PressedValues values_of(const Case& c, const History& history, const LoadingStudy& study) {
+    const contact::Scales& s = history.scales;
+    PressedValues values{s.contact_radius, s.indentation, s.normal_force,
+                         s.peak_pressure,  s.unit_shift,  {}};
+    const auto found = study.normal_stiffness.find(history.model);
+    if (is_half_space(history.model))
+        values.normal_stiffness = half_space_stiffness(c, s.contact_radius);
+    else if (found != study.normal_stiffness.end())
+        values.normal_stiffness = found->second;
+    return values;
+}
+
+}  // namespace
+
+theory::ElasticLayer elastic_layer(const Case& c) {
+    return {c.substrate, *c.layer.thickness,
+            c.layer.base == Case::Base::bonded ? theory::LayerBase::bonded
+                                               : theory::LayerBase::frictionless};
+}
+
+std::string why_no_exact_theory(const Case& c) {
+    if (c.indenter.shape == Case::Shape::ellipsoid)
+        return "the exact theory knows bodies of revolution, the indenter is an ellipsoid";
+    if (c.indenter.roughness || contact::is_nominally_flat(c))
+        return "the exact theory knows smooth bodies, the indenter is rough";
+    if (!c.layer.lower.empty()) return "the exact theory knows one layer, the case has more";
+    if (c.layer.base == Case::Base::half_space)
+        return "the exact theory knows a rigid ground, that of the case is elastic";
+    if (c.bem.period) return "the exact theory knows one indenter, the case has one in each period";
+    if (c.bem.influence) return "the influence coefficients of the case come from a file";
+    if (c.indenter.material && c.indenter.material->plane_compliance() >
+                                   negligible_compliance * c.substrate.plane_compliance())
+        return "the exact theory takes the indenter as rigid, that of the case is not";
+    return {};
+}
+
+const std::vector<PressedQuantity>& pressed_quantities() {
+    using Values = const PressedValues&;
+    using Value = std::optional<double>;
+    static const std::vector<PressedQuantity> pressed{
+        {&quantities::contact_radius, [](Values v) -> Value { return v.contact_radius; }},
+        {&quantities::indentation, [](Values v) -> Value { return v.indentation; }},
+        {&quantities::normal_force, [](Values v) -> Value { return v.normal_force; }},
+        {&quantities::peak_pressure, [](Values v) -> Value { return v.peak_pressure; }},
+        {&quantities::unit_shift, [](Values v) { return v.unit_shift; }},
+        {&quantities::normal_stiffness, [](Values v) { return v.normal_stiffness; }}};
+    return pressed;
+}
+
+PressedValues hertz_values(const Case& c) {
+    const contact::HalfSpaceScales h = contact::half_space_scales(c);
+    return {h.contact_radius, h.indentation, h.normal_force,
+            h.peak_pressure,  h.unit_shift,  half_space_stiffness(c, h.contact_radius)};
+}
+
+bool is_half_space(const std::string& model) {
+    return model == "mdr" || model == "bem";
+}
+
+std::optional<theory::LayerContact> exact_layer_contact(const Case& c) {
+    if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
+    try {
+        return solve(c);
+    } catch (const contact::InputError&) {  // out of the theory's range
+        return {};
+    } catch (const contact::NotConverged&) {
+        return {};
+    }
+}
+
+std::optional<LayerComparison> compare_with_layer(const Case& c,
+                                                  const std::vector<History>& histories,
+                                                  const LoadingStudy& study) {
+    if (!c.layer.thickness) return {};
+    LayerComparison result;
+    result.thickness = *c.layer.thickness;
+    result.half_space = hertz_values(c);
+    result.thickness_ratio = result.thickness / (2 * result.half_space.contact_radius);
+    add_exact(c, result);
+    if (result.exact && contact::is_hertz_round(c))
+        result.apparent = apparent_moduli(c, *result.exact);
+    for (const History& history : histories)
+        result.models.push_back(
+            {history.model, is_half_space(history.model), values_of(c, history, study)});
+    const double total = c.layer.total_thickness();
+    if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
+    if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
+    return result;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/half_space/layer_report.h"
+#include "contact/far_sides.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+
+/// "3.19 % larger"
+std::string larger(double ratio) {
+    if (ratio == 1) return "equal";
+    return fmt::format("{} % {}", report::significant(100 * std::abs(ratio - 1), 3),
+                       ratio > 1 ? "larger" : "smaller");
+}
+
+std::string ground_phrase(const Case::Layer& layer) {
+    if (layer.lower.size() > 1)
+        return fmt::format("and rests on {} further layers of {} together", layer.lower.size(),
+                           report::given_quantity(layer.total_thickness() - *layer.thickness, "m"));
+    if (!layer.lower.empty())
+        return fmt::format("and rests on a second layer of {} and E = {}",
+                           report::given_quantity(layer.lower.front().thickness, "m"),
+                           report::given_quantity(layer.lower.front().material.young, "Pa"));
+    if (layer.base == Case::Base::half_space)
+        return fmt::format("and bonded to a half-space of E = {}",
+                           report::given_quantity(layer.ground->young, "Pa"));
+    return layer.base == Case::Base::bonded ? "and bonded to its rigid ground"
+                                            : "and glides on its rigid ground";
+}
+
+std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
+    std::string text = fmt::format(
+        "The layer is {} thick, {} times the {} of Hertz' contact, {}.",
+        report::given_quantity(layer.thickness, "m"), report::significant(layer.thickness_ratio, 3),
+        c.is_cylindrical() ? "width" : "diameter", ground_phrase(c.layer));
+    if (!layer.exact) text += " It is compared with no exact solution: " + layer.why_not + ".";
+    return text;
+}
+
+/// What ignoring the thickness does, by the exact theories of both bodies.
+std::string half_space_sentence(const Case& c, const LayerComparison& layer) {
+    std::vector<std::string> models;
+    for (const auto& model : layer.models)
+        if (model.half_space) models.push_back(model.name);
+    std::string text =
+        models.empty()
+            ? "A half-space model would ignore the thickness."
+            : fmt::format("{} {} and ignore{} the thickness.", report::display_names(models),
+                          models.size() > 1 ? "are half-space models" : "is a half-space model",
+                          models.size() > 1 ? "" : "s");
+    if (!layer.exact) return text;
+    const PressedValues &h = layer.half_space, &e = *layer.exact;
+    text += fmt::format(" That alone, at equal {}, makes ",
+                        c.load.normal_force ? "force" : "indentation");
+    text += c.load.normal_force
+                ? fmt::format("the indentation {}", larger(h.indentation / e.indentation))
+                : fmt::format("the force {}", larger(h.normal_force / e.normal_force));
+    text += fmt::format(", the contact radius {}, the peak pressure {}",
+                        larger(h.contact_radius / e.contact_radius),
+                        larger(h.peak_pressure / e.peak_pressure));
+    if (e.unit_shift && *e.unit_shift > 0)
+        text += fmt::format(" and U_max {}", larger(*h.unit_shift / *e.unit_shift));
+    return text + " than on the layer (exact theories of both).";
+}
+
+std::string apparent_sentence(const Case& c, const LayerComparison& layer) {
+    if (!layer.apparent) return {};
+    const ApparentModuli& apparent = *layer.apparent;
+    return fmt::format(
+        "Hertz' theory would identify on this layer E = {} from force and indentation, {} from "
+        "the contact radius{}; the layer has {}.",
+        report::quantity(apparent.from_indentation, "Pa", 3),
+        report::quantity(apparent.from_contact_radius, "Pa", 3),
+        apparent.from_unit_shift ? fmt::format(" and {} from U_max",
+                                               report::quantity(*apparent.from_unit_shift, "Pa", 3))
+                                 : "",
+        report::given_quantity(c.substrate.young, "Pa"));
+}
+
+std::string side_text(const char* name, std::optional<double> half, std::optional<double> length) {
+    if (!half) return fmt::format("its {} is chosen wide enough", name);
+    return fmt::format("{} of {} puts the sides {} thicknesses from the centre", name,
+                       report::given_quantity(*length, "m"), report::significant(*half, 3));
+}
+
+std::string width_sentence(const Case& c, const LayerComparison& layer) {
+    if (std::none_of(layer.models.begin(), layer.models.end(),
+                     [](const auto& model) { return model.name == "fem"; }))
+        return {};  // the others' layer is infinitely wide
+    if (c.fem.mesh)
+        return fmt::format(
+            "The block is that of {}; exact layer and half-space are infinitely "
+            "wide.",
+            *c.fem.mesh);
+    const double far = contact::far_sides(c);
+    if (!layer.half_width && !layer.half_depth)
+        return fmt::format(
+            "The block is chosen wide enough for its sides to be hardly felt ({} "
+            "thicknesses to each side, or more); exact layer and half-space are "
+            "infinitely wide.",
+            far);
+    std::string text = fmt::format("The block is finite: {}, {}.",
+                                   side_text("width", layer.half_width, c.layer.width),
+                                   side_text("depth", layer.half_depth, c.layer.depth));
+    if (std::min(layer.half_width.value_or(far), layer.half_depth.value_or(far)) < far)
+        text += fmt::format(
+            " Less than {} may be felt; exact layer and half-space are infinitely "
+            "wide and do not tell by how much.",
+            far);
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> layer_sentences(const Case& c, const LayerComparison& layer) {
+    std::vector<std::string> result{thickness_sentence(c, layer), half_space_sentence(c, layer)};
+    for (const std::string& text : {apparent_sentence(c, layer), width_sentence(c, layer)})
+        if (!text.empty()) result.push_back(text);
+    return result;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/half_space/layer.h"
+#include "comparisons/run/report_tables.h"
+
+namespace tricontact::comparisons {
+
+/// What the thickness and the width of the layer mean for this case, in plain sentences.
+std::vector<std::string> layer_sentences(const contact::Case& c, const LayerComparison& layer);
+
+/// Exact layer, half-space and models, with differences to the first of these that is there.
+Table layer_table(const LayerComparison& layer);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,131 @@
+#include "comparisons/half_space/needed_thickness.h"
+
+#include <math.h>  // pchip.hpp of Boost 1.74 uses ::isnan
+
+#include <algorithm>
+#include <boost/math/interpolators/pchip.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Function = std::function<double(double)>;
+
+/// Root of `f` between two arguments at which its values, given, differ in sign.
+double root_between(const Function& f, double low, double high, double at_low, double at_high) {
+    if (at_low == 0) return low;
+    if (at_high == 0) return high;
+    std::uintmax_t evaluations = 200;  // toms748 needs about 10
+    const auto [left, right] = boost::math::tools::toms748_solve(
+        f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), evaluations);
+    return std::midpoint(left, right);
+}
+
+struct Crossings {
+    std::optional<double> first;
+    int n = 0;
+};
+
+/// Where `f` passes zero on a grid of increasing arguments.
+Crossings crossings(const Function& f, const std::vector<double>& grid) {
+    Crossings result;
+    double before = f(grid.front());
+    for (std::size_t i = 1; i < grid.size(); ++i) {
+        const double now = f(grid[i]);
+        if ((before < 0) != (now < 0)) {
+            if (!result.first) result.first = root_between(f, grid[i - 1], grid[i], before, now);
+            ++result.n;
+        }
+        before = now;
+    }
+    return result;
+}
+
+std::optional<double> inverse(std::optional<double> x) {
+    return x ? std::optional(1 / *x) : std::nullopt;
+}
+
+/// Deviation and error over D_c/b.
+class Curves {
+  public:
+    explicit Curves(const std::vector<RatioPoint>& points)
+        : thinness_(of(points, [](const RatioPoint& p) { return 1 / p.thickness_ratio; })),
+          deviation_(interpolant(of(points, [](const RatioPoint& p) { return p.ratio - 1; }))),
+          error_(interpolant(of(points, [](const RatioPoint& p) { return p.error; }))) {}
+
+    /// |deviation| plus so many errors.
+    double size(double thinness, double n_errors) const {
+        return std::abs(deviation_(thinness)) + n_errors * error_(thinness);
+    }
+    /// Fine enough for the interpolants' turning points, which are the points.
+    std::vector<double> grid() const {
+        constexpr int n_between = 20;
+        std::vector<double> grid;
+        for (std::size_t i = 0; i + 1 < thinness_.size(); ++i)
+            for (int k = 0; k < n_between; ++k)
+                grid.push_back(
+                    std::lerp(thinness_[i], thinness_[i + 1], static_cast<double>(k) / n_between));
+        grid.push_back(thinness_.back());
+        return grid;
+    }
+
+  private:
+    using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
+
+    /// From the half-space, at which everything is 0, to the thinnest layer.
+    template <class Value>
+    static std::vector<double> of(const std::vector<RatioPoint>& points, Value value) {
+        std::vector<double> result{0};
+        std::transform(points.rbegin(), points.rend(), std::back_inserter(result), value);
+        return result;
+    }
+    Pchip interpolant(std::vector<double> values) const {
+        return {std::vector<double>(thinness_), std::move(values)};
+    }
+
+    std::vector<double> thinness_;
+    Pchip deviation_, error_;
+};
+
+}  // namespace
+
+NeededThickness needed_thickness(const std::vector<RatioPoint>& points, const Function& exact,
+                                 double tolerance) {
+    const auto exceeds = [&](const RatioPoint& p) { return std::abs(p.ratio - 1) > tolerance; };
+    const auto last = std::find_if(points.rbegin(), points.rend(), exceeds);
+    if (last == points.rend()) return {};
+    if (last == points.rbegin())
+        throw std::domain_error("needed thickness: the thickest layer exceeds the tolerance");
+    const auto excess = [&](double log_thickness) {
+        return std::abs(exact(std::exp(log_thickness)) - 1) - tolerance;
+    };
+    NeededThickness result;
+    const RatioPoint &thin = *last, &thick = *std::prev(last);
+    result.ratio = std::exp(
+        root_between(excess, std::log(thin.thickness_ratio), std::log(thick.thickness_ratio),
+                     std::abs(thin.ratio - 1) - tolerance, std::abs(thick.ratio - 1) - tolerance));
+    result.last_of_several = std::find_if_not(last, points.rend(), exceeds) != points.rend();
+    return result;
+}
+
+NeededThickness needed_thickness(const std::vector<RatioPoint>& points, double tolerance) {
+    if (points.size() < 3)
+        throw std::domain_error("needed thickness: fewer than three points to interpolate");
+    const Curves curves(points);
+    const std::vector<double> grid = curves.grid();
+    const auto sought = [&](double n_errors) {
+        return crossings([&](double s) { return curves.size(s, n_errors) - tolerance; }, grid);
+    };
+    const Crossings central = sought(0);
+    return {.ratio = inverse(central.first),
+            .low = inverse(sought(-1).first),
+            .high = inverse(sought(1).first),
+            .last_of_several = central.n > 1};
+}
+
+}  // namespace tricontact::comparisons

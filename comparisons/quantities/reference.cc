@@ -1,0 +1,86 @@
+#include "comparisons/quantities/reference.h"
+
+#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/pressure_shape.h"
+#include "contact/bodies/rough_scales.h"
+#include "theory/oscillating_cylinder.h"
+#include "theory/rolling/body_rolling.h"
+
+namespace tricontact::comparisons {
+
+bool constant_loads(const contact::Case& c) {
+    return c.load.normal_amplitude_ratio == 0 && c.load.tangential_amplitude_ratio == 0;
+}
+
+bool in_unit_range(double ratio) {
+    return ratio >= 0 && ratio <= 1;
+}
+
+double tangential_ratio(const contact::History& history) {
+    return history.friction_limit > 0 ? history.tangential_force / history.friction_limit : 0;
+}
+
+double amplitude_ratio(const contact::History& history) {
+    return history.amplitude / history.scales.contact_radius;
+}
+
+namespace {
+
+/// Closed forms of the line contact in place of the point contact's.
+void add_line_contact(const contact::Case& c, Reference& r) {
+    const double f = r.tangential_ratio, w = r.amplitude_ratio;
+    const double lambda =
+        contact::line_shift_factor(c.materials(), c.indenter.length / r.hertz.contact_radius);
+    r.static_shift_ratio = theory::line_static_shift_ratio(f, lambda);
+    if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
+    r.limit_tangential_ratio = theory::line_shakedown_limit(w);
+    r.limit_amplitude_ratio = theory::line_amplitude_limit(f);
+    r.stick_ratio = theory::line_stick_half_width(w, f);
+    if (r.stick_ratio)
+        r.shakedown_shift_ratio = theory::line_settled_shift_ratio(w, *r.stick_ratio, lambda);
+}
+
+void add_point_contact(const contact::Case& c, Reference& r) {
+    const double f = r.tangential_ratio, w = r.amplitude_ratio;
+    if (!theory::has_body_theory(c)) return;
+    r.static_shift_ratio = theory::static_shift_ratio(c, f);
+    if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
+    r.limit_tangential_ratio = theory::shakedown_limit(c, w);
+    r.limit_amplitude_ratio = theory::amplitude_limit(c, f);
+    r.shakedown_shift_ratio = theory::bed_settled_shift_ratio(c, w, f);
+}
+
+}  // namespace
+
+Reference reference(const contact::Case& c) {
+    Reference r;
+    r.hertz = contact::half_space_scales(c);
+    r.is_nominal = contact::is_nominally_flat(c);
+    const double friction_limit = c.friction_coefficient * r.hertz.normal_force;
+    r.tangential_ratio = c.load.tangential_ratio
+                             ? *c.load.tangential_ratio
+                             : c.load.tangential_force.value_or(0) / friction_limit;
+    if (c.rolling)
+        r.amplitude_ratio =
+            contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
+    r.has_mapping = contact::is_hertz_round(c);
+    if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
+        r.peak_pressure = r.hertz.peak_pressure;
+    if (!in_unit_range(r.tangential_ratio)) return r;
+    if (c.is_cylindrical())
+        add_line_contact(c, r);
+    else
+        add_point_contact(c, r);
+    return r;
+}
+
+std::string size_name(const contact::Case& c) {
+    return c.is_cylindrical() ? "half width" : "contact radius";
+}
+
+const char* pressure_name(const contact::Case& c) {
+    if (contact::has_conical_tip(c)) return "mean pressure";
+    return contact::pressure_falls(c) ? "peak pressure" : "pressure at the centre";
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/results.h"
+#include "comparisons/resolution/refinement.h"
+
+namespace tricontact::comparisons {
+
+/// Everything that a refinement is made from.
+struct RefinedLevels {
+    std::string model, key;
+    std::vector<double> sizes;    ///< [m], decreasing
+    std::vector<double> cpu_s;    ///< per level
+    std::vector<Results> values;  ///< per level
+    std::optional<Results> wide;  ///< at the finest level but one
+    double wide_factor = 0;
+    std::optional<PressedValues> exact;
+    std::string exact_name;  ///< whose theory that is
+    double tolerance = 0;    ///< of the solvers [-]: smaller relative changes are noise
+};
+
+/// Of all quantities that are refined and that every level has.
+Refinement make_refinement(const RefinedLevels& levels);
+
+}  // namespace tricontact::comparisons

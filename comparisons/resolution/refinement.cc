@@ -1,0 +1,99 @@
+#include "comparisons/resolution/refinement.h"
+
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <stdexcept>
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr double least_searched = 0.01, largest_searched = 20;
+
+/// (h1^p - h2^p)/(h2^p - h3^p), increasing in p.
+double ratio_of_changes(std::span<const double, 3> h, double p) {
+    const double a = std::pow(h[0] / h[1], p), b = std::pow(h[2] / h[1], p);
+    return (a - 1) / (1 - b);
+}
+
+bool same_sign(double a, double b) {
+    return (a > 0) == (b > 0) && a != 0 && b != 0;
+}
+
+double spread(std::span<const double> values) {
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    return *high - *low;
+}
+
+/// v3 + this is the limit of v + C h^p through the last two values.
+double rest(std::span<const double, 3> h, std::span<const double, 3> v, double p) {
+    return (v[2] - v[1]) / (std::pow(h[1] / h[2], p) - 1);
+}
+
+}  // namespace
+
+const char* name_of(Convergence convergence) {
+    switch (convergence) {
+        case Convergence::ordered:
+            return "ordered";
+        case Convergence::unchanged:
+            return "unchanged";
+        case Convergence::oscillating:
+            return "oscillating";
+        case Convergence::irregular:
+            break;
+    }
+    return "irregular";
+}
+
+std::optional<double> observed_order(std::span<const double, 3> sizes,
+                                     std::span<const double, 3> values) {
+    const double first = values[0] - values[1], second = values[1] - values[2];
+    if (!same_sign(first, second)) return {};
+    const double ratio = first / second;
+    const auto excess = [&](double p) { return ratio_of_changes(sizes, p) - ratio; };
+    if (!(excess(least_searched) < 0) || !(excess(largest_searched) > 0)) return {};
+    std::uintmax_t evaluations = 200;  // toms748 needs about 10
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        excess, least_searched, largest_searched, boost::math::tools::eps_tolerance<double>(48),
+        evaluations);
+    return (low + high) / 2;
+}
+
+LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
+                             double noise) {
+    if (sizes.size() < 3 || sizes.size() != values.size() ||
+        std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) != sizes.end() ||
+        !(sizes.back() > 0))
+        throw std::logic_error("refinement: needs three levels of decreasing size");
+    const auto h = sizes.last<3>();
+    const auto v = values.last<3>();
+    const double first = v[1] - v[0], second = v[2] - v[1];
+    LimitEstimate result;
+    result.value = v[2];
+    result.error = std::max(noise, spread(v));
+    if (std::max(std::abs(first), std::abs(second)) <= noise) {
+        result.convergence = Convergence::unchanged;
+        return result;
+    }
+    if (first * second < 0) {
+        result.convergence = Convergence::oscillating;
+        return result;
+    }
+    result.order = observed_order(h, v);
+    if (!result.order || *result.order < least_order || *result.order > largest_order)
+        return result;
+    result.convergence = Convergence::ordered;
+    result.value = v[2] + rest(h, v, *result.order);
+    const double trusted = std::min(*result.order, largest_trusted_order);
+    result.error = std::max(noise, safety_factor * std::abs(rest(h, v, trusted)));
+    return result;
+}
+
+std::optional<double> RefinedQuantity::wide_change() const {
+    if (!wide || values.size() < 2 || values[values.size() - 2] == 0) return {};
+    return *wide / values[values.size() - 2] - 1;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,140 @@
+#include "comparisons/resolution/refinement_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/format.h"
+#include "report/format_share.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Value = std::optional<double>;
+
+std::string relative(double error, double value) {
+    return value == 0 ? report::significant({}) : report::share(error / std::abs(value));
+}
+
+bool has_exact(const Refinement& r) {
+    return std::any_of(r.quantities.begin(), r.quantities.end(),
+                       [](const auto& q) { return q.exact.has_value(); });
+}
+
+std::string error_sentence(const Refinement& r) {
+    const RefinedQuantity* worst = nullptr;
+    const auto share_of = [](const RefinedQuantity& q) {
+        return q.values.back() == 0 ? 0 : q.limit.error / std::abs(q.values.back());
+    };
+    for (const RefinedQuantity& q : r.quantities)
+        if (!worst || share_of(q) > share_of(*worst)) worst = &q;
+    if (!worst) return {};
+    return fmt::format("The estimated error of the finest level is at most {} (of {}).",
+                       relative(worst->limit.error, worst->values.back()), worst->quantity->symbol);
+}
+
+std::string doubt_sentence(const Refinement& r) {
+    std::vector<std::string> doubtful;
+    for (const RefinedQuantity& q : r.quantities)
+        if (q.limit.convergence == Convergence::oscillating ||
+            q.limit.convergence == Convergence::irregular)
+            doubtful.push_back(q.quantity->symbol);
+    if (doubtful.empty()) return {};
+    return fmt::format(
+        "No order can be relied on for {}: nothing is extrapolated there, and the error is the "
+        "spread of the last three values.",
+        fmt::join(doubtful, ", "));
+}
+
+std::string exact_sentence(const Refinement& r) {
+    std::vector<std::string> within, outside;
+    for (const RefinedQuantity& q : r.quantities) {
+        if (!q.exact) continue;
+        const double error = std::abs(q.values.back() - *q.exact);
+        if (q.limit.convergence == Convergence::unchanged && error <= q.limit.error)
+            continue;  // prescribed
+        (error <= q.limit.error ? within : outside)
+            .push_back(fmt::format("{} ({})", q.quantity->symbol,
+                                   report::percent(q.values.back() / *q.exact)));
+    }
+    std::string text;
+    if (!within.empty())
+        text = fmt::format("Theory ({}) lies within the estimated error of {}.", r.exact_name,
+                           fmt::join(within, ", "));
+    if (!outside.empty())
+        text += fmt::format("{}Theory ({}) lies outside the estimated error of {}.",
+                            text.empty() ? "" : " ", r.exact_name, fmt::join(outside, ", "));
+    return text;
+}
+
+std::string wide_sentence(const Refinement& r) {
+    if (!(r.wide_factor > 0)) return {};
+    const RefinedQuantity* most = nullptr;
+    for (const RefinedQuantity& q : r.quantities)
+        if (q.wide_change() &&
+            (!most || std::abs(*q.wide_change()) > std::abs(*most->wide_change())))
+            most = &q;
+    if (!most) return {};
+    return fmt::format(
+        "A block {} times as wide and deep, at the level before the finest, changes them by at "
+        "most {} (of {}).",
+        report::significant(r.wide_factor, 2), report::percent(1 + *most->wide_change()),
+        most->quantity->symbol);
+}
+
+Table::Row table_row(const Refinement& r, const RefinedQuantity& q) {
+    const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
+    Table::Row row{report::typeset(label_of(*q.quantity)), unit.symbol, {}};
+    const auto add = [&](Value value) {
+        row.cells.push_back(report::significant(value ? Value(*value / unit.factor) : value, 5));
+    };
+    const bool ordered = q.limit.convergence == Convergence::ordered;
+    for (const double value : q.values) add(value);
+    row.cells.emplace_back(name_of(q.limit.convergence));
+    row.cells.push_back(report::significant(q.limit.order, 3));
+    add(ordered ? Value(q.limit.value) : Value());
+    row.cells.push_back(relative(q.limit.error, q.values.back()));
+    if (has_exact(r)) {
+        add(q.exact);
+        row.cells.push_back(report::percent(q.exact ? Value(q.values.back() / *q.exact) : Value()));
+    }
+    if (r.wide_factor > 0) {
+        const Value change = q.wide_change();
+        row.cells.push_back(report::percent(change ? Value(1 + *change) : change));
+    }
+    return row;
+}
+
+}  // namespace
+
+std::vector<std::string> refinement_sentences(const Refinement& r) {
+    std::vector<std::string> result{fmt::format(
+        "{} was refined on {} levels from {} to {}; the figures and tables of this report are "
+        "those of the finest.",
+        r.key, r.sizes.size(), report::quantity(r.sizes.front(), "m", 3),
+        report::quantity(r.sizes.back(), "m", 3))};
+    for (const std::string& text :
+         {error_sentence(r), doubt_sentence(r), exact_sentence(r), wide_sentence(r)})
+        if (!text.empty()) result.push_back(text);
+    return result;
+}
+
+Table refinement_table(const Refinement& r) {
+    Table table{"Values on finer and finer levels", {}, {{}}};
+    for (const double size : r.sizes) table.columns.push_back(report::quantity(size, "m", 3));
+    for (const char* column : {"sequence", "order", "limit", "error"})
+        table.columns.emplace_back(column);
+    if (has_exact(r)) {
+        table.columns.push_back(r.exact_name);
+        table.columns.push_back("finest vs " + r.exact_name);
+    }
+    if (r.wide_factor > 0) table.columns.emplace_back("wide block");
+    for (const RefinedQuantity& q : r.quantities)
+        table.groups.front().rows.push_back(table_row(r, q));
+    return table;
+}
+
+}  // namespace tricontact::comparisons

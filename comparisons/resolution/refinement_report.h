@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparisons/resolution/refinement.h"
+#include "comparisons/run/report_tables.h"
+
+namespace tricontact::comparisons {
+
+/// What a refinement found, in plain sentences.
+std::vector<std::string> refinement_sentences(const Refinement& refinement);
+
+/// A row per quantity: values on all levels, order, limit, error, theory, wide block.
+Table refinement_table(const Refinement& refinement);
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,106 @@
+#include "comparisons/run/limitations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/model_assumptions.h"
+#include "contact/bodies/pressure_shape.h"
+#include "report/format.h"
+#include "theory/rolling/body_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using Summaries = std::vector<Results>;
+
+bool has_model(const Summaries& summaries, const std::string& name) {
+    return std::ranges::find(summaries, name, &Results::model) != summaries.end();
+}
+
+/// "All models take", "MDR and BEM take", "MDR takes".
+std::string taking(const std::vector<std::string>& models, const Summaries& summaries) {
+    if (models.size() == summaries.size())
+        return models.size() > 1 ? "All models take" : report::display_names(models) + " takes";
+    return report::display_names(models) + (models.size() > 1 ? " take" : " takes");
+}
+
+std::string thickness_sentence(const contact::Case& c, const Summaries& summaries) {
+    std::vector<std::string> models;
+    for (const Results& s : summaries)
+        if (is_half_space(s.model) && !is_tabulated(c, s.model)) models.push_back(s.model);
+    if (models.empty()) return {};
+    const bool told = c.layer.thickness && why_no_exact_theory(c).empty();
+    return fmt::format("{} the bodies as {}half-spaces: {}.", taking(models, summaries),
+                       c.relaxation ? "" : "elastic ",
+                       c.layer.thickness
+                           ? fmt::format("the thickness of the layer is not seen{}",
+                                         told ? " (The layer, below, says what that changes)" : "")
+                           : "a layer of finite thickness, usually stiffer on its rigid base, is "
+                             "not seen");
+}
+
+/// Who couples and who does not, where half-spaces are taken.
+std::string uncoupled_sentence(const contact::Case& c, const Summaries& summaries) {
+    const auto models = uncoupled_half_spaces(c, summaries);
+    if (models.empty()) return {};
+    return fmt::format("{} normal and tangential contact as uncoupled (Dundurs' β = {}).",
+                       taking(models, summaries),
+                       report::significant(c.materials().dundurs_beta(), 2));
+}
+std::string coupled_sentence(const contact::Case& c, const Summaries& summaries) {
+    if (!has_model(summaries, "bem") || is_tabulated(c, "bem") || !couples(c, "bem")) return {};
+    return fmt::format("BEM couples normal and tangential contact (Dundurs' β = {}).",
+                       report::significant(c.materials().dundurs_beta(), 2));
+}
+
+std::string pressure_sentence(const contact::Case& c, const Summaries& summaries) {
+    if (contact::has_conical_tip(c))
+        return "Under the tip the pressure is infinite, as a logarithm: a model's peak is that of "
+               "its cells there, and grows as they shrink.";
+    if (c.indenter.shape == contact::Case::Shape::profile || !theory::has_body_theory(c) ||
+        contact::pressure_falls(c))
+        return {};
+    std::string text = "The pressure on a half-space is largest in a ring, not at the centre.";
+    if (c.rolling && has_model(summaries, "mdr"))
+        text +=
+            " The shakedown limit of MDR, whose springs know of line loads only, is then above "
+            "the exact one.";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
+    std::vector<std::string> models;
+    for (const Results& s : summaries)
+        if (is_uncoupled_half_space(c, s.model)) models.push_back(s.model);
+    return models;
+}
+
+std::vector<std::string> limitations(const contact::Case& c, const Summaries& summaries) {
+    std::vector<std::string> findings;
+    if (c.rolling && has_model(summaries, "mdr")) {
+        findings.push_back(
+            "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
+            "across it: its result is the same for every angle. Transformed back to three "
+            "dimensions its traction may exceed μp: the bound holds spring by spring only.");
+    }
+    for (const std::string& text :
+         {thickness_sentence(c, summaries), uncoupled_sentence(c, summaries),
+          coupled_sentence(c, summaries), pressure_sentence(c, summaries)})
+        if (!text.empty()) findings.push_back(text);
+    if (c.indenter.shape == contact::Case::Shape::sphere)
+        findings.push_back(
+            "The theory column holds for a paraboloid; the exact sphere departs from it with "
+            "(a/R)².");
+    if (c.rolling && !constant_loads(c))
+        findings.push_back(
+            "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
+            "and are left out; f_T and w refer to the mean loads.");
+    return findings;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,261 @@
+#include "comparisons/run/reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/run/limitations.h"
+#include "contact/bodies/pressure_shape.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+
+constexpr double negligible_shift = 1e-9;  // over U_max: rounding, not physics
+constexpr double near_limit = 0.03;        // relative distance below which convergence gets slow
+
+using Summaries = std::vector<Results>;
+
+/// " of MDR", where not all models are meant.
+std::string of_models(const std::vector<std::string>& models, const Summaries& summaries) {
+    return models.size() == summaries.size() ? "" : " of " + report::display_names(models);
+}
+
+/// What the limit means for those of the models that it is about.
+std::string expectation(const contact::Case& c, const Summaries& summaries, const Reference& r) {
+    const double f = r.tangential_ratio, limit = *r.limit_tangential_ratio;
+    const auto models = uncoupled_half_spaces(c, summaries);
+    if (models.empty())
+        return fmt::format("This case has f_T = {}; no model here is an uncoupled half-space.",
+                           report::significant(f, 3));
+    if (!(limit > 0)) return "No point stays in contact throughout: any tangential force ratchets.";
+    if (f == limit) return "This case is at the limit: the contact converges slowly.";
+    std::string text = fmt::format(
+        "This case has f_T = {}, {} % {} it: {} is expected{}{}.", report::significant(f, 3),
+        report::significant(100 * std::abs(f / limit - 1), 3), f > limit ? "above" : "below",
+        f > limit ? "ratcheting" : "shakedown", of_models(models, summaries),
+        c.relaxation ? " under a drive so slow that the substrate relaxes" : "");
+    if (std::abs(f / limit - 1) < near_limit)
+        text += " So close to the limit the contact converges slowly.";
+    return text;
+}
+
+std::string limit_sentence(const contact::Case& c, const Summaries& summaries, const Reference& r) {
+    if (!r.limit_tangential_ratio) return {};
+    const bool all = uncoupled_half_spaces(c, summaries).size() == summaries.size();
+    return fmt::format("At the amplitude w = {} the exact limit of shakedown{} is f_T,lim = {}{}. ",
+                       report::significant(r.amplitude_ratio, 3),
+                       all                 ? ""
+                       : c.layer.thickness ? " on a half-space"
+                                           : " of uncoupled half-spaces",
+                       contact::is_hertz_round(c) ? "1 − 3/2 w + 1/2 w³ = " : "",
+                       report::significant(*r.limit_tangential_ratio, 4)) +
+           expectation(c, summaries, r);
+}
+
+/// MDR's springs have the exact limit where the pressure falls from the centre on.
+bool has_exact_limit(const contact::Case& c, const Results& s, const Reference& r) {
+    return r.limit_tangential_ratio && !c.relaxation && is_uncoupled_half_space(c, s.model) &&
+           (s.model != "mdr" || contact::pressure_falls(c));
+}
+
+/// "55.9 µm (0.4755 U_max)": a length beside its ratio.
+std::string shown(const Results& s, const Quantity& length, const Quantity& ratio) {
+    return fmt::format("{} ({} {})", report::quantity(s.number(length).value_or(0), "m"),
+                       report::significant(s.number(ratio)), ratio.over);
+}
+
+std::string undecided_sentence(const contact::Case& c, const Results& s, const Reference& r) {
+    std::string text = fmt::format(
+        "{} is undecided after {} {}, the last of which added {}: {}.",
+        report::display_name(s.model), s.periods(), s.periods() == 1 ? "period" : "periods",
+        shown(s, quantities::shift_increment, quantities::shift_increment_ratio),
+        s.verdict.missing.empty() ? "raise rolling.periods" : s.verdict.missing);
+    if (has_exact_limit(c, s, r))
+        text += r.tangential_ratio <= *r.limit_tangential_ratio
+                    ? " By the exact limit it must shake down in the end."
+                    : " By the exact limit it must ratchet.";
+    return text;
+}
+
+/// "; kappa = 1.2", empty where undefined.
+std::string factor(const Results& s, const Quantity& q, const char* letter) {
+    const auto value = s.number(q);
+    return value ? fmt::format("; {} = {}", letter, report::significant(value, 3)) : "";
+}
+
+std::string verdict_sentence(const contact::Case& c, const Results& s, const Reference& r) {
+    using namespace quantities;
+    const std::string name = report::display_name(s.model);
+    if (!s.state() && s.number(quantities::tangential_ratio) == 0.)
+        return fmt::format("{}: pressed without a tangential force.", name);
+    if (!s.state())
+        return fmt::format("{}: the tangential force shifts the indenter by {}.", name,
+                           shown(s, static_shift, static_shift_ratio));
+    if (*s.state() == State::undecided) return undecided_sentence(c, s, r);
+    if (*s.state() == State::ratcheting)
+        return fmt::format("{} ratchets: every period adds {} to the shift{}.", name,
+                           shown(s, shift_increment, shift_increment_ratio), factor(s, eta, "η"));
+    const std::string by = s.verdict.by_limit ? ", by the limit of uncoupled contact," : "";
+    if (!s.number(settled_shift))
+        return fmt::format(
+            "{} {} in the end{}{} but where is not known yet: after {} {} at {}, of which the last "
+            "one added {}. Raise rolling.periods.",
+            name, *s.state() == State::shakedown ? "shakes down" : "settles", by,
+            by.empty() ? "," : "", s.periods(), s.periods() == 1 ? "period" : "periods",
+            shown(s, final_shift, final_shift_ratio),
+            report::significant(s.number(shift_increment_ratio)));
+    const double u_stat = s.number(static_shift_ratio).value_or(0);
+    std::string growth;
+    if (u_stat > negligible_shift)
+        growth =
+            fmt::format(", {} times the static shift",
+                        report::significant(s.number(final_shift_ratio).value_or(0) / u_stat, 3));
+    return fmt::format(
+        "{} {} within {} {} at {}{}{}.", name,
+        *s.state() == State::shakedown ? "shakes down" : "settles, slipping to and fro for ever,",
+        s.periods(), s.periods() == 1 ? "period" : "periods",
+        shown(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
+}
+
+/// Whose verdict is the limit's.
+std::string by_limit_sentence(const Summaries& summaries) {
+    std::vector<std::string> models;
+    for (const Results& s : summaries)
+        if (s.verdict.by_limit) models.push_back(s.model);
+    if (models.empty()) return {};
+    return fmt::format(
+        "The verdict{} compares f_T with f_T,lim, which the least of the computed pressures carry: "
+        "exact for uncoupled elastic contact under a constant F_T, however many periods are "
+        "rolled.",
+        of_models(models, summaries));
+}
+
+/// "16.5 % higher than".
+std::string relation(double ratio) {
+    if (std::abs(ratio - 1) < 5e-4) return "as high as";
+    return fmt::format("{} % {} than", report::significant(100 * std::abs(ratio - 1), 3),
+                       ratio > 1 ? "higher" : "lower");
+}
+
+/// "3.2 % higher than BEM's in metres (+1.2 % in U_max, each of its own)".
+std::string comparison_of(const Results& s, const Results& base, const Quantity& length,
+                          const Quantity& ratio) {
+    const double lengths = s.number(length).value_or(0) / base.number(length).value_or(0);
+    const double ratios = s.number(ratio).value_or(0) / base.number(ratio).value_or(0);
+    return fmt::format("{} {}'s in metres ({} in U_max, each of its own)", relation(lengths),
+                       report::display_name(base.model), report::percent(ratios));
+}
+
+std::string comparison_sentence(const Results& s, const Results& base) {
+    using namespace quantities;
+    const std::string name = report::display_name(s.model),
+                      other = report::display_name(base.model);
+    const auto state = s.state(), base_state = base.state();
+    const bool decided = state != State::undecided && base_state != State::undecided;
+    if (state && base_state && decided && state != base_state)
+        return fmt::format(
+            "{} and {} do not agree on the verdict ({} against {}): compare their distance to the "
+            "limit, the periods run and the resolution.",
+            name, other, contact::name_of(*state), contact::name_of(*base_state));
+    if (state == State::ratcheting && base_state == state &&
+        base.number(shift_increment_ratio).value_or(0) > 0)
+        return fmt::format("{}'s shift per period is {}.", name,
+                           comparison_of(s, base, shift_increment, shift_increment_ratio));
+    if (!(base.number(final_shift_ratio).value_or(0) > negligible_shift)) return {};
+    const bool settled = s.number(settled_shift) && base.number(settled_shift);
+    std::string text = fmt::format("{}'s {}shift is {}", name,
+                                   !state    ? ""
+                                   : settled ? "settled "
+                                             : "present ",
+                                   comparison_of(s, base, final_shift, final_shift_ratio));
+    const auto own = s.number(kappa), of_base = base.number(kappa);
+    if (own && of_base)
+        text += fmt::format(": κ = {} against {}", report::significant(own, 3),
+                            report::significant(of_base, 3));
+    return text + ".";
+}
+
+double static_ratio(const Results& s) {
+    return s.number(quantities::static_shift_ratio).value_or(0);
+}
+
+/// Elastic bodies: closed form and models side by side.
+std::string elastic_static_sentence(const contact::Case& c, const Summaries& summaries,
+                                    const Reference& r) {
+    std::string text = fmt::format("{}u_stat = {} by {}{}", c.rolling ? "Before rolling: " : "",
+                                   report::significant(r.static_shift_ratio), static_theory(c),
+                                   c.layer.thickness ? " on a half-space" : "");
+    for (const Results& s : summaries)
+        text += fmt::format("; {} {} ({})", report::display_name(s.model),
+                            report::significant(static_ratio(s)),
+                            report::percent(static_ratio(s) / r.static_shift_ratio));
+    return text + ".";
+}
+
+/// A substrate that still relaxes: its shift is one of a stiffer body, and no closed form's.
+std::string relaxing_static_sentence(const contact::Case& c, const Summaries& summaries,
+                                     const Reference& r) {
+    std::string text;
+    for (const Results& s : summaries)
+        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", report::display_name(s.model),
+                            report::significant(static_ratio(s)));
+    return fmt::format(
+        "{}u_stat, {} after F_T has come, of a substrate that still relaxes: {}. "
+        "Relaxed it would be {} by {}{}.",
+        c.rolling ? "Before rolling: " : "", report::given_quantity(c.load.hold, "s"), text,
+        report::significant(r.static_shift_ratio), static_theory(c),
+        c.layer.thickness ? " on a half-space" : "");
+}
+
+std::string static_sentence(const contact::Case& c, const Summaries& summaries,
+                            const Reference& r) {
+    if (!(r.static_shift_ratio > 0)) return {};
+    return static_shift_is_relaxed(c) ? elastic_static_sentence(c, summaries, r)
+                                      : relaxing_static_sentence(c, summaries, r);
+}
+
+std::string audit_sentence(const Summaries& summaries) {
+    std::size_t checks = 0, failed = 0;
+    for (const Results& s : summaries)
+        for (const auto& check : s.audit) {
+            ++checks;
+            failed += check.passed() ? 0 : 1;
+        }
+    if (checks == 0) return {};
+    if (failed > 0)
+        return fmt::format("Do not use these numbers: {} of {} audit checks failed.", failed,
+                           checks);
+    return fmt::format("All {} audit checks of all solutions passed.", checks);
+}
+
+}  // namespace
+
+std::vector<std::string> reading(const contact::Case& c, const Summaries& summaries) {
+    const Reference r = reference(c);
+    std::vector<std::string> findings;
+    const auto add = [&](const std::string& text) {
+        if (!text.empty()) findings.push_back(text);
+    };
+    const std::string audit = audit_sentence(summaries);
+    const bool failed = audit.starts_with("Do not");
+    if (failed) add(audit);
+    for (const Results& s : summaries) add(verdict_sentence(c, s, r));
+    add(by_limit_sentence(summaries));
+    for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
+        add(comparison_sentence(summaries[i], summaries.back()));
+    add(limit_sentence(c, summaries, r));
+    add(static_sentence(c, summaries, r));
+    for (const std::string& text : limitations(c, summaries)) add(text);
+    if (!failed) add(audit);
+    return findings;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,96 @@
+// The relaxing substrate's section of summary.json.
+
+#include <numbers>
+
+#include "comparisons/quantities/quantities.h"
+#include "comparisons/run/relaxation_report.h"
+#include "report/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using json = nlohmann::ordered_json;
+
+json branches_json(const Case& c) {
+    json result = json::array();
+    for (const auto& branch : c.relaxation->branches)
+        result.push_back({{"shear_modulus_Pa", c.substrate.shear_modulus() * branch.ratio},
+                          {"time_s", branch.time}});
+    return result;
+}
+
+json drive_json(const std::optional<DriveValues>& drive) {
+    if (!drive) return nullptr;
+    return {{quantities::amplitude.key, drive->amplitude},
+            {quantities::frequency.key, drive->frequency},
+            {quantities::storage_modulus.key, drive->storage},
+            {quantities::loss_modulus.key, drive->loss},
+            {"loss_tangent", drive->loss_tangent()},
+            {"deborah_numbers", drive->deborah}};
+}
+
+json elastic_json(const std::optional<RunValues>& elastic) {
+    if (!elastic) return nullptr;
+    return {{"elastic_state", elastic->state ? json(contact::name_of(*elastic->state)) : json()},
+            {"elastic_static_shift_m", report::number(elastic->static_shift)},
+            {"elastic_final_shift_m", report::number(elastic->final_shift)},
+            {"elastic_shift_increment_m", report::number(elastic->increment)},
+            {"elastic_limit_tangential_ratio", report::number(elastic->limit)}};
+}
+
+json twin_json(const TwinComparison& twin) {
+    return {{"drive", drive_json(twin.drive)},
+            {"elastic_twin", elastic_json(twin.elastic)},
+            {"why_no_twin", twin.elastic ? json() : json(twin.why_none)},
+            {"static_shift_error", report::number(twin.static_error())},
+            {"final_shift_error", report::number(twin.final_error())},
+            {"settled_shift_error", report::number(twin.settled_error())},
+            {"increment_error", report::number(twin.increment_error())},
+            {"limit_tangential_ratio_error", report::number(twin.limit_error())}};
+}
+
+json limit_json(const std::optional<SpeedLimit>& limit) {
+    if (!limit) return nullptr;
+    return {{"model", limit->model},
+            {"quantity", limit->of_increment ? "shift_increment" : "final_shift"},
+            {"error", SpeedLimit::limit},
+            {"speed_m_per_s", report::number(limit->speed)},
+            {"limit_frequency_Hz", report::number(limit->frequency)},
+            {"resolution", SpeedLimit::resolution},
+            {"slowest_m_per_s", report::number(limit->slowest)},
+            {"fastest_m_per_s", report::number(limit->fastest)},
+            {"runs", limit->runs},
+            {"why_none", limit->speed ? json() : json(limit->why_none)}};
+}
+
+json fit_json(const Case& c) {
+    const auto& fit = c.dma_fit;
+    if (!fit) return nullptr;
+    return {{"table", fit->table.name},
+            {"rows", fit->table.size()},
+            {"relaxed_shear_modulus_Pa", fit->relaxed_modulus},
+            {"storage_residual_rms", fit->storage_rms},
+            {"loss_residual_rms", fit->loss_rms},
+            {"worst_residual", fit->worst.residual},
+            {"worst_frequency_Hz", fit->worst.omega / (2 * std::numbers::pi)},
+            {"worst_of", fit->worst.loss ? "loss" : "storage"},
+            {"remarks", contact::remarks(*fit, c.substrate.shear_modulus())}};
+}
+
+}  // namespace
+
+json relaxation_json(const Case& c, const RelaxationStudy& study) {
+    json models = json::object();
+    for (const TwinComparison& twin : study.twins) models[twin.model] = twin_json(twin);
+    const double relaxed = c.substrate.shear_modulus();
+    return {{"relaxed_shear_modulus_Pa", relaxed},
+            {"instantaneous_shear_modulus_Pa", relaxed * c.relaxation->instantaneous_ratio()},
+            {"branches", branches_json(c)},
+            {"models", models},
+            {"elastic_up_to", limit_json(study.limit)},
+            {"dma_fit", fit_json(c)}};
+}
+
+}  // namespace tricontact::comparisons

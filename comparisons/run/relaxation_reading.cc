@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "comparisons/run/relaxation_report.h"
+#include "contact/verdict.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::Relaxation;
+using contact::State;
+
+std::string times_text(const Relaxation& relaxation) {
+    const auto& branches = relaxation.branches;
+    if (branches.size() == 1)
+        return fmt::format("one term of {}", report::quantity(branches.front().time, "s", 3));
+    const auto [fast, slow] =
+        std::minmax_element(branches.begin(), branches.end(),
+                            [](const auto& a, const auto& b) { return a.time < b.time; });
+    return fmt::format("{} terms of {} to {}", branches.size(),
+                       report::quantity(fast->time, "s", 3), report::quantity(slow->time, "s", 3));
+}
+
+std::string substrate_sentence(const Case& c) {
+    const double relaxed = c.substrate.shear_modulus();
+    return fmt::format("The shear modulus relaxes from {} to {}, by {}.",
+                       report::quantity(relaxed * c.relaxation->instantaneous_ratio(), "Pa"),
+                       report::quantity(relaxed, "Pa"), times_text(*c.relaxation));
+}
+
+std::string drive_sentence(const Case& c, const DriveValues& drive) {
+    const auto [least, largest] = std::minmax_element(drive.deborah.begin(), drive.deborah.end());
+    const std::string deborah =
+        drive.deborah.size() == 1
+            ? fmt::format("The Deborah number 2πfτ is {}.", report::significant(*least, 3))
+            : fmt::format("Deborah numbers 2πfτ are {} to {}.", report::significant(*least, 3),
+                          report::significant(*largest, 3));
+    return fmt::format(
+        "At {} the rolling repeats itself with {} Hz: there G′ = {}, G″ = {}, loss tangent {}. {}",
+        report::given_quantity(c.rolling->speed, "m/s"), report::significant(drive.frequency, 3),
+        report::quantity(drive.storage, "Pa"), report::quantity(drive.loss, "Pa"),
+        report::significant(drive.loss_tangent(), 3), deborah);
+}
+
+std::string verdicts(const TwinComparison& twin) {
+    if (*twin.relaxing.state == *twin.elastic->state)
+        return fmt::format("both: {}", contact::name_of(*twin.relaxing.state));
+    return fmt::format("relaxing: {}, elastic: {}", contact::name_of(*twin.relaxing.state),
+                       contact::name_of(*twin.elastic->state));
+}
+
+/// "0.2 mm instead of 0.25 mm (−20.0 %)".
+std::string change(std::optional<double> elastic, std::optional<double> relaxing,
+                   std::optional<double> error) {
+    return fmt::format("{} instead of {} ({})", report::quantity(elastic.value_or(0), "m"),
+                       report::quantity(relaxing.value_or(0), "m"),
+                       report::percent(error ? std::optional(*error + 1) : std::nullopt));
+}
+
+/// Before rolling: what F_T, which comes at once, and the wait leave.
+std::string static_sentence(const Case& c, const RelaxationStudy& study) {
+    std::string text;
+    for (const TwinComparison& twin : study.twins)
+        if (const auto error = twin.static_error())
+            text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", report::percent(*error + 1),
+                                report::display_name(twin.model));
+    if (text.empty()) return {};
+    return fmt::format(
+        "The static shift is a matter of the wait under F_T (load.hold = {}), not of the drive: "
+        "there "
+        "the elastic substrate errs by {}.",
+        report::given_quantity(c.load.hold, "s"), text);
+}
+
+std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
+    const std::string name = report::display_name(limit.model);
+    const char* what =
+        limit.of_increment ? "the increment per period" : "the shift after the last period";
+    if (!limit.speed)
+        return fmt::format(
+            "No drive speed was found ({} runs by {}) at which taking the substrate as elastic "
+            "begins to err by {:g} % in {}: {}.",
+            limit.runs, name, 100 * SpeedLimit::limit, what, limit.why_none);
+    const double ratio = c.rolling->speed / *limit.speed;
+    return fmt::format(
+        "Up to a drive of {} ({} Hz) the substrate may be taken as elastic, to {:g} % of {}; this "
+        "case is {} times {} ({}, speed found to {:g} % in {} runs).",
+        report::quantity(*limit.speed, "m/s", 3), report::significant(limit.frequency, 3),
+        100 * SpeedLimit::limit, what, report::significant(std::max(ratio, 1 / ratio), 3),
+        ratio > 1 ? "faster" : "slower", name, 100 * SpeedLimit::resolution, limit.runs);
+}
+
+}  // namespace
+
+std::string twin_sentence(const TwinComparison& twin) {
+    const std::string name = report::display_name(twin.model);
+    if (!twin.elastic) return fmt::format("{}: no elastic twin: {}.", name, twin.why_none);
+    if (!twin.elastic->state || !twin.final_error()) return {};
+    if (const auto error = twin.increment_error())
+        return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,
+                           change(twin.elastic->increment, twin.relaxing.increment, error));
+    const State state = *twin.relaxing.state, elastic = *twin.elastic->state;
+    const bool decided = state != State::undecided && elastic != State::undecided;
+    if (decided && contact::settles(state) != contact::settles(elastic))
+        return fmt::format(
+            "{}: taken as elastic, it would {}, but it {}: f_T,lim = {} instead of {}.", name,
+            contact::settles(elastic) ? "settle" : "ratchet",
+            contact::settles(state) ? "settles" : "ratchets",
+            report::significant(twin.elastic->limit), report::significant(twin.relaxing.limit));
+    const bool settled = twin.settled_error().has_value();
+    std::string text = fmt::format(
+        "{}: taken as elastic, the {} would be {}; {}.", name,
+        settled ? "settled shift" : "shift after the last period",
+        change(twin.elastic->final_shift, twin.relaxing.final_shift, twin.final_error()),
+        verdicts(twin));
+    if (!settled)
+        text += " Whether settled shifts differ as much, this does not tell: run more periods.";
+    return text;
+}
+
+std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStudy& study) {
+    std::vector<std::string> result{substrate_sentence(c)};
+    if (!study.twins.empty() && study.twins.front().drive)
+        result.push_back(drive_sentence(c, *study.twins.front().drive));
+    if (study.limit) result.push_back(limit_sentence(*study.limit, c));
+    for (const TwinComparison& twin : study.twins) result.push_back(twin_sentence(twin));
+    result.push_back(static_sentence(c, study));
+    if (c.dma_fit)
+        for (const std::string& remark : contact::remarks(*c.dma_fit, c.substrate.shear_modulus()))
+            result.push_back(remark + ".");
+    std::erase(result, std::string());
+    return result;
+}
+
+Table relaxation_table(const Case& c, const RelaxationStudy& study) {
+    Table table{"Relaxing substrate", {}, {}};
+    using Cell = std::function<std::string(const TwinComparison&)>;
+    const auto row = [&](const std::string& label, const std::string& unit, const Cell& cell) {
+        Table::Row line{label, unit, {}};
+        for (const TwinComparison& twin : study.twins) line.cells.push_back(cell(twin));
+        table.groups.back().rows.push_back(line);
+    };
+    const auto error = [&](const std::string& label,
+                           std::optional<double> (TwinComparison::*get)() const) {
+        row(label, "", [get](const TwinComparison& twin) {
+            const auto value = (twin.*get)();
+            return report::percent(value ? std::optional(*value + 1) : std::nullopt);
+        });
+    };
+    for (const TwinComparison& twin : study.twins)
+        table.columns.push_back(report::display_name(twin.model));
+
+    if (!study.twins.empty() && study.twins.front().drive) {
+        const DriveValues& d = *study.twins.front().drive;
+        table.groups.push_back({"Drive", {}});
+        const auto drive = [&](const std::string& label, const report::Unit& unit,
+                               const std::function<double(const DriveValues&)>& get) {
+            row(label, unit.symbol, [&](const TwinComparison& twin) {
+                return report::significant(get(*twin.drive) / unit.factor);
+            });
+        };
+        const report::Unit modulus = report::fitting_unit(d.storage, "Pa");
+        drive("amplitude <i>W</i>", report::fitting_unit(d.amplitude, "m"),
+              [](auto& v) { return v.amplitude; });
+        drive("frequency <i>f</i> = <i>v</i>/(4 <i>W</i>)", {1, "Hz"},
+              [](auto& v) { return v.frequency; });
+        drive("storage modulus <i>G</i>′", modulus, [](auto& v) { return v.storage; });
+        drive("loss modulus <i>G</i>″", modulus, [](auto& v) { return v.loss; });
+        drive("loss tangent", {}, [](auto& v) { return v.loss_tangent(); });
+        table.groups.push_back({"Deborah number 2πfτ", {}});
+        for (std::size_t i = 0; i < d.deborah.size(); ++i)
+            drive("<i>τ</i> = " + report::quantity(c.relaxation->branches[i].time, "s", 3), {},
+                  [i](auto& v) { return v.deborah[i]; });
+    }
+    table.groups.push_back({"Error of the elastic substrate", {}});
+    error("static shift", &TwinComparison::static_error);
+    if (!c.rolling) return table;
+    error("shift after the last period", &TwinComparison::final_error);
+    error("settled shift", &TwinComparison::settled_error);
+    error("ratcheting increment", &TwinComparison::increment_error);
+    error("limit <i>f</i><sub>T,lim</sub>", &TwinComparison::limit_error);
+    const auto state = [&](const std::string& label, auto get) {
+        row(label, "", [get](const TwinComparison& twin) -> std::string {
+            const std::optional<State> value = get(twin);
+            return value ? contact::name_of(*value) : "–";
+        });
+    };
+    state("verdict", [](const TwinComparison& t) { return t.relaxing.state; });
+    state("verdict of the elastic one",
+          [](const TwinComparison& t) { return t.elastic ? t.elastic->state : std::nullopt; });
+    return table;
+}
+
+}  // namespace tricontact::comparisons

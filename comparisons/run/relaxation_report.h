@@ -1,0 +1,32 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "comparisons/quantities/relaxation_study.h"
+#include "comparisons/run/plots.h"
+#include "comparisons/run/report_tables.h"
+
+namespace tricontact::comparisons {
+
+// Of cases with a relaxing substrate.
+
+/// How the substrate relaxes, whether it may be taken as elastic, and what the fit to a DMA table
+/// is worth, in plain sentences.
+std::vector<std::string> relaxation_sentences(const contact::Case& c, const RelaxationStudy& study);
+
+/// The answer of one model to the elastic twin in a sentence; empty if it has none.
+std::string twin_sentence(const TwinComparison& twin);
+
+/// Drive values, Deborah numbers and errors of the elastic twin, a column per model.
+Table relaxation_table(const contact::Case& c, const RelaxationStudy& study);
+
+/// G' and G'' over the frequency with drive and limit; beside a DMA table's points, if the case has
+/// one, with residuals below.
+Plot modulus_plot(const contact::Case& c, const RelaxationStudy& study);
+
+/// The section "relaxation" of summary.json.
+nlohmann::ordered_json relaxation_json(const contact::Case& c, const RelaxationStudy& study);
+
+}  // namespace tricontact::comparisons

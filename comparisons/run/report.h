@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/quantities/relaxation_study.h"
+#include "comparisons/resolution/refinement.h"
+#include "comparisons/run/loading_study.h"
+#include "contact/case.h"
+#include "contact/history.h"
+
+namespace tricontact::comparisons {
+
+/// A file of the report, its name relative to the output folder.
+struct ReportFile {
+    std::string name;
+    std::string content;
+};
+
+/// What a report may carry besides the histories.
+struct ReportExtras {
+    LoadingStudy study;
+    std::optional<Refinement> refinement;  ///< of which the histories are the finest level
+    RelaxationStudy relaxation;            ///< of cases with a relaxing substrate
+};
+
+/// report.html, which needs no other file and no network, and plots/*.svg, plots/*.png.
+/// `resolved_case` is the case's TOML text with all defaults. Histories stand in the order of the
+/// models; the others are compared with the last. Same input, same bytes (but for the CPU times).
+/// Throws GnuplotError.
+std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
+                                    const std::string& version,
+                                    const std::vector<contact::History>& histories,
+                                    const ReportExtras& extras = {});
+
+}  // namespace tricontact::comparisons

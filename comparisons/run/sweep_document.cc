@@ -1,0 +1,177 @@
+#include "comparisons/run/sweep_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "comparisons/run/sweep_figures.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr std::size_t most_rows = 300;  // of a table in the page; the CSV has all
+
+/// "4 ... 32 mm, 4 values".
+std::string range_of(const Sweep& sweep, std::size_t axis, const SweepScale& scale) {
+    if (!scale.is_number) {
+        std::set<std::string> words;
+        for (const Sweep::Point& point : sweep.points)
+            if (const auto* word = std::get_if<std::string>(&point.values[axis]))
+                words.insert(*word);
+        std::string list;
+        for (const std::string& word : words) list.append(list.empty() ? "" : ", ").append(word);
+        return list;
+    }
+    if (scale.values.empty()) return "no values";
+    const std::string unit = scale.unit.symbol.empty() ? "" : " " + scale.unit.symbol;
+    const std::string first = report::as_given(*scale.values.begin());
+    if (scale.values.size() == 1) return first + unit;
+    return fmt::format("{} ... {}{}, {} values", first, report::as_given(*scale.values.rbegin()),
+                       unit, scale.values.size());
+}
+
+report::Cell in_unit(const report::Cell& value, const SweepScale& scale) {
+    const auto* number = std::get_if<double>(&value);
+    return number ? report::Cell(*number / scale.unit.factor) : value;
+}
+
+/// What `plotted` quantities some point knows.
+std::vector<const Quantity*> shown_quantities(const Sweep& sweep) {
+    std::vector<const Quantity*> shown;
+    for (const Quantity* q : all_quantities())
+        if (q->is_plotted && std::ranges::any_of(sweep.points, [q](const Sweep::Point& p) {
+                return p.results.told(*q).has_value();
+            }))
+            shown.push_back(q);
+    return shown;
+}
+
+/// Empty without rolling.
+std::string state_of(const Sweep::Point& point) {
+    const auto state = point.results.state();
+    return state ? contact::name_of(*state) : "";
+}
+
+/// The points that `wanted` wants, with their results or errors.
+template <class Wanted>
+report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales,
+                               bool failures, const Wanted& wanted) {
+    const std::vector<const Quantity*> shown = shown_quantities(sweep);
+    report::DocumentTable table{.id = failures ? "failed_points" : "points",
+                                .title = failures ? "Points that failed" : "Points",
+                                .columns = {{"model"}},
+                                .rows = {}};
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        table.columns.push_back({heading_of(sweep.axes[i], scales[i])});
+    table.columns.push_back({failures ? "error" : quantities::state.key});
+    if (!failures)
+        for (const Quantity* q : shown) table.columns.push_back({heading_of(*q)});
+    const bool has_files =
+        !failures && std::any_of(sweep.points.begin(), sweep.points.end(),
+                                 [](const auto& p) { return !p.surface.empty(); });
+    if (has_files) table.columns.push_back({"ParaView"});
+    for (const Sweep::Point& point : sweep.points) {
+        if (!wanted(point)) continue;
+        std::vector<report::Cell>& row = table.rows.emplace_back();
+        row.emplace_back(name_of(point, sweep));
+        for (std::size_t i = 0; i < scales.size(); ++i)
+            row.push_back(in_unit(point.values[i], scales[i]));
+        row.emplace_back(failures ? *point.error : state_of(point));
+        if (!failures)
+            for (const Quantity* q : shown) row.emplace_back(point.results.told(*q).value_or(NAN));
+        if (has_files)
+            row.push_back(point.surface.empty()
+                              ? report::Cell("")
+                              : report::Cell(report::Link{"surface", point.surface}));
+    }
+    return table;
+}
+
+std::string counted(std::size_t n, const std::string& singular, const std::string& plural) {
+    return fmt::format("{} {}", n, n == 1 ? singular : plural);
+}
+
+bool has_failed(const Sweep::Point& point) {
+    return point.error.has_value();
+}
+
+std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
+    const std::size_t n = sweep.points.size();
+    const auto n_failed = static_cast<std::size_t>(
+        std::count_if(sweep.points.begin(), sweep.points.end(), has_failed));
+    std::vector<report::Verdict> verdicts;
+    if (n_failed == 0)
+        verdicts.push_back({report::Verdict::Standing::holds,
+                            counted(n, "point", "points") + " computed, none failed."});
+    else
+        verdicts.push_back(
+            {report::Verdict::Standing::fails,
+             fmt::format("{} of {} failed.", n_failed, counted(n, "point", "points"))});
+    using enum contact::State;
+    std::vector<std::string> models;
+    std::map<std::string, std::map<contact::State, int>> states;
+    for (const Sweep::Point& point : sweep.points) {
+        const auto state = point.results.state();
+        if (!state) continue;
+        if (!states.contains(point.model)) models.push_back(point.model);
+        ++states[point.model][*state];
+    }
+    for (const std::string& model : models) {
+        auto& of_model = states[model];
+        const int n = of_model[shakedown] + of_model[cyclic_slip] + of_model[ratcheting] +
+                      of_model[undecided];
+        std::string text =
+            fmt::format("{}: of {} rolling {}, {} shake down, ", report::display_name(model), n,
+                        n == 1 ? "point" : "points", of_model[shakedown]);
+        if (of_model[cyclic_slip] > 0)
+            text += fmt::format("{} end in cyclic slip, ", of_model[cyclic_slip]);
+        text += fmt::format("{} ratchet, {} stay undecided.", of_model[ratcheting],
+                            of_model[undecided]);
+        verdicts.push_back({report::Verdict::Standing::finding, text});
+    }
+    return verdicts;
+}
+
+report::DocumentSection points_section(const Sweep& sweep, const std::vector<SweepScale>& scales) {
+    report::DocumentSection section{.id = "points", .heading = "All points"};
+    if (sweep.points.size() <= most_rows) {
+        section.tables.push_back(table_of(sweep, scales, false, [](const auto&) { return true; }));
+        section.tables.back().note =
+            "Ratios are over each model's own U_max. What a point does not tell is left empty: a "
+            "contact that ratchets has no settled shift.";
+    } else {
+        section.paragraphs.push_back(fmt::format(
+            "{} points are too many for a page: results.csv has them all.", sweep.points.size()));
+    }
+    std::size_t n_failed = 0;
+    report::DocumentTable failed = table_of(sweep, scales, true, [&](const Sweep::Point& point) {
+        return has_failed(point) && ++n_failed <= most_rows;
+    });
+    if (n_failed > most_rows) failed.note = fmt::format("The first {} of {}.", most_rows, n_failed);
+    if (n_failed > 0) section.tables.push_back(std::move(failed));
+    return section;
+}
+
+}  // namespace
+
+report::Document sweep_document(const Sweep& sweep) {
+    const std::vector<SweepScale> scales = scales_of(sweep);
+    report::Document document{.kind = "Sweep", .title = sweep.title};
+    document.verdicts = verdicts_of(sweep);
+    document.settings = sweep.settings;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i)
+        document.settings.emplace_back(sweep.axes[i].key, range_of(sweep, i, scales[i]));
+    document.sections = shift_sections(sweep, scales);
+    document.sections.push_back(points_section(sweep, scales));
+    if (sweep.points.size() > most_drawn)
+        document.sections.back().paragraphs.push_back(
+            fmt::format("Figures are drawn of at most {} points.", most_drawn));
+    return document;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,67 @@
+#include "comparisons/shakedown/fit_document.h"
+
+#include "comparisons/shakedown/fit_figures.h"
+#include "comparisons/shakedown/thesis_figures.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+void append(std::vector<report::Figure>& figures, std::vector<report::Figure> more) {
+    for (report::Figure& figure : more) figures.push_back(std::move(figure));
+}
+
+void add(report::Document& document, report::DocumentSection section) {
+    std::erase_if(section.tables,
+                  [](const report::DocumentTable& table) { return table.rows.empty(); });
+    if (!section.figures.empty() || !section.tables.empty())
+        document.sections.push_back(std::move(section));
+}
+
+}  // namespace
+
+report::Document fit_document(const StudyFit& fit) {
+    report::Document document{
+        .kind = "Fits to a sweep",
+        .title = fit.title,
+        .lead =
+            "Which κ and η each model has, how far one constant holds, and how the models "
+            "differ from each other and from the formulas of the thesis. w, f_T and u are "
+            "ratios to each model's own contact radius, friction limit and U_max.",
+        .verdicts = fit_verdicts(fit),
+        .settings = fit.settings,
+        .files = {{"all numbers (JSON)", "fit.json"}, {"fits (CSV)", "fits.csv"}},
+        .command = fit.command,
+        .version = fit.version};
+    add(document, {.id = "thesis",
+                   .heading = "Figures of the thesis",
+                   .paragraphs = {"Its formulas are dashed. Bars are numerical errors."},
+                   .figures = thesis_figures(fit)});
+    std::vector<report::Figure> figures = kappa_figures(fit);
+    append(figures, kappa_maps(fit));
+    append(figures, kappa_residual_figures(fit));
+    add(document,
+        {.id = "mapping",
+         .heading = "Settled shifts: the mapping parameter κ",
+         .paragraphs = {"f_T = 1 − κ w u_sd − (1 − u_sd)^(3/2), which MDR fulfils with κ = 3/2. At "
+                        "small w u_sd small errors of u_sd are large ones of κ: what counts is how "
+                        "far off u_sd a κ is."},
+         .figures = std::move(figures),
+         .tables = {mapping_use_table(fit), mapping_table(fit)}});
+    add(document,
+        {.id = "ratcheting",
+         .heading = "Beyond the limit: the ratcheting slope η",
+         .paragraphs = {"Δu = η (w − w_lim), w_lim being the model's own. Δu depends on the length "
+                        "of the steps to first order: it is extrapolated where the study varies "
+                        "it, else it has no error bar."},
+         .figures = increment_residual_figures(fit),
+         .tables = {ratcheting_table(fit)}});
+    add(document,
+        {.id = "models",
+         .heading = "Models side by side",
+         .paragraphs = {"Two models differ where their numerical error bars exclude each other."},
+         .tables = {difference_table(fit), point_difference_table(fit)}});
+    return document;
+}
+
+}  // namespace tricontact::comparisons

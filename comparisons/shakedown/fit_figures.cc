@@ -1,0 +1,192 @@
+#include "comparisons/shakedown/fit_figures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* load_label = "f_T/f_T,lim";
+
+void add_once(std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+int colour_of(const StudyFit& fit, const std::string& model) {
+    const auto names = model_names(fit);
+    return static_cast<int>(std::find(names.begin(), names.end(), model) - names.begin());
+}
+
+report::Curve points_curve(const StudyFit& fit, const std::string& model) {
+    return {.name = report::display_name(model),
+            .x = {},
+            .y = {},
+            .kind = report::Curve::Kind::points,
+            .colour = colour_of(fit, model)};
+}
+
+std::string id_of(const std::string& what, std::size_t index) {
+    return what + "_" + std::to_string(index + 1);
+}
+
+/// The figure of a group, if `curve_of` has a curve for one of its models.
+template <class Group, class CurveOf>
+void add_figure(std::vector<report::Figure>& figures, report::Figure figure,
+                const std::vector<Group>& groups, const std::string& name,
+                const CurveOf& curve_of) {
+    for (const Group& group : groups) {
+        if (group.group != name) continue;
+        report::Curve curve = curve_of(group);
+        if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
+    }
+    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+}
+
+/// kappa at the loads of one amplitude, over f_T/f_T,lim.
+using Profile = std::map<double, double>;
+
+double interpolated(const Profile& profile, double x) {
+    const auto above = profile.lower_bound(x);
+    if (above == profile.end()) return nan;
+    if (above->first == x) return above->second;
+    if (above == profile.begin()) return nan;
+    const auto below = std::prev(above);
+    return std::lerp(below->second, above->second,
+                     (x - below->first) / (above->first - below->first));
+}
+
+std::optional<report::ContourMap> map_of(const MappingGroup& group) {
+    std::map<long, Profile> profiles;  // by w; four digits: models refine their contact radius
+    for (const MappingPoint& p : group.points)
+        profiles[std::lround(p.at.amplitude_ratio * 1e4)][p.limit_ratio] = p.kappa.value;
+    std::erase_if(profiles, [](const auto& entry) { return entry.second.size() < 2; });
+    if (profiles.size() < 2) return {};
+    report::ContourMap map{.label = "κ", .x = {}, .y = {}, .values = {}};
+    constexpr int n = 40;
+    for (const auto& [key, profile] : profiles) map.x.push_back(static_cast<double>(key) / 1e4);
+    for (int i = 0; i <= n; ++i) {
+        map.y.push_back(static_cast<double>(i) / n);
+        for (const auto& [key, profile] : profiles)
+            map.values.push_back(interpolated(profile, map.y.back()));
+    }
+    return map;
+}
+
+}  // namespace
+
+std::vector<std::string> group_names(const StudyFit& fit) {
+    std::vector<std::string> names;
+    for (const RollingPoint& p : fit.points) add_once(names, p.group);
+    return names;
+}
+
+std::vector<std::string> model_names(const StudyFit& fit) {
+    std::vector<std::string> names;
+    for (const RollingPoint& p : fit.points) add_once(names, p.model);
+    return names;
+}
+
+std::vector<double> bars_of(const std::vector<Computed>& values) {
+    if (std::none_of(values.begin(), values.end(), [](const Computed& v) { return v.has_bar(); }))
+        return {};
+    std::vector<double> bars;
+    for (const Computed& v : values) bars.push_back(v.error);
+    return bars;
+}
+
+std::vector<report::Figure> kappa_figures(const StudyFit& fit) {
+    std::vector<report::Figure> figures;
+    const auto names = group_names(fit);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        add_figure(
+            figures,
+            {.id = id_of("kappa", i),
+             .title = "Mapping parameter κ, " + names[i],
+             .caption = "κ of each settled point, all amplitudes, over the load as a part of "
+                        "the model's own limit. Bars: the numerical error of u_sd, which "
+                        "counts 1/(w u_sd) times.",
+             .x = {load_label},
+             .y = {"κ"}},
+            fit.mapping, names[i], [&](const MappingGroup& group) {
+                report::Curve curve = points_curve(fit, group.model);
+                std::vector<Computed> values;
+                for (const MappingPoint& p : group.points) {
+                    curve.x.push_back(p.limit_ratio);
+                    curve.y.push_back(p.kappa.value);
+                    values.push_back(p.kappa);
+                }
+                curve.y_error = bars_of(values);
+                return curve;
+            });
+    return figures;
+}
+
+std::vector<report::Figure> kappa_residual_figures(const StudyFit& fit) {
+    std::vector<report::Figure> figures;
+    const auto names = group_names(fit);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        add_figure(figures,
+                   {.id = id_of("kappa_residuals", i),
+                    .title = "What one constant κ leaves, " + names[i],
+                    .caption = "f_T of the point minus f_T by the fitted constant. A pattern means "
+                               "that κ is no constant.",
+                    .x = {load_label},
+                    .y = {"residual of f_T"}},
+                   fit.mapping, names[i], [&](const MappingGroup& group) {
+                       report::Curve curve = points_curve(fit, group.model);
+                       if (!group.constant) return curve;
+                       for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
+                       curve.y = group.constant->fit.residuals;
+                       return curve;
+                   });
+    return figures;
+}
+
+std::vector<report::Figure> kappa_maps(const StudyFit& fit) {
+    std::vector<report::Figure> figures;
+    for (std::size_t i = 0; i < fit.mapping.size(); ++i) {
+        const MappingGroup& group = fit.mapping[i];
+        auto map = map_of(group);
+        if (!map) continue;
+        figures.push_back({.id = id_of("kappa_map", i),
+                           .title = "κ(w, f_T/f_T,lim): " + report::display_name(group.model) +
+                                    ", " + group.group,
+                           .caption = "Linear between the loads of each amplitude; empty where the "
+                                      "study has no settled point beyond.",
+                           .x = {"w = W/a"},
+                           .y = {load_label},
+                           .map = std::move(map)});
+    }
+    return figures;
+}
+
+std::vector<report::Figure> increment_residual_figures(const StudyFit& fit) {
+    std::vector<report::Figure> figures;
+    const auto names = group_names(fit);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        add_figure(figures,
+                   {.id = id_of("increment_residuals", i),
+                    .title = "What c u_stat^(1/2) (w − w_lim) leaves, " + names[i],
+                    .caption = "Δu of the point minus Δu by the fitted c. A pattern means that the "
+                               "form is not the model's.",
+                    .x = {"w − w_lim"},
+                    .y = {"residual of Δu [U_max]"}},
+                   fit.ratcheting, names[i], [&](const RatchetingGroup& group) {
+                       report::Curve curve = points_curve(fit, group.model);
+                       if (!group.root) return curve;
+                       for (const RatchetingPoint& p : group.points)
+                           curve.x.push_back(p.at.amplitude_ratio - p.amplitude_limit.value);
+                       curve.y = group.root->fit.residuals;
+                       return curve;
+                   });
+    return figures;
+}
+
+}  // namespace tricontact::comparisons

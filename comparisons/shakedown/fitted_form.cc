@@ -1,0 +1,43 @@
+#include "comparisons/shakedown/fitted_form.h"
+
+#include <numeric>
+
+#include "contact/error.h"
+
+namespace tricontact::comparisons {
+
+Goodness goodness(const std::vector<double>& observed, const std::vector<double>& fitted) {
+    const double mean = std::accumulate(observed.begin(), observed.end(), 0.) /
+                        static_cast<double>(observed.size());
+    Goodness g;
+    for (std::size_t i = 0; i < observed.size(); ++i) {
+        g.explained += (fitted[i] - mean) * (fitted[i] - mean);
+        g.residual += (observed[i] - fitted[i]) * (observed[i] - fitted[i]);
+    }
+    g.r_squared = g.explained / (g.explained + g.residual);
+    return g;
+}
+
+std::optional<FittedForm> fit_form(const std::string& form,
+                                   const std::vector<std::string>& parameters,
+                                   const std::vector<std::vector<double>>& columns,
+                                   const std::vector<double>& observed,
+                                   const std::vector<double>& offset, double confidence,
+                                   std::size_t least_n) {
+    const std::size_t n = observed.size();
+    if (n < least_n || n <= parameters.size()) return {};
+    std::vector<double> y;
+    for (std::size_t i = 0; i < n; ++i) y.push_back(observed[i] - offset[i]);
+    FittedForm result{.form = form, .parameters = parameters, .fit = {}, .of_left_side = {}};
+    try {
+        result.fit = statistics::fit_linear(columns, y, {.confidence = confidence});
+    } catch (const contact::NotConverged&) {
+        return {};
+    }
+    std::vector<double> fitted;
+    for (std::size_t i = 0; i < n; ++i) fitted.push_back(offset[i] + result.fit.fitted[i]);
+    result.of_left_side = goodness(observed, fitted);
+    return result;
+}
+
+}  // namespace tricontact::comparisons

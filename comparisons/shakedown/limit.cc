@@ -1,0 +1,98 @@
+#include "comparisons/shakedown/limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "comparisons/half_space/layer.h"
+#include "comparisons/half_space/line_layer.h"
+#include "comparisons/quantities/reference.h"
+#include "contact/bodies/pressure_shape.h"
+#include "theory/layer/layer_shakedown.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+
+const LimitRun* run_at(const ModelLimit& m, double value) {
+    const auto it = std::find_if(m.runs.begin(), m.runs.end(),
+                                 [value](const LimitRun& run) { return run.value == value; });
+    return it == m.runs.end() ? nullptr : &*it;
+}
+
+/// Of the case's F_T and friction limit; on a layer pressed to a depth F_N is the layer's own.
+double load_ratio(const Case& c, double normal_force) {
+    return c.load.tangential_ratio
+               ? *c.load.tangential_ratio
+               : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
+}
+
+std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
+    const Reference r = reference(c);
+    return variable == LimitVariable::load ? r.limit_tangential_ratio : r.limit_amplitude_ratio;
+}
+
+std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
+    if (c.is_line_contact()) return line_layer_limit(c, variable);
+    if (!contact::pressure_falls(c)) return {};  // as layer_shakedown.h wants it
+    const auto exact = exact_layer_contact(c);
+    if (!exact) return {};
+    const double radius = exact->contact_radius;
+    const double reference_radius =
+        c.rolling->amplitude_reference == Case::AmplitudeReference::model
+            ? radius
+            : contact::half_space_scales(c).contact_radius;
+    if (variable == LimitVariable::load) {
+        const double w = contact::rolling_amplitude(*c.rolling, reference_radius) / radius;
+        return in_unit_range(w) ? std::optional(theory::shakedown_limit(*exact, w)) : std::nullopt;
+    }
+    const double f = load_ratio(c, exact->normal_force);
+    if (!in_unit_range(f)) return {};
+    return theory::amplitude_limit(*exact, f) * radius / reference_radius;
+}
+
+}  // namespace
+
+BracketedValue ModelLimit::limit() const {
+    return {bracket.centre(), bracket.last_shakedown, bracket.first_ratcheting};
+}
+
+double ModelLimit::resolution_error() const {
+    return exact ? std::abs(by_pressures - *exact) : 0;
+}
+
+std::optional<BracketedValue> ModelLimit::shift_ratio() const {
+    const LimitRun* below = run_at(*this, bracket.last_shakedown);
+    const LimitRun* above = run_at(*this, bracket.first_ratcheting);
+    if (!below || !above) return {};
+    const double u = above->slowest_shift_ratio, low = below->final_shift_ratio;
+    return BracketedValue{u, std::min(low, u), u + std::abs(u - low)};
+}
+
+std::optional<double> exact_limit(const Case& c, LimitVariable variable, const std::string& model) {
+    // Loads must be constant, and of a relaxing substrate the pressure depends on the drive.
+    if (!constant_loads(c) || c.relaxation) return {};
+    return is_half_space(model) ? hertz_limit(c, variable) : layer_limit(c, variable);
+}
+
+std::optional<double> thesis_limit(const Case& c, LimitVariable variable) {
+    if (!contact::is_hertz_round(c) || !constant_loads(c) || c.relaxation) return {};
+    constexpr double aligned = 1e-9;  // [rad]
+    const double angle = c.rolling->angle;
+    const bool along = std::abs(angle) < aligned;
+    if (!along && std::abs(angle - std::numbers::pi / 2) > aligned) return {};
+    const double kappa =
+        along ? theory::thesis_mapping_parallel : theory::thesis_mapping_perpendicular;
+    const Reference r = reference(c);
+    if (variable == LimitVariable::amplitude) {
+        if (!in_unit_range(r.tangential_ratio)) return {};
+        return theory::amplitude_limit(r.tangential_ratio, kappa);
+    }
+    if (!in_unit_range(r.amplitude_ratio)) return {};
+    return theory::shakedown_limit(r.amplitude_ratio, kappa);
+}
+
+}  // namespace tricontact::comparisons

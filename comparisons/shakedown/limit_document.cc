@@ -1,0 +1,274 @@
+// Limits of shakedown as a report.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "comparisons/shakedown/limit.h"
+#include "report/format.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::State;
+using Standing = report::Verdict::Standing;
+
+/// Plain symbols of what is varied and what is given.
+struct Symbols {
+    const char *varied, *given, *axis;
+};
+
+Symbols symbols_of(const LimitStudy& study) {
+    return study.variable == LimitVariable::load ? Symbols{"f_T", "w", "tangential load f_T"}
+                                                 : Symbols{"w", "f_T", "rolling amplitude w"};
+}
+
+double half_width(const ModelLimit& m) {
+    return m.bracket.half_width();
+}
+/// Bisection and resolution together.
+double error_of(const ModelLimit& m) {
+    return half_width(m) + m.resolution_error();
+}
+
+/// "2.31 % above"
+std::string apart(double value, double reference) {
+    return fmt::format("{} % {}", report::significant(100 * std::abs(value / reference - 1), 3),
+                       value > reference ? "above" : "below");
+}
+
+/// Where the limit is a fold, beside which shifts go as a square root: round elastic bodies,
+/// uncoupled.
+bool is_fold(const LimitStudy& study) {
+    return study.round && !study.relaxing &&
+           std::ranges::none_of(study.models, [](const ModelLimit& m) { return m.coupled; });
+}
+
+report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
+    std::string text =
+        fmt::format("{}: the limit by bisection is {} = {}", report::display_name(m.model), symbol,
+                    report::with_error(m.limit().value, half_width(m)));
+    if (!m.exact) return {Standing::finding, text + "."};
+    const double off = m.limit().value - *m.exact;
+    const std::string exact = fmt::format("{:.7g}", *m.exact);
+    const bool within = std::abs(off) <= error_of(m);
+    if (m.coupled) {
+        const std::string where =
+            within ? "within the errors of" : apart(m.limit().value, *m.exact);
+        return {Standing::finding,
+                text + fmt::format("; the coupled contact has its limit {} the uncoupled {}.",
+                                   where, exact)};
+    }
+    return {within ? Standing::holds : Standing::fails,
+            text + fmt::format("; the exact limit of uncoupled contact is {}{}.", exact,
+                               within ? ", within bisection and resolution" : "")};
+}
+
+/// What is only said where the intervals exclude each other.
+void add_differences(const LimitStudy& study, std::vector<report::Verdict>& verdicts) {
+    const auto& models = study.models;
+    for (std::size_t i = 0; i < models.size(); ++i)
+        for (std::size_t k = i + 1; k < models.size(); ++k) {
+            const double a = models[i].limit().value, b = models[k].limit().value;
+            if (std::abs(a - b) <= error_of(models[i]) + error_of(models[k])) continue;
+            verdicts.push_back(
+                {Standing::finding, fmt::format("{} finds a limit {} that of {}.",
+                                                report::display_name(models[k].model), apart(b, a),
+                                                report::display_name(models[i].model))});
+        }
+}
+
+void add_thesis(const LimitStudy& study, const char* symbol,
+                std::vector<report::Verdict>& verdicts) {
+    if (!study.thesis) return;
+    const auto agrees = [&](const ModelLimit& m) {
+        return std::abs(m.limit().value - *study.thesis) <= error_of(m);
+    };
+    const auto& models = study.models;
+    const bool any = std::any_of(models.begin(), models.end(), agrees);
+    std::string off;
+    for (const ModelLimit& m : models)
+        if (!agrees(m))
+            off +=
+                fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
+                            apart(*study.thesis, m.limit().value), report::display_name(m.model));
+    verdicts.push_back({any ? Standing::holds : Standing::fails,
+                        fmt::format("The thesis' limit {} = {:.4g}{}{}.", symbol, *study.thesis,
+                                    off.empty() ? " agrees" : " lies ", off)});
+}
+
+report::DocumentTable limit_table(const LimitStudy& study, const Symbols& symbols) {
+    report::DocumentTable table;
+    table.id = "limits";
+    table.title = fmt::format("Limits in {}", symbols.varied);
+    table.columns = {{"model"},
+                     {"limit", 7},
+                     {"last shakedown", 8},
+                     {"first ratcheting", 8},
+                     {"by pressures", 8},
+                     {"exact, uncoupled", 8},
+                     {"u at the limit", 4}};
+    table.note =
+        "limit: middle of the bracket and its half width, of the model at its resolution. "
+        "by pressures: where (1/F_N) ∫ min p dA over the path is f_T, the exact limit of uncoupled "
+        "contact at the same resolution. exact: the same of the continuous body, Hertz' "
+        "that of the half-space, 1 - 3/2 w + 1/2 w³ of a paraboloid, or the exact layer. u at the "
+        "limit: shift over U_max where the first "
+        "ratcheting run was slowest, its error the distance to the last shakedown.";
+    for (const ModelLimit& m : study.models) {
+        const auto shift = m.shift_ratio();
+        table.rows.push_back(
+            {report::display_name(m.model), report::WithError{m.limit().value, half_width(m)},
+             m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
+             m.exact ? report::Cell{*m.exact} : report::Cell{"–"},
+             shift ? report::Cell{report::WithError{shift->value, shift->value - shift->low}}
+                   : report::Cell{"–"}});
+    }
+    return table;
+}
+
+std::vector<LimitRun> sorted_runs(const ModelLimit& m) {
+    std::vector<LimitRun> runs = m.runs;
+    std::sort(runs.begin(), runs.end(),
+              [](const LimitRun& a, const LimitRun& b) { return a.value < b.value; });
+    return runs;
+}
+
+/// u of MDR over what is varied, up to its limit: (3.2.16) with kappa = 3/2.
+report::Curve settled_shift_of_mdr(const LimitStudy& study) {
+    constexpr int n = 200;
+    const bool load = study.variable == LimitVariable::load;
+    const double limit =
+        load ? theory::shakedown_limit(study.given) : theory::amplitude_limit(study.given);
+    report::Curve curve{.name = "MDR, closed form", .x = {}, .y = {}, .theory = true};
+    for (int i = 0; i <= n; ++i) {
+        // Closer towards the limit, where the shift rises as a square root.
+        const double x = limit * (1 - std::pow(1 - static_cast<double>(i) / n, 2));
+        const auto u = load ? theory::settled_shift_ratio(study.given, x)
+                            : theory::settled_shift_ratio(x, study.given);
+        if (!u) continue;
+        curve.x.push_back(x);
+        curve.y.push_back(*u);
+    }
+    return curve;
+}
+
+report::Figure shift_figure(const LimitStudy& study, const Symbols& symbols) {
+    report::Figure figure;
+    figure.id = "shift";
+    figure.title = "Where the contact comes to rest";
+    figure.x.label = symbols.axis;
+    figure.y.label = "final shift u = U/U_max";
+    figure.caption = fmt::format(
+        "Shift after the last period of the runs that shake down, at {} = {:.4g}.{}", symbols.given,
+        study.given,
+        is_fold(study) ? " It approaches the limit as a square root: just below it, a little more "
+                         "of it lets the contact go much farther."
+                       : "");
+    for (std::size_t i = 0; i < study.models.size(); ++i) {
+        report::Curve curve{.name = report::display_name(study.models[i].model),
+                            .x = {},
+                            .y = {},
+                            .kind = report::Curve::Kind::line_and_points,
+                            .colour = static_cast<int>(i)};
+        for (const LimitRun& run : sorted_runs(study.models[i]))
+            if (run.state == State::shakedown) {
+                curve.x.push_back(run.value);
+                curve.y.push_back(run.final_shift_ratio);
+            }
+        figure.curves.push_back(std::move(curve));
+    }
+    if (study.round && study.given <= 1) figure.curves.push_back(settled_shift_of_mdr(study));
+    return figure;
+}
+
+report::Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
+    report::Figure figure;
+    figure.id = "periods";
+    figure.title = "How many periods the verdict takes";
+    figure.x = {fmt::format("distance of {} from the limit", symbols.varied), true};
+    figure.y = {"periods until the verdict", true};
+    figure.caption = "Runs on both sides of the limit.";
+    if (is_fold(study))
+        figure.caption +=
+            " The nearer, the longer: as the distance to the power -1/2, for the contact creeps "
+            "past the place where it nearly comes to rest. A test of n periods knows the limit to "
+            "the order of 1/n² only.";
+    for (std::size_t i = 0; i < study.models.size(); ++i)
+        for (const State state : {State::shakedown, State::ratcheting}) {
+            const ModelLimit& m = study.models[i];
+            report::Curve curve{
+                .name =
+                    fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
+                .x = {},
+                .y = {},
+                .kind = report::Curve::Kind::points,
+                .colour = static_cast<int>(2 * i + (state == State::shakedown ? 0 : 1))};
+            for (const LimitRun& run : sorted_runs(m))
+                // Nearer than the half width the distance is not known.
+                if (run.state == state && std::abs(run.value - m.limit().value) > half_width(m)) {
+                    curve.x.push_back(std::abs(run.value - m.limit().value));
+                    curve.y.push_back(run.periods);
+                }
+            figure.curves.push_back(std::move(curve));
+        }
+    return figure;
+}
+
+report::DocumentTable run_table(const LimitStudy& study, const Symbols& symbols) {
+    report::DocumentTable table;
+    table.id = "runs";
+    table.title = "All runs";
+    table.columns = {{"model"},      {symbols.varied, 8}, {"verdict"},
+                     {"periods", 6}, {"U [um]", 5},       {"u [U_max]", 5}};
+    table.note = "Shift after the last period, in micrometres and over each model's own U_max.";
+    for (const ModelLimit& m : study.models)
+        for (const LimitRun& run : sorted_runs(m))
+            table.rows.push_back({report::display_name(m.model), run.value,
+                                  contact::name_of(run.state), static_cast<double>(run.periods),
+                                  1e6 * run.final_shift, run.final_shift_ratio});
+    return table;
+}
+
+}  // namespace
+
+report::Document limit_document(const LimitStudy& study) {
+    const Symbols symbols = symbols_of(study);
+    report::Document document;
+    document.kind = "Limit of shakedown";
+    document.title = study.title;
+    document.lead = fmt::format(
+        "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? Each "
+        "model is rolled anew at one value after another.",
+        symbols.varied, symbols.given, study.given);
+    for (const ModelLimit& m : study.models)
+        document.verdicts.push_back(model_verdict(m, symbols.varied));
+    add_differences(study, document.verdicts);
+    add_thesis(study, symbols.varied, document.verdicts);
+    document.settings = {{symbols.given, fmt::format("{:.6g}", study.given)},
+                         {"rolling direction to the load",
+                          fmt::format("{:.4g}°", study.angle * 180 / std::numbers::pi)}};
+    document.sections.push_back({.id = "limits",
+                                 .heading = "Limits",
+                                 .paragraphs = {},
+                                 .figures = {shift_figure(study, symbols)},
+                                 .tables = {limit_table(study, symbols)}});
+    document.sections.push_back(
+        {.id = "judging",
+         .heading = "How each run was judged",
+         .paragraphs =
+             {"A run ratchets when no point sticks throughout the last quarter of its periods and "
+              "the increments of the shift have not fallen by 1 % meanwhile; it has shaken down "
+              "when points stick throughout a period and the increments are below a hundredth of "
+              "the tolerance. What is neither when the periods are over stays undecided, and the "
+              "limit lies anywhere in the band of such values."},
+         .figures = {period_figure(study, symbols)},
+         .tables = {run_table(study, symbols)}});
+    return document;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,95 @@
+// Limits of shakedown as files and on a terminal.
+
+#include <fmt/format.h>
+
+#include "comparisons/quantities/quantities.h"
+#include "comparisons/shakedown/limit.h"
+#include "report/csv.h"
+#include "report/format.h"
+#include "report/json_number.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+const char* name_of(LimitVariable variable) {
+    return variable == LimitVariable::load ? quantities::tangential_ratio.key
+                                           : quantities::amplitude_ratio.key;
+}
+
+json to_json(const LimitRun& run) {
+    return {{"value", run.value},
+            {quantities::state.key, contact::name_of(run.state)},
+            {quantities::periods.key, run.periods},
+            {quantities::final_shift.key, report::number(run.final_shift)},
+            {quantities::final_shift_ratio.key, report::number(run.final_shift_ratio)}};
+}
+
+json to_json(const ModelLimit& m) {
+    const auto& band = m.bracket.undecided;
+    const auto shift = m.shift_ratio();
+    json runs = json::array();
+    for (const LimitRun& run : m.runs) runs.push_back(to_json(run));
+    return {{"limit", m.limit().value},
+            {"last_shakedown", m.bracket.last_shakedown},
+            {"first_ratcheting", m.bracket.first_ratcheting},
+            {"undecided", band ? json{band->first, band->second} : json()},
+            {"limit_by_pressures", report::number(m.by_pressures)},
+            {"exact_uncoupled_limit", report::number(m.exact)},
+            {"final_shift_ratio_at_limit",
+             shift ? json{{"value", shift->value}, {"low", shift->low}, {"high", shift->high}}
+                   : json()},
+            {"coupled", m.coupled},
+            {"periods_at_most", m.periods_at_most},
+            {"runs", runs}};
+}
+
+}  // namespace
+
+json limit_json(const std::string& version, const LimitStudy& study) {
+    json models = json::object();
+    for (const ModelLimit& m : study.models) models[m.model] = to_json(m);
+    const bool load = study.variable == LimitVariable::load;
+    return {
+        {"version", version},
+        {"limit_of", name_of(study.variable)},
+        {load ? quantities::amplitude_ratio.key : quantities::tangential_ratio.key, study.given},
+        {"thesis", report::number(study.thesis)},
+        {"models", models}};
+}
+
+std::string limit_csv(const LimitStudy& study) {
+    std::string text = report::csv_line({"model", "limit_of", "limit", "last_shakedown",
+                                         "first_ratcheting", "limit_by_pressures",
+                                         "exact_uncoupled_limit", "final_shift_ratio_at_limit",
+                                         "final_shift_ratio_low", "final_shift_ratio_high"});
+    for (const ModelLimit& m : study.models) {
+        const auto shift = m.shift_ratio();
+        text += report::csv_line(
+            {m.model, name_of(study.variable), report::csv_field(m.limit().value),
+             report::csv_field(m.bracket.last_shakedown),
+             report::csv_field(m.bracket.first_ratcheting), report::csv_field(m.by_pressures),
+             report::csv_field(m.exact), shift ? report::csv_field(shift->value) : "",
+             shift ? report::csv_field(shift->low) : "",
+             shift ? report::csv_field(shift->high) : ""});
+    }
+    return text;
+}
+
+std::string limit_text(const LimitStudy& study) {
+    const bool load = study.variable == LimitVariable::load;
+    std::string text =
+        fmt::format("limit of shakedown in {} at {} = {:.6g}\n{:<10} {:>11} {:>11} {:>11} {:>11}\n",
+                    load ? "f_T" : "w", load ? "w" : "f_T", study.given, "", "shakes down",
+                    "ratchets", "pressures", "exact");
+    for (const ModelLimit& m : study.models)
+        text += fmt::format("{:<10} {:>11.7g} {:>11.7g} {:>11.7g} {:>11}\n", m.model,
+                            m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
+                            m.exact ? fmt::format("{:.7g}", *m.exact) : "-");
+    if (study.thesis) text += fmt::format("{:<10} {:>23.7g}\n", "thesis", *study.thesis);
+    return text;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,169 @@
+#include "comparisons/shakedown/mapping_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparisons/quantities/mapping.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/shakedown/grouping.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr std::size_t least_points_of_constant = 3;
+constexpr std::size_t least_points_of_plane = 6;
+/// A shift missed by less is one that nobody measures.
+constexpr double negligible_miss = 1e-3;
+/// A point knows its kappa if its bar leaves this part of it open.
+constexpr double telling = 0.1;
+/// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
+constexpr double rounding_of_kappa = 1e-6;
+
+double static_force(double u) {
+    return std::pow(1 - u, 1.5);
+}
+
+Computed mapping_of(double w, double f, const Computed& u) {
+    const double kappa = theory::mapping_parameter(w, f, u.value);
+    const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
+    return {kappa, std::abs(slope) * u.error};
+}
+
+MappingPoint mapping_point(const RollingPoint& p) {
+    const double w = p.amplitude_ratio, f = p.tangential_ratio;
+    const Computed& u = p.at(quantities::settled_shift_ratio);
+    MappingPoint point{.at = p,
+                       .limit_ratio = f / p.at(quantities::limit_tangential_ratio).value,
+                       .low = std::nan(""),
+                       .high = std::nan(""),
+                       .kappa = mapping_of(w, f, u)};
+    if (!u.has_bar()) return point;
+    const double below = u.value - u.error, above = std::min(1., u.value + u.error);
+    const double lower = below > 0 ? theory::mapping_parameter(w, f, below)
+                                   : -std::numeric_limits<double>::infinity();
+    point.low = std::min(lower, point.kappa.value);
+    point.high = std::max(theory::mapping_parameter(w, f, above), point.kappa.value);
+    return point;
+}
+
+bool has_mapping(const RollingPoint& p) {
+    const Computed* u = p.find(quantities::settled_shift_ratio);
+    return u && mapping_parameter(p.amplitude_ratio, p.tangential_ratio, u->value);
+}
+
+void fit(MappingGroup& group, double confidence) {
+    std::vector<double> f, offset, product, times_w, times_f;
+    for (const MappingPoint& p : group.points) {
+        const double u = p.at.at(quantities::settled_shift_ratio).value, w = p.at.amplitude_ratio;
+        f.push_back(p.at.tangential_ratio);
+        offset.push_back(1 - static_force(u));
+        product.push_back(-w * u);
+        times_w.push_back(-w * u * w);
+        times_f.push_back(-w * u * p.limit_ratio);
+    }
+    group.constant = fit_form("f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)", {"kappa"}, {product}, f,
+                              offset, confidence, least_points_of_constant);
+    group.plane = fit_form("f_T = 1 - (k_0 + k_w w + k_f f_T/f_T,lim) w u_sd - (1 - u_sd)^(3/2)",
+                           {"k_0", "k_w", "k_f"}, {product, times_w, times_f}, f, offset,
+                           confidence, least_points_of_plane);
+}
+
+MappingUse use_of(const MappingGroup& group, const std::string& name, double kappa) {
+    MappingUse use{.name = name, .kappa = std::min(kappa, theory::mdr_mapping)};
+    std::vector<double> magnitudes;
+    for (const MappingPoint& p : group.points) {
+        const double w = p.at.amplitude_ratio, f = p.at.tangential_ratio;
+        const Computed& u = p.at.at(quantities::settled_shift_ratio);
+        const auto predicted = theory::settled_shift_ratio(w, f, use.kappa);
+        if (!predicted) {
+            ++use.n_ratcheting;
+            continue;
+        }
+        const double miss = *predicted / u.value - 1;
+        magnitudes.push_back(std::abs(miss));
+        use.n_with_bars += u.has_bar();
+        use.n_beyond_bars += u.has_bar() && std::abs(*predicted - u.value) > u.error;
+        if (std::abs(miss) >= std::abs(use.worst)) {
+            use.worst = miss;
+            use.worst_amplitude_ratio = w;
+            use.worst_tangential_ratio = f;
+        }
+    }
+    use.n = static_cast<int>(magnitudes.size());
+    use.median = median(magnitudes);
+    return use;
+}
+
+void add_uses(MappingGroup& group) {
+    if (group.constant) {
+        const double kappa = group.constant->fit.parameters.front().value;
+        if (kappa > 0 && kappa <= theory::mdr_mapping + rounding_of_kappa)
+            group.uses.push_back(use_of(group, "fitted", kappa));
+    }
+    if (is_parallel(group.angle))
+        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_parallel));
+    if (is_perpendicular(group.angle))
+        group.uses.push_back(use_of(group, "thesis", theory::thesis_mapping_perpendicular));
+    group.uses.push_back(use_of(group, "mdr", theory::mdr_mapping));
+}
+
+OneMapping one_of(const MappingGroup& group) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    OneMapping one{.low = -infinity, .high = infinity};
+    for (const MappingPoint& p : group.points) {
+        if (std::isnan(p.low)) continue;
+        ++one.n_with_bars;
+        one.n_telling += (p.high - p.low) / 2 < telling * p.kappa.value;
+        one.low = std::max(one.low, p.low);
+        one.high = std::min(one.high, p.high);
+    }
+    if (one.n_with_bars == 0) one.low = one.high = std::nan("");
+    if (!group.constant) return one;
+    const bool is_fitted = group.uses.front().name == "fitted";
+    const MappingUse& use = group.uses.front();
+    one.is_negligible = is_fitted && use.n_ratcheting == 0 && std::abs(use.worst) < negligible_miss;
+    const auto n = group.points.size(), n_telling = static_cast<std::size_t>(one.n_telling);
+    const bool all_have_bars = static_cast<std::size_t>(one.n_with_bars) == n;
+    one.is_known = all_have_bars && n_telling >= least_points_of_constant && 2 * n_telling >= n;
+    using enum OneMapping::Finding;
+    if (one.is_negligible)
+        one.finding = holds;
+    else if (!is_fitted || one.low > one.high)
+        one.finding = fails;
+    else if (one.is_known)
+        one.finding = holds;
+    return one;
+}
+
+bool less_kappa(const MappingPoint& a, const MappingPoint& b) {
+    return a.kappa.value < b.kappa.value;
+}
+
+}  // namespace
+
+double MappingGroup::smallest() const {
+    return std::min_element(points.begin(), points.end(), less_kappa)->kappa.value;
+}
+
+double MappingGroup::largest() const {
+    return std::max_element(points.begin(), points.end(), less_kappa)->kappa.value;
+}
+
+std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence) {
+    auto groups = groups_of<MappingGroup>(points);
+    for (MappingGroup& group : groups) {
+        for (const RollingPoint* p : points_of(points, group)) {
+            if (!has_mapping(*p)) continue;
+            group.points.push_back(mapping_point(*p));
+        }
+        fit(group, confidence);
+        add_uses(group);
+        group.one = one_of(group);
+    }
+    return groups;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,113 @@
+#include "comparisons/shakedown/ratcheting_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "comparisons/quantities/mapping.h"
+#include "comparisons/shakedown/grouping.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+constexpr std::size_t least_amplitudes = 2, least_points = 3;
+
+using Members = std::vector<const RollingPoint*>;
+
+const Quantity& increment = quantities::shift_increment_ratio;
+
+/// Loads that are equal but for the rounding of a solver's force balance.
+long load_key(const RollingPoint& p) {
+    return std::lround(p.tangential_ratio * 1e6);
+}
+
+double thesis_ratio(const RollingPoint& p) {
+    const double w = p.amplitude_ratio, f = p.tangential_ratio;
+    if (is_parallel(p.angle))
+        return theory::thesis_increment_parallel(w, f) / p.at(increment).value;
+    if (is_perpendicular(p.angle))
+        return theory::thesis_increment_perpendicular(w, f) / p.at(increment).value;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Du = eta (w - w_lim) through the origin, or with u_stat^(1/2) taken out of eta.
+std::optional<FittedForm> slope_form(const std::vector<const RatchetingPoint*>& points,
+                                     bool with_root, double confidence, std::size_t least) {
+    std::vector<double> column, observed;
+    for (const RatchetingPoint* p : points) {
+        const double excess = p->at.amplitude_ratio - p->amplitude_limit.value;
+        column.push_back(with_root
+                             ? std::sqrt(p->at.at(quantities::static_shift_ratio).value) * excess
+                             : excess);
+        observed.push_back(p->at.at(increment).value);
+    }
+    const char* form = with_root ? "Du = c u_stat^(1/2) (w - w_lim)" : "Du = eta (w - w_lim)";
+    return fit_form(form, {with_root ? "c" : "eta"}, {column}, observed,
+                    std::vector<double>(observed.size(), 0.), confidence, least);
+}
+
+std::optional<FittedForm> eta_form(const std::vector<RatchetingLoad>& loads, double confidence) {
+    std::vector<double> column, observed;
+    for (const RatchetingLoad& load : loads) {
+        if (!load.slope) continue;
+        column.push_back(std::sqrt(load.static_shift_ratio));
+        observed.push_back(load.slope->fit.parameters.front().value);
+    }
+    return fit_form("eta = c u_stat^(1/2)", {"c"}, {column}, observed,
+                    std::vector<double>(observed.size(), 0.), confidence, least_points);
+}
+
+void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& limit) {
+    const auto eta = ratcheting_slope(p.at(increment).value, p.amplitude_ratio, limit.value);
+    if (!eta) return;
+    const double error =
+        (p.at(increment).error + *eta * limit.error) / (p.amplitude_ratio - limit.value);
+    group.points.push_back({.at = p, .amplitude_limit = limit, .eta = {*eta, error}});
+    group.thesis_ratio.push_back(thesis_ratio(p));
+}
+
+void add_loads(RatchetingGroup& group, double confidence) {
+    std::map<long, std::vector<const RatchetingPoint*>> by_load;
+    for (const RatchetingPoint& p : group.points) by_load[load_key(p.at)].push_back(&p);
+    for (const auto& [key, points] : by_load)
+        group.loads.push_back(
+            {.tangential_ratio = points.front()->at.tangential_ratio,
+             .static_shift_ratio = points.front()->at.at(quantities::static_shift_ratio).value,
+             .amplitude_limit = points.front()->amplitude_limit,
+             .slope = slope_form(points, false, confidence, least_amplitudes)});
+}
+
+std::vector<const RatchetingPoint*> all_of(const RatchetingGroup& group) {
+    std::vector<const RatchetingPoint*> points;
+    for (const RatchetingPoint& p : group.points) points.push_back(&p);
+    return points;
+}
+
+}  // namespace
+
+std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& points,
+                                             double confidence) {
+    auto groups = groups_of<RatchetingGroup>(points);
+    for (RatchetingGroup& group : groups) {
+        const Members members = points_of(points, group);
+        std::vector<LimitPoint> limits;
+        for (const RollingPoint* p : members) {
+            limits.push_back({p->amplitude_ratio, p->at(quantities::limit_tangential_ratio)});
+            if (p->state != contact::State::ratcheting) continue;
+            const Computed* limit = p->find(quantities::limit_amplitude_ratio);
+            const bool followed = p->find(increment);
+            group.n_turning_points_only += !followed;
+            if (followed && limit) add_point(group, *p, *limit);
+        }
+        group.limit = fit_limit(limits, confidence);
+        add_loads(group, confidence);
+        group.root = slope_form(all_of(group), true, confidence, least_points);
+        group.root_of_eta = eta_form(group.loads, confidence);
+    }
+    return groups;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparisons/shakedown/limit_curve.h"
+#include "comparisons/shakedown/rolling_points.h"
+
+namespace tricontact::comparisons {
+
+/// A ratcheting point with eta = Du/(w - w_lim) (3.3.1), w_lim being the model's own limit.
+struct RatchetingPoint {
+    RollingPoint at;
+    Computed amplitude_limit;  ///< w_lim at this f_T
+    Computed eta;              ///< ill-conditioned near the limit: its bar says how much
+};
+
+/// Points of one load.
+struct RatchetingLoad {
+    double tangential_ratio = 0, static_shift_ratio = 0;  ///< f_T, u_stat
+    Computed amplitude_limit;
+    std::optional<FittedForm> slope;  ///< Du = eta (w - w_lim); empty below two amplitudes
+};
+
+/// Ratcheting of one model and group.
+struct RatchetingGroup {
+    std::string model, group;
+    double angle = 0;                     ///< [rad]
+    std::optional<FittedForm> limit;      ///< see fit_limit; over all loads
+    std::vector<RatchetingPoint> points;  ///< with w above w_lim
+    std::vector<RatchetingLoad> loads;    ///< f_T increasing
+    std::optional<FittedForm> root;  ///< Du = c u_stat^(1/2) (w - w_lim); below three points empty
+    std::optional<FittedForm>
+        root_of_eta;                ///< eta = c u_stat^(1/2) over loads (3.3.2); below three empty
+    int n_turning_points_only = 0;  ///< ratcheting, but in steps too coarse for a shift per period
+    /// Du of the thesis' formula (3.3.4 parallel, 3.4.15 perpendicular) with its own limit, over
+    /// the model's: per point, NaN in other directions.
+    std::vector<double> thesis_ratio;
+};
+
+/// Groups in the order of the points.
+std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& points,
+                                             double confidence);
+
+/// c of the thesis: 4.77 for MDR (3.3.2), sqrt(2) parallel (3.3.3), sqrt(5) perpendicular (3.4.15).
+inline constexpr double thesis_root_mdr = 4.77;
+inline constexpr double thesis_root_parallel = 1.41421356237309505;
+inline constexpr double thesis_root_perpendicular = 2.23606797749978970;
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,140 @@
+#include "comparisons/shakedown/rolling_points.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "comparisons/resolution/refinement.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+bool can_be_used(const RollingRun& run) {
+    const auto w = run.results.number(quantities::amplitude_ratio);
+    const auto f = run.results.number(quantities::tangential_ratio);
+    return w && f && in_unit_range(*w) && in_unit_range(*f) &&
+           run.results.number(quantities::final_shift_ratio);
+}
+
+/// Depends on the steps to first order.
+bool depends_on_steps(const Quantity& q) {
+    return q.told_in == contact::State::ratcheting;
+}
+
+/// Runs of one model and point, coarse to fine.
+class Runs {
+  public:
+    void add(const RollingRun& run) { runs_[{run.level, run.steps_per_quarter}] = &run; }
+
+    RollingPoint point() const {
+        const RollingRun& finest = *runs_.rbegin()->second;
+        const Results& results = finest.results;
+        RollingPoint p{.model = finest.model,
+                       .group = finest.group,
+                       .point = finest.point,
+                       .angle = finest.angle,
+                       .amplitude_ratio = *results.number(quantities::amplitude_ratio),
+                       .tangential_ratio = *results.number(quantities::tangential_ratio),
+                       .state = results.state().value_or(contact::State::undecided)};
+        for (const Quantity* q : point_quantities()) {
+            const bool followed = !depends_on_steps(*q) || finest.steps_per_quarter > 1;
+            if (results.told(*q) && followed) p.values[q] = over_levels(*q);
+        }
+        add_error_of_stopping(results, p);
+        return p;
+    }
+
+  private:
+    static void add_error_of_stopping(const Results& results, RollingPoint& p) {
+        const auto error = results.number(quantities::settled_shift_error_ratio);
+        const auto unit = results.number(quantities::unit_shift);
+        if (const auto u = p.values.find(&quantities::settled_shift_ratio); u != p.values.end())
+            u->second.error += error.value_or(NAN);
+        if (const auto u = p.values.find(&quantities::settled_shift); u != p.values.end())
+            u->second.error += error.value_or(NAN) * unit.value_or(NAN);
+    }
+
+    /// Of the finest steps on each level, or, where they count, extrapolated to steps of no length.
+    Computed over_levels(const Quantity& q) const {
+        std::map<int, std::map<int, double>> by_level;
+        for (const auto& [resolution, run] : runs_)
+            if (const auto value = run->results.told(q))
+                by_level[resolution.first][resolution.second] = *value;
+        std::vector<double> sizes, values;
+        double step_error = 0;
+        for (const auto& [level, by_steps] : by_level) {
+            Computed value{by_steps.rbegin()->second, 0};
+            if (depends_on_steps(q)) {
+                std::vector<int> steps;
+                std::vector<double> list;
+                for (const auto& [n, of_steps] : by_steps) {
+                    if (n == 1) continue;  // turning points alone: too coarse to extrapolate from
+                    steps.push_back(n);
+                    list.push_back(of_steps);
+                }
+                if (list.empty()) continue;
+                value = value_of_steps(steps, list);
+            }
+            sizes.push_back(std::pow(2., -level / 2.));
+            values.push_back(value.value);
+            step_error = value.error;
+        }
+        Computed result = value_of_levels(sizes, values);
+        result.error += step_error;
+        return result;
+    }
+
+    std::map<std::pair<int, int>, const RollingRun*> runs_;  // by level and steps
+};
+
+bool is_multiple_of_pi(double angle) {
+    return std::abs(std::remainder(angle, std::numbers::pi)) < 1e-9;  // rounding of "180 deg"
+}
+
+}  // namespace
+
+const Computed* RollingPoint::find(const Quantity& q) const {
+    const auto found = values.find(&q);
+    return found == values.end() ? nullptr : &found->second;
+}
+
+const std::vector<const Quantity*>& point_quantities() {
+    using namespace quantities;
+    static const std::vector<const Quantity*> list{
+        &static_shift,           &static_shift_ratio,    &settled_shift,
+        &settled_shift_ratio,    &shift_increment,       &shift_increment_ratio,
+        &limit_tangential_ratio, &limit_amplitude_ratio, &stick_ratio};
+    return list;
+}
+
+bool is_parallel(double angle) {
+    return is_multiple_of_pi(angle);
+}
+
+bool is_perpendicular(double angle) {
+    return is_multiple_of_pi(angle - std::numbers::pi / 2);
+}
+
+std::string direction_name(double angle) {
+    if (is_parallel(angle)) return "parallel";
+    if (is_perpendicular(angle)) return "perpendicular";
+    return report::as_given(angle * 180 / std::numbers::pi) + " deg";
+}
+
+std::vector<RollingPoint> rolling_points(const std::vector<RollingRun>& runs) {
+    std::vector<std::string> order;
+    std::map<std::string, Runs> points;
+    for (const RollingRun& run : runs) {
+        if (!can_be_used(run)) continue;
+        const std::string key = run.model + '\n' + run.point;
+        if (!points.contains(key)) order.push_back(key);
+        points[key].add(run);
+    }
+    std::vector<RollingPoint> result;
+    for (const std::string& key : order) result.push_back(points.at(key).point());
+    return result;
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,84 @@
+#include "contact/bodies/height_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+HeightMap checked(HeightMap map) {
+    const bool whole = map.n_x >= 2 && map.n_y >= 2 &&
+                       map.height.size() == static_cast<std::size_t>(map.n_x) * map.n_y;
+    if (!whole) throw InputError("height map: there must be 2 x 2 heights at least");
+    for (const double h : map.spacing)
+        if (!(h > 0) || !std::isfinite(h))
+            throw InputError("height map: the spacing must be positive and finite");
+    if (!std::ranges::all_of(map.height, [](double z) { return std::isfinite(z); }))
+        throw InputError("height map: all heights must be finite");
+    return map;
+}
+
+/// Node below `x` (in spacings) on a lattice of n nodes that repeats itself, and the way from it.
+std::pair<int, double> node_below(double x, int n) {
+    // What is a node but for the rounding of a quotient is that node: maps and cells of one spacing
+    // meet exactly.
+    constexpr double rounding = 1e-9;
+    double below = std::floor(x), way = x - below;
+    if (way > 1 - rounding) {
+        below += 1;
+        way = 0;
+    }
+    const double wrapped = below - n * std::floor(below / n);
+    return {static_cast<int>(wrapped) % n, way < rounding ? 0 : way};
+}
+
+}  // namespace
+
+HeightField::HeightField(HeightMap map) : map_(checked(std::move(map))) {}
+
+HeightField::Cell HeightField::cell(double x, double y) const {
+    const auto [i, right] = node_below(x / map_.spacing[0], map_.n_x);
+    const auto [j, up] = node_below(y / map_.spacing[1], map_.n_y);
+    const int next_i = i + 1 == map_.n_x ? 0 : i + 1, next_j = j + 1 == map_.n_y ? 0 : j + 1;
+    return {
+        map_.at(i, j), map_.at(next_i, j), map_.at(i, next_j), map_.at(next_i, next_j), right, up};
+}
+
+double HeightField::height(double x, double y) const {
+    const Cell c = cell(x, y);
+    const double low = c.low_low + c.x * (c.high_low - c.low_low);
+    const double high = c.low_high + c.x * (c.high_high - c.low_high);
+    return low + c.y * (high - low);
+}
+
+Vector2 HeightField::slope(double x, double y) const {
+    const Cell c = cell(x, y);
+    const double along_low = c.high_low - c.low_low, along_high = c.high_high - c.low_high;
+    const double across_low = c.low_high - c.low_low, across_high = c.high_high - c.high_low;
+    return {(along_low + c.y * (along_high - along_low)) / map_.spacing[0],
+            (across_low + c.x * (across_high - across_low)) / map_.spacing[1]};
+}
+
+double rms_height(const HeightMap& map) {
+    double mean = 0, square = 0;
+    for (const double z : map.height) mean += z;
+    mean /= static_cast<double>(map.height.size());
+    for (const double z : map.height) square += (z - mean) * (z - mean);
+    return std::sqrt(square / static_cast<double>(map.height.size()));
+}
+
+double rms_slope(const HeightMap& map) {
+    double along = 0, across = 0;
+    for (int j = 0; j < map.n_y; ++j)
+        for (int i = 0; i + 1 < map.n_x; ++i)
+            along += std::pow((map.at(i + 1, j) - map.at(i, j)) / map.spacing[0], 2);
+    for (int j = 0; j + 1 < map.n_y; ++j)
+        for (int i = 0; i < map.n_x; ++i)
+            across += std::pow((map.at(i, j + 1) - map.at(i, j)) / map.spacing[1], 2);
+    return std::sqrt(along / (map.n_x - 1.) / map.n_y + across / map.n_x / (map.n_y - 1.));
+}
+
+}  // namespace tricontact::contact

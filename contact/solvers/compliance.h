@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/solvers/interior.h"
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// A tangential vector per contact point, by component.
+struct TangentialField {
+    std::vector<double> x, y;
+
+    TangentialField() = default;
+    explicit TangentialField(std::size_t n) : x(n, 0.0), y(n, 0.0) {}
+    std::size_t size() const { return x.size(); }
+};
+
+/// Where tractions act and displacements are read. On a grid x runs fastest.
+struct ContactPoints {
+    std::vector<double> x, y;    ///< positions on the substrate [m]
+    std::vector<double> area;    ///< tributary areas [m^2]
+    int n_x = 0, n_y = 0;        ///< > 0 on a regular grid
+    Vector2 first{}, spacing{};  ///< of a regular grid [m]
+    /// Points with y >= 0 that stand for their mirror images at -y as well: areas count both
+    /// sides, x and normal components are even in y, y components odd (zero at y = 0).
+    bool mirrored = false;
+    /// A grid of one period of a surface that has no edge.
+    bool periodic = false;
+    /// Length L along y [m] of a contact that the outermost points in y bound, since the indenter
+    /// or the substrate ends there; 0: it may go on beyond them.
+    double line_length = 0;
+    /// Nine-node quadrilaterals between the points where the surface is one of elements (corners,
+    /// edges, centre; VTK's order of a biquadratic quadrilateral); else empty.
+    std::vector<std::array<int, 9>> quads;
+
+    std::size_t size() const { return x.size(); }
+    /// Regular grid of n_x * n_y cells; `first` is the centre of the first one.
+    static ContactPoints grid(int n_x, int n_y, Vector2 first, Vector2 spacing);
+};
+
+/// The linear elasticity of both bodies as seen from the contact surface: tractions [Pa] on the
+/// contact points give displacements [m] of the substrate relative to the indenter. Self-adjoint
+/// and positive definite in the inner product weighted by the points' areas.
+class Compliance {
+  public:
+    virtual ~Compliance() = default;
+
+    virtual const ContactPoints& points() const = 0;
+    /// Normal traction displaces tangentially and vice versa.
+    virtual bool is_coupled() const = 0;
+
+    /// Displacement into the substrate under the pressure p.
+    virtual void normal(std::span<const double> p, std::span<double> u_z) const = 0;
+    /// Displacement in the surface under the tangential traction t on the substrate.
+    virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
+    /// The coupling: displacement in the surface under the pressure p, and displacement into the
+    /// substrate under the tangential traction t; one is the other's adjoint. None by default.
+    virtual void tangential_from_normal(std::span<const double> p, TangentialField& u) const;
+    virtual void normal_from_tangential(const TangentialField& t, std::span<double> u_z) const;
+    /// Displacement of a point under unit traction on its own area alone, a typical value [m/Pa].
+    virtual double local_tangential() const = 0;
+    /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
+    /// free.
+    virtual void precondition_tangential(const TangentialField& r, TangentialField& z) const = 0;
+    /// The whole matrix, displacement [m] over force (traction times area) [N]: 3n x 3n by columns,
+    /// symmetric, component c of point i at c n + i (x, y, into the substrate); null where only
+    /// products are known.
+    virtual const double* dense() const { return nullptr; }
+    /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
+    /// where there are no elements. `odd_in_y`: of a y component.
+    virtual std::vector<double> consistent_traction(std::span<const double> t, bool odd_in_y) const;
+    /// Force of the ground [N] plus the force of these tractions (z out of the substrate), zero but
+    /// for errors; null where there is no ground.
+    virtual std::optional<std::array<double, 3>> missing_reaction(std::span<const double> p,
+                                                                  const TangentialField& t) const;
+    /// What missing_reaction may be over the force, for the rounding of a stiff material.
+    virtual double allowed_missing_reaction() const { return 1e-8; }
+    /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
+    virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
+                                                     const TangentialField& t) const;
+};
+
+}  // namespace tricontact::contact

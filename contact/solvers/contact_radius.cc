@@ -1,0 +1,55 @@
+#include "contact/solvers/contact_radius.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tricontact::contact {
+
+namespace {
+
+/// a^2 from the mean squares m1 and fourth powers m2 of the distance, negative where the pressure
+/// is not of the form. With int sqrt(1 - s) s^k ds = B(k + 1, 3/2), the two equations for a^2 and
+/// c1/c0 leave a^4 - 7 m1 a^2 + 63/8 m2 = 0.
+double radius_squared(double m1, double m2) {
+    const double discriminant = 49 * m1 * m1 - 31.5 * m2;
+    return discriminant >= 0 ? (7 * m1 - std::sqrt(discriminant)) / 2 : -1;
+}
+
+/// The same of a line contact, whose elements of x are s^(-1/2) ds/2: B(k + 1/2, 3/2) leaves
+/// a^4 - 12 m1 a^2 + 16 m2 = 0.
+double half_width_squared(double m1, double m2) {
+    const double discriminant = 36 * m1 * m1 - 16 * m2;
+    return discriminant >= 0 ? 6 * m1 - std::sqrt(discriminant) : -1;
+}
+
+}  // namespace
+
+double counted_radius(const ContactPoints& points, const std::vector<double>& pressure) {
+    double area = 0;
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+        if (pressure[i] > 0) area += points.area[i];
+    return points.line_length > 0 ? area / (2 * points.line_length)
+                                  : std::sqrt(area / std::numbers::pi);
+}
+
+double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
+                      const Vector2& centre) {
+    const bool line = points.line_length > 0;
+    double force = 0, second = 0, fourth = 0;
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+        if (!(pressure[i] > 0)) continue;
+        const double x = points.x[i] - centre[0], y = points.y[i] - centre[1];
+        const double s = x * x + (line ? 0 : y * y), f = points.area[i] * pressure[i];
+        force += f;
+        second += f * s;
+        fourth += f * s * s;
+    }
+    const double counted = counted_radius(points, pressure);
+    const double m1 = second / force, m2 = fourth / force;
+    const double square = line ? half_width_squared(m1, m2) : radius_squared(m1, m2);
+    if (!(square >= 0)) return counted;
+    const double radius = std::sqrt(square);
+    return std::abs(radius / counted - 1) < 0.3 ? radius : counted;
+}
+
+}  // namespace tricontact::contact

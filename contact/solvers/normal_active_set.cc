@@ -1,0 +1,193 @@
+#include "contact/solvers/normal_active_set.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/solvers/largest.h"
+
+namespace tricontact::contact {
+
+namespace {
+// In which points leave the contact; one that only grows is complete at the latest when all touch.
+constexpr int max_changes = 60;
+// Cholesky's errors leave some ten roundings of a gap, closing what they left hardly more than one.
+constexpr int closings = 2;
+}  // namespace
+
+/// The normal compliance among the points in contact, displacement over force, by Cholesky.
+struct NormalActiveSet::Factor {
+    std::vector<std::size_t> points;  // in the order in which they entered
+    Eigen::MatrixXd lower;            // its lower triangle
+
+    /// False if the matrix is not positive definite. `block`: of the normal components, by columns
+    /// of length `stride`.
+    bool add(const std::vector<std::size_t>& entered, const double* block, std::size_t stride) {
+        const auto old = static_cast<Eigen::Index>(points.size());
+        const auto n_new = static_cast<Eigen::Index>(entered.size());
+        points.insert(points.end(), entered.begin(), entered.end());
+        lower.conservativeResize(old + n_new, old + n_new);
+        for (Eigen::Index l = 0; l < old + n_new; ++l)
+            for (Eigen::Index k = std::max(l, old); k < old + n_new; ++k)
+                lower(k, l) = block[stride * points[l] + points[k]];
+        Eigen::MatrixXd rest = lower.bottomRightCorner(n_new, n_new);
+        if (old > 0) {  // [L 0; M R] [L' M'; 0 R']: M L' = what couples old and new, R R' the rest
+            auto mixed = lower.bottomLeftCorner(n_new, old);
+            lower.topLeftCorner(old, old)
+                .triangularView<Eigen::Lower>()
+                .transpose()
+                .solveInPlace<Eigen::OnTheRight>(mixed);
+            rest.selfadjointView<Eigen::Lower>().rankUpdate(mixed, -1);
+        }
+        const Eigen::LLT<Eigen::MatrixXd> llt(rest);
+        lower.bottomRightCorner(n_new, n_new) = llt.matrixLLT();
+        return llt.info() == Eigen::Success;
+    }
+
+    Eigen::VectorXd solve(Eigen::VectorXd v) const {
+        lower.triangularView<Eigen::Lower>().solveInPlace(v);
+        lower.triangularView<Eigen::Lower>().transpose().solveInPlace(v);
+        return v;
+    }
+};
+
+struct NormalActiveSet::Increment {
+    Eigen::VectorXd force;
+    double indentation;
+};
+
+NormalActiveSet::NormalActiveSet(const Compliance& compliance)
+    : compliance_(compliance), factor_(std::make_shared<Factor>()) {}
+
+bool NormalActiveSet::solve(const std::vector<double>& height, const NormalControl& control,
+                            const std::vector<double>& start, NormalSolution& solution) {
+    const auto& area = compliance_.points().area;
+    const std::size_t n = area.size();
+    std::vector<std::uint8_t> contact = first_contact(height, control, start);
+    if (contact != contact_) forget();  // no trace of earlier solutions
+    solution.iterations = 0;
+    for (int changes = 0; changes < max_changes;) {
+        ++solution.iterations;
+        if (!update_contact(contact)) return false;
+        solution.pressure.assign(n, 0);
+        solution.displacement.assign(n, 0);
+        solution.force = solution.indentation = 0;
+        std::vector<double> gap = height;
+        for (int k = 0; k < closings; ++k) {
+            const Increment more = close_gap(gap, control, solution);
+            solution.force += more.force.sum();
+            solution.indentation += more.indentation;
+            for (std::size_t l = 0; l < factor_->points.size(); ++l)
+                solution.pressure[factor_->points[l]] += more.force[l] / area[factor_->points[l]];
+            compliance_.normal(solution.pressure, solution.displacement);
+            for (std::size_t i = 0; i < n; ++i)
+                gap[i] = solution.displacement[i] + height[i] - solution.indentation;
+        }
+        bool settled = true, left = false;
+        double worst = 0, work = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            contact[i] = contact_[i] ? solution.pressure[i] > 0 : gap[i] < 0;
+            settled = settled && contact[i] == contact_[i];
+            left = left || contact[i] < contact_[i];
+            worst = larger(worst, contact_[i] ? std::abs(gap[i]) : -gap[i]);
+            work += area[i] * solution.pressure[i] * solution.displacement[i];
+        }
+        solution.length = larger(solution.indentation, work / solution.force);
+        solution.residual = worst / solution.length;
+        if (settled && !std::ranges::is_sorted(factor_->points)) {
+            forget();  // nor of the way to this one
+        } else if (settled) {
+            solution.rounding = rounding_of(solution);
+            return true;
+        }
+        changes += left;
+    }
+    return false;
+}
+
+/// A displacement is a sum of n products, which rounding changes by sqrt(n) half epsilons of their
+/// magnitudes (Higham and Mary 2019, SIAM J. Sci. Comput. 41, A2815). Thin incompressible layers
+/// give way by what is left of terms that are (a/b)^2 times as large.
+double NormalActiveSet::rounding_of(const NormalSolution& solution) const {
+    constexpr double half_epsilon = std::numeric_limits<double>::epsilon() / 2;
+    const auto& area = compliance_.points().area;
+    const double* const block = normal_block();
+    double largest = 0;
+    for (const std::size_t i : factor_->points) {
+        double sum = 0;
+        for (const std::size_t j : factor_->points)
+            sum += std::abs(block[3 * area.size() * i + j]) * solution.pressure[j] * area[j];
+        largest = std::max(largest, sum);
+    }
+    return std::sqrt(static_cast<double>(factor_->points.size())) * half_epsilon * largest /
+           solution.length;
+}
+
+/// What has to be added for u + height = depth on the contact.
+NormalActiveSet::Increment NormalActiveSet::close_gap(const std::vector<double>& gap,
+                                                      const NormalControl& control,
+                                                      const NormalSolution& solution) const {
+    const auto m = static_cast<Eigen::Index>(factor_->points.size());
+    Eigen::VectorXd open(m);
+    for (Eigen::Index k = 0; k < m; ++k) open[k] = gap[factor_->points[k]];
+    const Eigen::VectorXd resisting = factor_->solve(open);
+    if (control.kind == NormalControl::Kind::indentation && solution.indentation != 0)
+        return {-resisting, 0};
+    const Eigen::VectorXd unit = factor_->solve(Eigen::VectorXd::Ones(m));
+    const double indentation = control.kind == NormalControl::Kind::force
+                                   ? (control.value - solution.force + resisting.sum()) / unit.sum()
+                                   : control.value;
+    return {indentation * unit - resisting, indentation};
+}
+
+/// False if the matrix is not positive definite or nothing touches.
+bool NormalActiveSet::update_contact(std::vector<std::uint8_t> contact) {
+    const auto& points = factor_->points;
+    if (!std::ranges::all_of(points, [&](std::size_t i) { return contact[i]; })) forget();
+    contact_.resize(contact.size());
+    std::vector<std::size_t> entered;
+    for (std::size_t i = 0; i < contact.size(); ++i)
+        if (contact[i] && !contact_[i]) entered.push_back(i);
+    contact_ = std::move(contact);
+    return (entered.empty() || factor_->add(entered, normal_block(), 3 * contact_.size())) &&
+           !factor_->points.empty();
+}
+
+void NormalActiveSet::forget() {
+    factor_ = std::make_shared<Factor>();
+    std::ranges::fill(contact_, 0);
+}
+
+/// Of the matrix, by columns three times as long.
+const double* NormalActiveSet::normal_block() const {
+    const std::size_t n = contact_.size();
+    return compliance_.dense() + 3 * n * (2 * n) + 2 * n;
+}
+
+/// The points that carried pressure before, or those under the indenter at a depth that must be
+/// enough; too many do no harm.
+std::vector<std::uint8_t> NormalActiveSet::first_contact(const std::vector<double>& height,
+                                                         const NormalControl& control,
+                                                         const std::vector<double>& start) const {
+    const std::size_t n = height.size();
+    std::vector<std::uint8_t> contact(n, 0);
+    if (!start.empty()) {
+        for (std::size_t i = 0; i < n; ++i) contact[i] = start[i] > 0 && std::isfinite(height[i]);
+        return contact;
+    }
+    double depth = control.value;
+    if (control.kind == NormalControl::Kind::force) {
+        // The depth is not known: start with the lower half of the points.
+        std::vector<double> finite;
+        for (const double h : height)
+            if (std::isfinite(h)) finite.push_back(h);
+        const auto middle = finite.begin() + static_cast<std::ptrdiff_t>(finite.size() / 2);
+        std::nth_element(finite.begin(), middle, finite.end());
+        depth = *middle;
+    }
+    for (std::size_t i = 0; i < n; ++i) contact[i] = height[i] < depth;
+    return contact;
+}
+
+}  // namespace tricontact::contact

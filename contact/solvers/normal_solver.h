@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/load_path.h"
+#include "contact/solvers/compliance.h"
+
+namespace tricontact::contact {
+
+/// Frictionless normal contact at one position of the indenter.
+struct NormalSolution {
+    std::vector<double> pressure;      ///< p [Pa], >= 0
+    std::vector<double> displacement;  ///< u_z [m], into the substrate
+    double indentation = 0;            ///< d [m]
+    /// What errors of displacements are compared with [m]: d, or the mean displacement under the
+    /// pressures where that is more, since strong friction may lift the indenter.
+    double length = 0;
+    double force = 0;  ///< F_N [N]
+    int iterations = 0;
+    /// Largest |gap| where p > 0 and largest penetration elsewhere, over `length` [-].
+    double residual = 0;
+    double rounding = 0;  ///< what the rounding of displacements may leave of it [-]
+};
+
+class NormalActiveSet;
+
+/// Force or indentation prescribed. Conjugate gradients with active set, Polonsky & Keer (1999),
+/// Wear 231, 206-219; where the compliance exposes its matrix, NormalActiveSet first.
+class NormalSolver {
+  public:
+    /// `tolerance`: on NormalSolution::residual, or its rounding where that is more.
+    NormalSolver(const Compliance& compliance, double tolerance);
+
+    /// `height`: the indenter over each point [m], infinity outside the body. `start`: pressures of
+    /// a similar problem, or empty. A height that the indentation nowhere reaches gives no force.
+    /// Throws NotConverged.
+    NormalSolution solve(const std::vector<double>& height, const NormalControl& control,
+                         const std::vector<double>& start = {}) const;
+
+  private:
+    const Compliance& compliance_;
+    double tolerance_;
+    std::shared_ptr<NormalActiveSet> active_set_;  // null without a matrix
+};
+
+}  // namespace tricontact::contact

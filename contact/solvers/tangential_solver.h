@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "contact/load_path.h"
+#include "contact/solvers/active_operator.h"
+#include "contact/solvers/compliance.h"
+
+namespace tricontact::contact {
+
+/// One step of frictional contact at given pressures: find tractions t on the substrate,
+/// |t| <= bound, such that the slip s = dU + u_previous - A t vanishes where |t| < bound and points
+/// along t where |t| = bound.
+struct TangentialProblem {
+    const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
+    const TangentialField& previous_displacement;  ///< [m], before the step
+    /// Per direction: total force on the substrate [N], or increment of the rigid shift [m].
+    std::array<TangentialControl, 2> control;
+    /// Displacement over traction of the contact as a whole [m/Pa], e.g. indentation over mean
+    /// pressure: relates slip to traction in zones and residual.
+    double contact_compliance;
+};
+
+struct TangentialSolution {
+    TangentialField traction;      ///< t [Pa]
+    TangentialField displacement;  ///< A t [m]
+    Vector2 shift_increment{};     ///< dU [m], indenter over substrate
+    int iterations = 0;            ///< applications of the compliance
+    double residual = 0;           ///< see TangentialSolver
+    double force_residual = 0;  ///< |sum t A - F| / sum bound A, worst force-controlled direction
+};
+
+/// Semismooth Newton method (active set): the unknowns are t where points stick and the traction's
+/// angle where they slip; each linear system is symmetric positive definite on the null space of
+/// the force balance and solved by projected, preconditioned conjugate gradients. Accelerated
+/// projected gradients take over when the active set cycles.
+///
+/// Residual: largest |t - P(t + s/alpha)| over the mean bound, P the projection onto the friction
+/// disc, alpha the contact's compliance. It reads:
+/// slip of sticking points over the shift of full sliding, and angle between slip and traction.
+class TangentialSolver {
+  public:
+    TangentialSolver(const Compliance& compliance, double tolerance);
+
+    /// Updates `solution`, whose traction is the start (may be zero; clipped to the bound), and its
+    /// shift increment too where a force is prescribed (zero: unknown).
+    /// Throws NotConverged; InputError when the force exceeds what friction carries.
+    void solve(const TangentialProblem& problem, TangentialSolution& solution);
+
+  private:
+    const ActiveOperator& products_among(const std::vector<std::size_t>& active);
+
+    const Compliance& compliance_;
+    double tolerance_;
+    // Of the last problem: a contact that has not changed keeps its factor.
+    std::vector<std::size_t> active_;
+    std::unique_ptr<const ActiveOperator> products_;
+};
+
+}  // namespace tricontact::contact

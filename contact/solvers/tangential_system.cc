@@ -1,0 +1,200 @@
+#include "contact/solvers/tangential_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tricontact::contact {
+
+TangentialSystem::TangentialSystem(const Compliance& compliance,
+                                   const std::vector<std::size_t>& active,
+                                   const ActiveOperator& products,
+                                   std::array<bool, 2> force_controlled)
+    : compliance_(compliance),
+      active_(active),
+      products_(products),
+      force_controlled_(force_controlled),
+      scaling_(active.size()) {
+    const std::size_t n = compliance.points().size();
+    for (const std::size_t i : active_) area_ += compliance.points().area[i];
+    for (auto* field : {&constraint_[0], &constraint_[1], &preconditioned_[0], &preconditioned_[1],
+                        &result_.z, &result_.a_z, &residual_, &direction_, &a_direction_,
+                        &h_direction_, &z_, &scaled_, &full_})
+        *field = TangentialField(n);
+}
+
+bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
+                                 std::vector<Vector2> tangent, std::vector<double> curvature) {
+    slipping_ = slipping;
+    tangent_ = std::move(tangent);
+    curvature_ = std::move(curvature);
+    // Points held by a large curvature hardly move: the scaling tells the preconditioner so.
+    const double local = compliance_.local_tangential();
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        scaling_[k] = slipping_[k] ? std::sqrt(local / (local + curvature_[k])) : 1;
+
+    for (int d = 0; d < 2; ++d) {
+        if (!force_controlled_[d]) continue;
+        for (const std::size_t i : active_) {
+            constraint_[d].x[i] = d == 0;
+            constraint_[d].y[i] = d == 1;
+        }
+        project(constraint_[d]);
+        precondition(constraint_[d], preconditioned_[d]);
+    }
+    std::array<std::array<double, 2>, 2> schur{{{1, 0}, {0, 1}}};
+    for (int d = 0; d < 2; ++d)
+        for (int e = 0; e < 2; ++e)
+            if (force_controlled_[d] && force_controlled_[e])
+                schur[d][e] = inner(constraint_[d], preconditioned_[e]);
+    const double determinant = schur[0][0] * schur[1][1] - schur[0][1] * schur[1][0];
+    schur_inverse_ = {{{schur[1][1] / determinant, -schur[0][1] / determinant},
+                       {-schur[1][0] / determinant, schur[0][0] / determinant}}};
+    return determinant > 1e-10 * schur[0][0] * schur[1][1];
+}
+
+void TangentialSystem::project(TangentialField& f) const {
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        if (!slipping_[k]) continue;
+        const std::size_t i = active_[k];
+        const double along = tangent_[k][0] * f.x[i] + tangent_[k][1] * f.y[i];
+        f.x[i] = along * tangent_[k][0];
+        f.y[i] = along * tangent_[k][1];
+    }
+}
+
+void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        const std::size_t i = active_[k];
+        scaled_.x[i] = scaling_[k] * r.x[i];
+        scaled_.y[i] = scaling_[k] * r.y[i];
+    }
+    products_.precondition(scaled_, full_);
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        const std::size_t i = active_[k];
+        z.x[i] = scaling_[k] * full_.x[i];
+        z.y[i] = scaling_[k] * full_.y[i];
+    }
+    project(z);
+}
+
+double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
+    const auto& area = compliance_.points().area;
+    double sum = 0;
+    for (const std::size_t i : active_) sum += area[i] * (a.x[i] * b.x[i] + a.y[i] * b.y[i]);
+    return sum;
+}
+
+Vector2 TangentialSystem::total(const TangentialField& z) const {
+    const auto& area = compliance_.points().area;
+    Vector2 sum{};
+    for (const std::size_t i : active_) {
+        sum[0] += area[i] * z.x[i];
+        sum[1] += area[i] * z.y[i];
+    }
+    return sum;
+}
+
+Vector2 TangentialSystem::constraint_multiplier(const Vector2& force) const {
+    Vector2 rhs = force;
+    for (int d = 0; d < 2; ++d)
+        if (!force_controlled_[d]) rhs[d] = 0;
+    Vector2 lambda = {schur_inverse_[0][0] * rhs[0] + schur_inverse_[0][1] * rhs[1],
+                      schur_inverse_[1][0] * rhs[0] + schur_inverse_[1][1] * rhs[1]};
+    for (int d = 0; d < 2; ++d)
+        if (!force_controlled_[d]) lambda[d] = 0;
+    return lambda;
+}
+
+void TangentialSystem::add(TangentialField& to, double factor, const TangentialField& from) const {
+    for (const std::size_t i : active_) {
+        to.x[i] += factor * from.x[i];
+        to.y[i] += factor * from.y[i];
+    }
+}
+
+const TangentialSystem::Result& TangentialSystem::solve(const TangentialField& r, const Vector2& c,
+                                                        const Limits& limits) {
+    start(r);
+    carry(c);
+    precondition_balanced();
+    const double target = std::max(limits.absolute, limits.relative * rms_residual());
+    double rho = inner(residual_, z_);
+    direction_ = z_;
+    while (result_.iterations < limits.iterations && rms_residual() > target && rho > 0) {
+        apply();
+        move(rho / inner(direction_, h_direction_));
+        precondition_balanced();
+        const double rho_new = inner(residual_, z_);
+        turn(rho_new / rho);
+        rho = rho_new;
+    }
+    return result_;
+}
+
+void TangentialSystem::start(const TangentialField& r) {
+    result_.iterations = 0;
+    result_.shift_increment = {};
+    for (const std::size_t i : active_) {
+        residual_.x[i] = r.x[i];
+        residual_.y[i] = r.y[i];
+        for (auto* field : {&result_.z, &result_.a_z, &direction_}) field->x[i] = field->y[i] = 0;
+    }
+    project(residual_);
+}
+
+/// A particular solution that carries the force `c`; all that follows leaves the force as it is.
+void TangentialSystem::carry(const Vector2& c) {
+    const Vector2 lambda = constraint_multiplier(c);
+    if (lambda[0] == 0 && lambda[1] == 0) return;
+    for (int d = 0; d < 2; ++d)
+        if (force_controlled_[d]) add(direction_, lambda[d], preconditioned_[d]);
+    apply();
+    move(1);
+}
+
+/// H d = P A d + D d.
+void TangentialSystem::apply() {
+    products_.apply(direction_, a_direction_);
+    ++result_.iterations;
+    for (const std::size_t i : active_) {
+        h_direction_.x[i] = a_direction_.x[i];
+        h_direction_.y[i] = a_direction_.y[i];
+    }
+    project(h_direction_);
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+        h_direction_.x[active_[k]] += curvature_[k] * direction_.x[active_[k]];
+        h_direction_.y[active_[k]] += curvature_[k] * direction_.y[active_[k]];
+    }
+}
+
+void TangentialSystem::move(double step) {
+    add(result_.z, step, direction_);
+    add(result_.a_z, step, a_direction_);
+    add(residual_, -step, h_direction_);
+}
+
+void TangentialSystem::turn(double beta) {
+    for (const std::size_t i : active_) {
+        direction_.x[i] = z_.x[i] + beta * direction_.x[i];
+        direction_.y[i] = z_.y[i] + beta * direction_.y[i];
+    }
+}
+
+/// Gives the rigid shift the part of the residual that it can cancel, so that z is balanced.
+void TangentialSystem::precondition_balanced() {
+    precondition(residual_, z_);
+    const Vector2 lambda = constraint_multiplier(total(z_));
+    for (int d = 0; d < 2; ++d) {
+        if (!force_controlled_[d]) continue;
+        add(residual_, -lambda[d], constraint_[d]);
+        add(z_, -lambda[d], preconditioned_[d]);
+        result_.shift_increment[d] -= lambda[d];
+    }
+}
+
+double TangentialSystem::rms_residual() const {
+    return std::sqrt(inner(residual_, residual_) / area_);
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/solvers/active_operator.h"
+#include "contact/solvers/compliance.h"
+#include "contact/vector2.h"
+
+namespace tricontact::contact {
+
+/// The Newton system of frictional contact for given stick and slip zones, on tangential fields
+/// that vanish outside the contact. Sticking points have two unknowns; slipping ones move along the
+/// tangent of their friction disc only:
+///   P A z + D z - C dU = r,   C' z = c,
+/// P the projection onto the admissible directions, D = (s.e)/bound on slipping points (the
+/// curvature of the disc), C the total forces in the force-controlled directions.
+class TangentialSystem {
+  public:
+    /// Conjugate gradients stop when the r.m.s. residual [m] is below both limits.
+    struct Limits {
+        double relative;  ///< to the first residual
+        double absolute;  ///< [m]
+        int iterations;
+    };
+
+    struct Result {
+        TangentialField z;          ///< [Pa]
+        TangentialField a_z;        ///< A z [m] on the active points, not projected
+        Vector2 shift_increment{};  ///< dU [m], zero in shift-controlled directions
+        int iterations = 0;         ///< applications of the compliance
+    };
+
+    /// `active`: indices of the points in contact; `products`: the compliance among them.
+    TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
+                     const ActiveOperator& products, std::array<bool, 2> force_controlled);
+
+    /// What stands per active point: whether it slips, and if so the unit tangent of its friction
+    /// disc and the curvature D [m/Pa]. False if the force balance is singular on these zones.
+    bool set_zones(const std::vector<std::uint8_t>& slipping, std::vector<Vector2> tangent,
+                   std::vector<double> curvature);
+
+    /// `r` [m], `c` [N]: right-hand sides. The result stays valid until the next call.
+    const Result& solve(const TangentialField& r, const Vector2& c, const Limits& limits);
+
+  private:
+    void project(TangentialField& f) const;
+    void precondition(const TangentialField& r, TangentialField& z);
+    void add(TangentialField& to, double factor, const TangentialField& from) const;
+    double inner(const TangentialField& a, const TangentialField& b) const;
+    Vector2 total(const TangentialField& z) const;
+    Vector2 constraint_multiplier(const Vector2& total_force) const;
+
+    void start(const TangentialField& r);
+    void carry(const Vector2& c);
+    void apply();
+    void move(double step);
+    void turn(double beta);
+    void precondition_balanced();
+    double rms_residual() const;
+
+    const Compliance& compliance_;
+    const std::vector<std::size_t>& active_;
+    const ActiveOperator& products_;
+    std::array<bool, 2> force_controlled_;
+    double area_ = 0;  // of the active points [m^2]
+    std::vector<std::uint8_t> slipping_;
+    std::vector<Vector2> tangent_;
+    std::vector<double> curvature_, scaling_;
+    std::array<TangentialField, 2> constraint_;      // C
+    std::array<TangentialField, 2> preconditioned_;  // M^-1 C
+    std::array<std::array<double, 2>, 2> schur_inverse_{};
+    // Work space of the iteration; large fields are allocated once.
+    Result result_;
+    TangentialField residual_, direction_, a_direction_, h_direction_, z_, scaled_, full_;
+};
+
+}  // namespace tricontact::contact

@@ -1,0 +1,217 @@
+#include "contact/substrates/partly_relaxing_substrate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/compensated_sum.h"
+#include "contact/solvers/moving_frame.h"
+#include "contact/step_integrals.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+// For real moduli; in time it becomes up to ten times as large, the contact solvers' tolerance.
+constexpr double interpolation_error = 1e-8;
+
+void add(SurfaceField& sum, double factor, const SurfaceField& field) {
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < field.down.size(); ++i)
+            (*components(sum)[d])[i] += factor * (*components(field)[d])[i];
+}
+
+SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool coupled) {
+    const std::size_t n = t.down.size();
+    SurfaceField u(n), other(n);
+    compliance.tangential(t.in_surface, u.in_surface);
+    compliance.normal(t.down, u.down);
+    if (!coupled) return u;
+    compliance.tangential_from_normal(t.down, other.in_surface);
+    compliance.normal_from_tangential(t.in_surface, other.down);
+    add(u, 1, other);
+    return u;
+}
+
+}  // namespace
+
+StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
+    // A range is needed even where rounding leaves none.
+    return StieltjesInterpolation(std::max(relaxation.instantaneous_ratio(), 1 + 1e-9),
+                                  interpolation_error);
+}
+
+PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,
+                                                 Relaxation relaxation, bool coupled)
+    : parts_(std::move(parts)),
+      interpolation_(std::move(interpolation)),
+      relaxation_(std::move(relaxation)),
+      n_(parts_.front()->points().size()),
+      step_(parts_, coupled),
+      relaxed_(parts_, coupled) {
+    relaxed_.set_weights(interpolation_.shares(1));
+    for (const double pole : interpolation_.poles())
+        modes_.push_back({Retardation(relaxation_, pole), {}, {}});
+    forget();
+}
+
+std::unique_ptr<Substrate> PartlyRelaxingSubstrate::fresh(bool coupled) const {
+    return std::make_unique<PartlyRelaxingSubstrate>(parts_, interpolation_, relaxation_, coupled);
+}
+
+void PartlyRelaxingSubstrate::forget() {
+    offset_ = traction_ = displacement_ = SurfaceField(n_);
+    for (Mode& mode : modes_) {
+        mode.displacement = SurfaceField(n_);
+        mode.branches.assign(mode.creep.branches.size(), {SurfaceField(n_), SurfaceField(n_)});
+    }
+}
+
+bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, const SurfaceField& u) {
+    duration_ = duration;
+    traction_ = t;
+    displacement_ = u;
+    offset_ = SurfaceField(n_);
+    std::vector<double> weights(parts_.size());
+    for (std::size_t m = 0; m < modes_.size(); ++m) {
+        const Mode& mode = modes_[m];
+        double of_step = mode.creep.relaxed;
+        for (std::size_t b = 0; b < mode.branches.size(); ++b) {
+            const auto [compliance, time] = mode.creep.branches[b];
+            const double mean = StepIntegrals(duration / time).mean;
+            of_step -= compliance * mean;
+            add(offset_, compliance * std::exp(-duration / time), mode.branches[b].displacement);
+            add(offset_, -compliance * mean, mode.displacement);
+        }
+        for (std::size_t j = 0; j < parts_.size(); ++j)
+            weights[j] += interpolation_.weight(m, j) * of_step;
+    }
+    if (weights == step_.weights()) return false;
+    step_.set_weights(std::move(weights));
+    return true;
+}
+
+void PartlyRelaxingSubstrate::carry() {
+    const ContactPoints& grid = step_.points();
+    for (Mode& mode : modes_) {
+        contact::carry(grid, mode.displacement);
+        for (Branch& branch : mode.branches) {
+            contact::carry(grid, branch.traction);
+            contact::carry(grid, branch.displacement);
+        }
+    }
+}
+
+/// X_m t for each mode. They are sums of either sign, whose rounding goes with the magnitudes.
+std::vector<SurfaceField> PartlyRelaxingSubstrate::modal_displacements(const SurfaceField& t,
+                                                                       double& magnitude) const {
+    std::vector<SurfaceField> modal(modes_.size(), SurfaceField(n_));
+    for (std::size_t j = 0; j < parts_.size(); ++j) {
+        const SurfaceField part = displaced(*parts_[j], t, step_.is_coupled());
+        const double energy = largest_energy(part, t);
+        for (std::size_t m = 0; m < modes_.size(); ++m) {
+            const double weight = interpolation_.weight(m, j);
+            add(modal[m], weight, part);
+            magnitude += std::abs(weight) * modes_[m].creep.relaxed * energy;
+        }
+    }
+    return modal;
+}
+
+/// What these displacements and the tractions of the step could at most exchange [J].
+double PartlyRelaxingSubstrate::largest_energy(const SurfaceField& u, const SurfaceField& t) const {
+    const auto& area = step_.points().area;
+    double sum = 0;
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < n_; ++i)
+            sum += area[i] *
+                   (std::abs((*components(traction_)[d])[i]) + std::abs((*components(t)[d])[i])) *
+                   std::abs((*components(u)[d])[i]);
+    return sum;
+}
+
+/// Of the energies' sums only what the branches add to those of t and u.
+Substrate::Energies PartlyRelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
+    const auto& area = step_.points().area;
+    Energies energies;
+    CompensatedSum all_stored, all_work;
+    // Partial integration of the work: the displacement's mean over the step is known.
+    for (int d = 0; d < 3; ++d) {
+        const auto &t0 = *components(traction_)[d], &u0 = *components(displacement_)[d];
+        const auto &t1 = *components(t)[d], &u1 = *components(u)[d];
+        for (std::size_t i = 0; i < n_; ++i) {
+            all_stored.add(area[i] / 2 * t1[i] * u1[i]);
+            all_work.add(area[i] * (t1[i] * u1[i] - t0[i] * u0[i]));
+            energies.magnitude +=
+                area[i] * (std::abs(t0[i]) + std::abs(t1[i])) * (std::abs(u0[i]) + std::abs(u1[i]));
+        }
+    }
+    energies.stored = all_stored.value();
+    energies.work = all_work.value();
+    const std::vector<SurfaceField> now = modal_displacements(t, energies.magnitude);
+    for (std::size_t m = 0; m < modes_.size(); ++m) advance(modes_[m], now[m], t, energies);
+    return energies;
+}
+
+void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const SurfaceField& t,
+                                      Energies& energies) {
+    const auto& area = step_.points().area;
+    CompensatedSum all_stored, all_dissipated, all_work;
+    std::vector<StepIntegrals> integrals;
+    std::vector<double> decay;
+    for (const auto& [compliance, time] : mode.creep.branches) {
+        integrals.emplace_back(duration_ / time);
+        decay.push_back(std::exp(-duration_ / time));
+    }
+    for (int d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double t0 = (*components(traction_)[d])[i], t1 = (*components(t)[d])[i];
+            auto& x_t = (*components(mode.displacement)[d])[i];
+            const double x_t1 = (*components(now)[d])[i];
+            const double w = t1 - t0, x_w = x_t1 - x_t;
+            double mean_displacement = mode.creep.relaxed * (x_t + x_t1) / 2;
+            double stored = 0, dissipated = 0, way = std::abs(x_t) + std::abs(x_t1);
+            for (std::size_t b = 0; b < mode.branches.size(); ++b) {
+                const double compliance = mode.creep.branches[b].compliance;
+                const StepIntegrals& s = integrals[b];
+                auto& e = (*components(mode.branches[b].traction)[d])[i];
+                auto& x_e = (*components(mode.branches[b].displacement)[d])[i];
+                dissipated +=
+                    compliance * (e * x_e * s.ee + (e * x_w + w * x_e) * s.ew + w * x_w * s.ww);
+                mean_displacement -= compliance * (x_e * s.mean + x_w * s.drift);
+                e = decay[b] * e + s.mean * w;
+                x_e = decay[b] * x_e + s.mean * x_w;
+                stored -= compliance * (t1 - e) * x_e;
+                way += compliance * std::abs(x_e);
+            }
+            x_t = x_t1;
+            all_stored.add(area[i] / 2 * stored);
+            all_dissipated.add(area[i] * dissipated);
+            all_work.add(-area[i] * w * mean_displacement);
+            energies.magnitude += area[i] * (std::abs(t0) + std::abs(t1)) * way;
+        }
+    energies.stored += all_stored.value();
+    energies.dissipated += all_dissipated.value();
+    energies.work += all_work.value();
+}
+
+void PartlyRelaxingSubstrate::write(StateWriter& out) const {
+    for (const Mode& mode : modes_) {
+        contact::write(mode.displacement, out);
+        for (const Branch& branch : mode.branches) {
+            contact::write(branch.traction, out);
+            contact::write(branch.displacement, out);
+        }
+    }
+}
+
+void PartlyRelaxingSubstrate::read(StateReader& in) {
+    for (Mode& mode : modes_) {
+        contact::read(mode.displacement, in);
+        for (Branch& branch : mode.branches) {
+            contact::read(branch.traction, in);
+            contact::read(branch.displacement, in);
+        }
+    }
+}
+
+}  // namespace tricontact::contact

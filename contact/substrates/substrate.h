@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "contact/solvers/compliance.h"
+#include "contact/solvers/interior.h"
+#include "contact/state_bytes.h"
+
+namespace tricontact::contact {
+
+/// A field of three components on the contact points: in the surface, and into the substrate.
+struct SurfaceField {
+    TangentialField in_surface;
+    std::vector<double> down;
+
+    SurfaceField() = default;
+    explicit SurfaceField(std::size_t n) : in_surface(n), down(n, 0.0) {}
+    SurfaceField(TangentialField surface, std::vector<double> downward)
+        : in_surface(std::move(surface)), down(std::move(downward)) {}
+};
+/// Pointers to the three components of a (constant or variable) SurfaceField.
+template <class Field>
+auto components(Field& field) {
+    return std::array{&field.in_surface.x, &field.in_surface.y, &field.down};
+}
+void write(const SurfaceField& field, StateWriter& out);
+void read(SurfaceField& field, StateReader& in);
+
+/// What lies below the contact: a compliance, and what it remembers of the past. A step takes it
+/// for an elastic one that was displaced beforehand: tractions t [Pa] and displacements u [m] at
+/// the step's end obey
+///   A t = stiffness u + offset,   A = compliance().
+class Substrate {
+  public:
+    virtual ~Substrate() = default;
+
+    /// The same body with nothing remembered; not `coupled`: normal tractions displace normally
+    /// alone.
+    virtual std::unique_ptr<Substrate> fresh(bool coupled) const = 0;
+    /// Nothing was remembered, the next step starts from rest.
+    virtual void forget() = 0;
+    /// The same loads may displace it otherwise another time.
+    virtual bool relaxes() const { return true; }
+
+    /// Begins a step of this duration [s] from the tractions `t` [Pa] and displacements `u` [m].
+    /// True when `compliance` is another one than before.
+    virtual bool begin(double duration, const SurfaceField& t, const SurfaceField& u) = 0;
+    virtual const Compliance& compliance() const = 0;  ///< of the step: the same object always
+    virtual double stiffness() const = 0;              ///< of the step [-]
+    virtual const SurfaceField& offset() const = 0;    ///< [m]
+    /// That of the relaxed state, where lengths and forces are compared with it.
+    virtual const Compliance& relaxed() const { return compliance(); }
+
+    /// Integrals over the step [J].
+    struct Energies {
+        double stored = 0;      ///< elastic, at its end
+        double dissipated = 0;  ///< by the material, in the step
+        double work = 0;        ///< of the tractions on the surface, in the step
+        double magnitude = 0;   ///< sum of the terms' magnitudes, which rounding goes with
+    };
+    /// Before a step, on a grid: what it remembers moves by one cell, see carry().
+    virtual void carry() = 0;
+    /// Ends the step with these tractions [Pa] and displacements [m].
+    virtual Energies end(const SurfaceField& t, const SurfaceField& u) = 0;
+
+    /// What it looks like inside; null where nobody knows. `t` as in end().
+    virtual std::unique_ptr<const Interior> interior(const SurfaceField& t) const = 0;
+
+    virtual void write(StateWriter&) const {}
+    virtual void read(StateReader&) {}
+};
+
+/// Remembers nothing. Work by the trapezoidal rule, exact for a self-adjoint compliance.
+class ElasticSubstrate final : public Substrate {
+  public:
+    explicit ElasticSubstrate(std::shared_ptr<const Compliance> compliance);
+
+    std::unique_ptr<Substrate> fresh(bool coupled) const override;
+    void forget() override {}
+    bool relaxes() const override { return false; }
+    bool begin(double duration, const SurfaceField& t, const SurfaceField& u) override;
+    const Compliance& compliance() const override { return *compliance_; }
+    double stiffness() const override { return 1; }
+    const SurfaceField& offset() const override { return none_; }
+    void carry() override {}
+    Energies end(const SurfaceField& t, const SurfaceField& u) override;
+    std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
+
+  private:
+    std::shared_ptr<const Compliance> compliance_;
+    SurfaceField none_, traction_, displacement_;  // zero; before the step
+};
+
+}  // namespace tricontact::contact

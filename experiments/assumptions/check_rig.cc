@@ -1,0 +1,54 @@
+#include "experiments/assumptions/check_rig.h"
+
+#include "experiments/assumptions/printed.h"
+#include "experiments/assumptions/rolling_parts.h"
+#include "experiments/assumptions/walking_parts.h"
+
+namespace tricontact::experiments {
+
+ForceCurves force_curves(const RollingRig& rig) {
+    constexpr int n_points = 31;
+    ForceCurves curves;
+    curves.rig_force = rig.normal_force;
+    curves.measured_diameter = rig.measured_contact_size;
+    RollingRig loaded = rig;
+    for (int i = 0; i < n_points; ++i) {
+        const double force = rig.normal_force.value * 1.5 * (i + 1) / n_points;
+        loaded.normal_force = {force};
+        const contact::HalfSpaceScales hertz = hertz_of(values_of(hertz_given(loaded)));
+        const theory::LayerContact layer = layer_of(values_of(layer_given(loaded)));
+        curves.force.push_back(force);
+        curves.hertz_diameter.push_back(2 * hertz.contact_radius);
+        curves.layer_diameter.push_back(2 * layer.contact_radius);
+        curves.hertz_indentation.push_back(hertz.indentation);
+        curves.layer_indentation.push_back(layer.indentation);
+    }
+    return curves;
+}
+
+RigReport check_rig(const RollingRig& rig, const StaticShift& static_shift) {
+    RigReport report{.title = rig.title};
+    const bool cylinder = rig.roller.shape == RollingRig::Shape::cylinder;
+    report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
+                          cylinder ? half_space_of_line(rig) : half_space(rig)};
+    if (cylinder) report.assumptions.push_back(long_cylinder(rig));
+    report.assumptions.push_back(elastic_substrate(rig));
+    report.assumptions.push_back(uncoupled(rig, static_shift));
+    if (!cylinder) {
+        report.assumptions.push_back(fitted_constants(rig));
+        if (roller_is_rigid(rig)) report.curves = force_curves(rig);
+    }
+    report.printed = check_printed(rig.printed, report.assumptions);
+    return report;
+}
+
+RigReport check_rig(const WalkingRig& rig) {
+    RigReport report{.title = rig.title,
+                     .assumptions = {contact_diameter(rig), known_stiffness(rig),
+                                     similar_stiffness(rig), rigid_sensor(rig), rod_as_spring(rig),
+                                     no_tilting(rig), sampled_often(rig)}};
+    report.printed = check_printed(rig.printed, report.assumptions);
+    return report;
+}
+
+}  // namespace tricontact::experiments

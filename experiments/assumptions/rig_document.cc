@@ -1,0 +1,264 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "contact/sentence.h"
+#include "experiments/assumptions/rig_report.h"
+#include "files/version.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using report::Cell;
+using report::DocumentSection;
+using report::DocumentTable;
+using report::Figure;
+using report::Verdict;
+using Agreement = PrintedCheck::Agreement;
+
+Verdict::Standing standing_of(Standing standing) {
+    switch (standing) {
+        case Standing::holds:
+            return Verdict::Standing::holds;
+        case Standing::fails:
+            return Verdict::Standing::fails;
+        case Standing::cannot_tell:
+            break;
+    }
+    return Verdict::Standing::cannot_tell;
+}
+
+std::string missing_text(const Assumption& assumption) {
+    std::string text;
+    for (const std::string& one : assumption.missing)
+        text += (text.empty() ? "Not given: " : ", ") + one;
+    return text.empty() ? text : text + '.';
+}
+
+// Claim, what follows, what is missing.
+std::string sentence_of(const Assumption& assumption) {
+    std::string text = assumption.claim + '.';
+    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
+        if (!part.empty()) text += ' ' + part;
+    return text;
+}
+
+DocumentTable criteria_table(const Assumption& assumption) {
+    DocumentTable table{.id = assumption.name + "_criteria",
+                        .title = "What decides",
+                        .columns = {{"quantity"},
+                                    {"formula"},
+                                    {"source"},
+                                    {"with"},
+                                    {"number"},
+                                    {"must be"},
+                                    {"since"},
+                                    {"verdict"}}};
+    for (const Criterion& one : assumption.criteria) {
+        const Calculation& c = one.calculation;
+        table.rows.push_back({c.symbol, c.formula, c.source, given_text(c),
+                              text_of(c.result, c.unit), threshold_text(one), one.reason,
+                              std::string(word_of(one.standing()))});
+    }
+    return table;
+}
+
+DocumentTable background_table(const Assumption& assumption) {
+    DocumentTable table{.id = assumption.name + "_numbers",
+                        .title = "Further numbers",
+                        .columns = {{"quantity"}, {"formula"}, {"source"}, {"with"}, {"number"}}};
+    for (const Calculation& c : assumption.background)
+        table.rows.push_back(
+            {c.symbol, c.formula, c.source, given_text(c), text_of(c.result, c.unit)});
+    return table;
+}
+
+DocumentSection section_of(const Assumption& assumption) {
+    DocumentSection section{
+        .id = assumption.name,
+        .heading = fmt::format("{}: {}", assumption.title, word_of(assumption.standing()))};
+    section.paragraphs.push_back(assumption.claim + '.');
+    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
+        if (!part.empty()) section.paragraphs.push_back(part);
+    if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
+    if (!assumption.background.empty()) section.tables.push_back(background_table(assumption));
+    return section;
+}
+
+bool is_flagged(const PrintedCheck& check) {
+    return check.agreement == Agreement::differs || !check.error_agrees;
+}
+
+std::string flag_sentence(const PrintedCheck& check) {
+    std::string text = fmt::format("{}, printed as {} in {}", check.calculation->symbol,
+                                   check.printed.text, check.printed.source);
+    if (check.agreement == Agreement::differs) {
+        text += fmt::format(", does not follow: {}.", arithmetic(*check.calculation));
+        if (!check.substitutes.empty())
+            text += " The print would follow from " + substitutes_text(check) + '.';
+    } else {
+        text += fmt::format(" ({}): {}.", word_of(check.agreement), arithmetic(*check.calculation));
+    }
+    if (const std::string error = error_text(check); !error.empty())
+        text += fmt::format(" And {}.", error);
+    return text;
+}
+
+DocumentSection printed_section(const std::vector<PrintedCheck>& printed) {
+    DocumentSection section{.id = "printed", .heading = "Printed numbers that follow from others"};
+    for (const PrintedCheck& check : printed)
+        if (check.calculation && is_flagged(check))
+            section.paragraphs.push_back(flag_sentence(check));
+    DocumentTable table{
+        .id = "printed_numbers",
+        .title = "Print and arithmetic",
+        .note =
+            "Agrees: equal when rounded to the printed digits. Each value that stands in the "
+            "last column would alone lead to the print.",
+        .columns = {{"quantity"},
+                    {"source"},
+                    {"printed"},
+                    {"computed"},
+                    {"formula"},
+                    {"with"},
+                    {"printed/computed"},
+                    {"verdict"},
+                    {"follows from"}}};
+    for (const PrintedCheck& check : printed) {
+        const bool known = check.calculation.has_value();
+        std::string verdict = word_of(check.agreement);
+        if (const std::string error = error_text(check); !error.empty()) verdict += "; " + error;
+        table.rows.push_back(
+            {known ? check.calculation->symbol : check.printed.name, check.printed.source,
+             check.printed.text,
+             known ? text_of(check.calculation->result, check.calculation->unit) : "",
+             known ? check.calculation->formula : "", known ? given_text(*check.calculation) : "",
+             known ? Cell(check.ratio) : Cell(""), verdict, substitutes_text(check)});
+    }
+    section.tables.push_back(std::move(table));
+    return section;
+}
+
+std::vector<double> in(double unit, std::vector<double> values) {
+    for (double& value : values) value /= unit;
+    return values;
+}
+
+// Hertz dashed, the layer, and what was measured.
+Figure force_figure(const ForceCurves& curves, const char* id, const char* title, const char* label,
+                    const std::vector<double>& hertz, const std::vector<double>& layer) {
+    constexpr double mm = 1e-3;
+    return {
+        .id = id,
+        .title = title,
+        .caption = fmt::format(
+            "Exact frictionless contact of the rig's sphere with its bonded layer, and Hertz' "
+            "contact with a half-space of the same E_2; the rig has F_N = {}.",
+            text_of(curves.rig_force, "N")),
+        .x = {"normal force F_N [N]"},
+        .y = {label},
+        .curves = {
+            {.name = "half-space (Hertz)", .x = curves.force, .y = in(mm, hertz), .theory = true},
+            {.name = "layer", .x = curves.force, .y = in(mm, layer)}}};
+}
+
+void add_figures(DocumentSection& section, const ForceCurves& curves) {
+    Figure diameter =
+        force_figure(curves, "diameter", "Contact diameter", "contact diameter 2a [mm]",
+                     curves.hertz_diameter, curves.layer_diameter);
+    if (const auto& measured = curves.measured_diameter)
+        diameter.curves.push_back({.name = "measured",
+                                   .x = {curves.rig_force.value},
+                                   .y = {1e3 * measured->value},
+                                   .y_error = {1e3 * measured->standard_error},
+                                   .kind = report::Curve::Kind::points});
+    section.figures.push_back(std::move(diameter));
+    section.figures.push_back(force_figure(curves, "indentation", "Indentation",
+                                           "indentation d [mm]", curves.hertz_indentation,
+                                           curves.layer_indentation));
+}
+
+/// "contact radius 4.56 mm; indentation 0.52 mm": printed numbers that `flagged` picks.
+template <class Flagged>
+std::string names_of(const std::vector<PrintedCheck>& printed, const Flagged& flagged) {
+    std::string names;
+    for (const PrintedCheck& check : printed) {
+        if (!check.calculation || !flagged(check)) continue;
+        std::string name = check.printed.name;
+        std::ranges::replace(name, '_', ' ');
+        names += fmt::format("{}{} {}", names.empty() ? "" : "; ", name, check.printed.text);
+    }
+    return names;
+}
+
+/// How many of the printed numbers can be computed, and which of these disagree.
+struct PrintedSubject {
+    std::size_t n_printed = 0, n_computed = 0, n_differ = 0;
+    std::string differ, wrong_error;
+};
+
+PrintedSubject subject_of(const std::vector<PrintedCheck>& printed) {
+    const auto differs = [](const auto& check) { return check.agreement == Agreement::differs; };
+    const auto computed = [](const auto& check) { return check.calculation.has_value(); };
+    return {printed.size(), static_cast<std::size_t>(std::ranges::count_if(printed, computed)),
+            static_cast<std::size_t>(std::ranges::count_if(printed, differs)),
+            names_of(printed, differs), names_of(printed, [&](const auto& check) {
+                return !check.error_agrees && !differs(check);
+            })};
+}
+
+constexpr contact::Sentence<PrintedSubject> printed_sentences[] = {
+    {[](const PrintedSubject& s) { return s.n_computed < s.n_printed; },
+     [](const PrintedSubject& s) {
+         return fmt::format("{} of {} printed numbers can be computed from the others.",
+                            s.n_computed, s.n_printed);
+     }},
+    {[](const PrintedSubject& s) { return s.n_computed > 0 && s.n_differ == 0; },
+     [](const PrintedSubject& s) {
+         return fmt::format(
+             "All that can be computed ({}) follow from the others, rounded or "
+             "within their errors.",
+             s.n_computed);
+     }},
+    {[](const PrintedSubject& s) { return s.n_differ > 0; },
+     [](const PrintedSubject& s) {
+         return fmt::format("{} of {} printed numbers do not follow from the others: {}.",
+                            s.n_differ, s.n_computed, s.differ);
+     }},
+    {[](const PrintedSubject& s) { return !s.wrong_error.empty(); },
+     [](const PrintedSubject& s) {
+         return fmt::format("Printed with an error that does not follow: {}.", s.wrong_error);
+     }}};
+
+Verdict printed_verdict(const std::vector<PrintedCheck>& printed) {
+    return {Verdict::Standing::finding, told(printed_sentences, subject_of(printed))};
+}
+
+}  // namespace
+
+report::Document rig_document(const RigReport& report, const std::string& command) {
+    report::Document document{
+        .kind = "Assumptions of an experiment",
+        .title = report.title,
+        .lead =
+            "What the evaluation of this rig takes for granted, each with the number that "
+            "decides, its threshold and what follows; and the published numbers beside what "
+            "follows from the others.",
+        .files = {{"all numbers (JSON)", "rig.json"}},
+        .command = command,
+        .version = files::version};
+    for (const Assumption& assumption : report.assumptions) {
+        document.verdicts.push_back({standing_of(assumption.standing()), sentence_of(assumption)});
+        document.sections.push_back(section_of(assumption));
+        if (report.curves && assumption.name == "half_space")
+            add_figures(document.sections.back(), *report.curves);
+    }
+    if (!report.printed.empty()) {
+        document.verdicts.push_back(printed_verdict(report.printed));
+        document.sections.push_back(printed_section(report.printed));
+    }
+    return document;
+}
+
+}  // namespace tricontact::experiments

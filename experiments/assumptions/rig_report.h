@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/assumptions/printed.h"
+#include "experiments/assumptions/rolling_rig.h"
+#include "report/document.h"
+
+// A rig's report, and its parts in words for console and document.
+namespace tricontact::experiments {
+
+/// "18.1 ± 1.5 µm"; pure numbers without unit. Error 0: none is told.
+std::string text_of(const statistics::Uncertain& value, const std::string& unit);
+/// "DU = 1.55 ± 0.13 µm, R = 40 mm"
+std::string given_text(const Calculation& calculation);
+/// "Dh = DU R/(w a) = 18.1 ± 1.5 µm, with DU = ..."
+std::string arithmetic(const Calculation& calculation);
+/// "at most 0.05"
+std::string threshold_text(const Criterion& criterion);
+
+const char* word_of(Standing standing);                  ///< "holds"
+const char* word_of(PrintedCheck::Agreement agreement);  ///< "within its error"
+/// What the print would follow from: "E_2 = 5.01 MPa instead of 5.2 MPa; ..."; empty if it agrees.
+std::string substitutes_text(const PrintedCheck& check);
+/// "the printed error is 1.06 times the propagated one"; empty if both agree, or one is missing.
+std::string error_text(const PrintedCheck& check);
+
+/// The text of rig.json: SI units, undefined numbers as null (docs/rig.md).
+std::string rig_json(const RigReport& report);
+
+/// What report.html says of a rig. `command`: that makes it again.
+report::Document rig_document(const RigReport& report, const std::string& command);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,179 @@
+// The substrate's material: uncoupled, and what was fitted.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "contact/error.h"
+#include "contact/number_text.h"
+#include "contact/sentence.h"
+#include "experiments/assumptions/rolling_parts.h"
+#include "theory/bracketed_root.h"
+#include "theory/layer/layer_compliance.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::quantity;
+using contact::Sentence;
+using contact::significant;
+
+Calculation dundurs_beta(const RollingRig& rig) {
+    return calculate("dundurs_beta", "|beta|",
+                     "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]",
+                     "(2.1.1)", "1", hertz_given(rig),
+                     [](const auto& x) { return std::abs(materials_of(x).dundurs_beta()); });
+}
+
+Calculation layer_coupling(const RollingRig& rig) {
+    return calculate("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
+                     "surface compliances of the bonded layer at the wave number 1/a",
+                     "docs/models/bem-layer.md", "1",
+                     {{"b", rig.substrate.thickness, "m"},
+                      {"a", {half_size(rig)}, "m"},
+                      {"E_2", rig.substrate.young, "Pa"},
+                      {"nu_2", rig.substrate.poisson, "1"}},
+                     [](const auto& x) {
+                         const auto c = theory::layer_compliance(
+                             {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
+                         return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
+                     });
+}
+
+Calculation coupling_effect(double coupled, double uncoupled) {
+    return calculate(
+        "coupling_effect", "|U_stat coupled/U_stat uncoupled - 1|",
+        fmt::format("shift at F_T = {} mu F_N, pressed with friction", coupling_tangential_ratio),
+        "boundary elements on the layer", "1",
+        {{"U_stat coupled", {coupled}, "m"}, {"U_stat uncoupled", {uncoupled}, "m"}},
+        [](const auto& x) { return std::abs(x[0] / x[1] - 1); });
+}
+
+// U_max/mu of the layer for values in the order of layer_given.
+double layer_shift_of(std::vector<double> x, double young) {
+    x[3] = young;
+    return *layer_of(x).unit_shift;
+}
+
+// The modulus for which the layer has the half-space's U_max; values of hertz_given and b behind.
+double layer_modulus_of(const std::vector<double>& x) {
+    const double wanted = hertz_of(x).unit_shift;
+    const auto excess = [&](double log_factor) {
+        return std::log(layer_shift_of({x[0], x[1], x[6], 0, x[5]}, x[4] * std::exp(log_factor)) /
+                        wanted);
+    };
+    // A layer is stiffer than its half-space, by less than the thickness effect of 20.
+    return x[4] * std::exp(theory::bracketed_root(excess, -3., 0.5, 40));
+}
+
+Calculation layer_modulus(const RollingRig& rig, bool as_factor) {
+    return calculate(as_factor ? "fitted_modulus_error" : "layer_modulus",
+                     as_factor ? "E_2/E_2,layer - 1" : "E_2,layer",
+                     "E_2,layer: the layer's U_max equals mu d E*/G* of E_2",
+                     "(3.1.5), exact contact with a bonded layer", as_factor ? "1" : "Pa",
+                     with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}),
+                     [as_factor](const auto& x) {
+                         const double young = layer_modulus_of(x);
+                         return as_factor ? x[4] / young - 1 : young;
+                     });
+}
+
+/// Whether normal and tangential contact couple, on half-spaces and on the layer.
+struct CouplingSubject {
+    double beta, layer;            ///< |beta|; |C_13| over the mean of C_11 and C_33
+    std::optional<double> effect;  ///< on the static shift, if it was computed
+};
+
+// What the solver's tolerance leaves of a shift.
+constexpr double least_effect = 1e-5;
+
+bool effect_is_nothing(const CouplingSubject& s) {
+    return s.effect && *s.effect < least_effect;
+}
+bool effect_is_accepted(const CouplingSubject& s) {
+    return s.effect && *s.effect >= least_effect && *s.effect <= accepted_difference;
+}
+bool effect_is_not_accepted(const CouplingSubject& s) {
+    return s.effect && *s.effect > accepted_difference;
+}
+
+constexpr Sentence<CouplingSubject> coupling_sentences[] = {
+    {contact::always,
+     [](const CouplingSubject& s) {
+         return fmt::format("Two half-spaces of these materials would couple by |beta| = {}.",
+                            significant(s.beta, 2));
+     }},
+    {contact::always,
+     [](const CouplingSubject& s) {
+         return fmt::format(
+             "On the bonded layer the coupling compliance |C_13| is {} of sqrt(C_11 C_33) at the "
+             "wave number 1/a.",
+             percent_text(s.layer, 2));
+     }},
+    {effect_is_nothing,
+     [](const CouplingSubject& /*s*/) {
+         return fmt::format("Coupling changes the static shift by less than {}.",
+                            percent_text(least_effect, 1));
+     }},
+    {effect_is_accepted,
+     [](const CouplingSubject& s) {
+         return fmt::format("Coupling changes the static shift by {} only.",
+                            percent_text(*s.effect, 2));
+     }},
+    {effect_is_not_accepted, [](const CouplingSubject& s) {
+         return fmt::format("Coupling changes the static shift by {}.", percent_text(*s.effect, 2));
+     }}};
+
+/// The criterion where the model has a shift for both; empty where it has none.
+std::optional<double> effect_of_coupling(const RollingRig& rig, const StaticShift& static_shift,
+                                         Assumption& a) {
+    if (!static_shift || !roller_is_rigid(rig)) return {};
+    try {
+        a.criteria.push_back({coupling_effect(static_shift(rig, true), static_shift(rig, false)),
+                              Criterion::Relation::at_most, accepted_difference, accepted_reason});
+    } catch (const contact::NotConverged&) {
+        return {};
+    }
+    return a.criteria.back().calculation.result.value;
+}
+
+}  // namespace
+
+Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
+    // The effect on the shift decides: |beta| tells of half-spaces, and only how large it may be.
+    Assumption a{.name = "uncoupled",
+                 .title = "Normal and tangential contact uncoupled",
+                 .claim = "Normal and tangential contact do not couple",
+                 .background = {dundurs_beta(rig), layer_coupling(rig)}};
+    CouplingSubject subject{
+        a.background.front().result.value, a.background.back().result.value, {}};
+    subject.effect = effect_of_coupling(rig, static_shift, a);
+    if (!subject.effect) a.missing = {"the effect of the layer's coupling on the shift"};
+    a.consequence = told(coupling_sentences, subject);
+    return a;
+}
+
+Assumption fitted_constants(const RollingRig& rig) {
+    Assumption a{
+        .name = "fitted_constants",
+        .title = "Fitted constants",
+        .claim = is_thesis_rig(rig)
+                     ? "E_2, fitted to static shifts by the half-space, is the rubber's"
+                     : "E_2, if fitted to static shifts by the half-space, is the substrate's"};
+    if (!roller_is_rigid(rig)) {
+        a.missing = {theory_of_elastic_roller};
+        return a;
+    }
+    const Calculation error = layer_modulus(rig, true), modulus = layer_modulus(rig, false);
+    a.criteria = {{error, Criterion::Relation::at_most, accepted_difference, accepted_reason}};
+    a.background = {modulus};
+    a.consequence = fmt::format(
+        "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is not "
+        "touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
+        quantity(rig.substrate.young.value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
+        percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
+    return a;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,346 @@
+// The report of an identification.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "experiments/identification/identification_report.h"
+#include "report/format.h"
+#include "report/format_share.h"
+#include "statistics/regression.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Numbers over the unit that fits the largest of them.
+struct Scaled {
+    report::Unit unit;  // numbers without a unit stay as they are
+
+    Scaled(const std::vector<double>& values, const std::string& base) {
+        double largest = 0;
+        for (const double value : values) largest = std::max(largest, std::abs(value));
+        if (!base.empty()) unit = report::fitting_unit(largest, base);
+    }
+    std::vector<double> operator()(std::vector<double> values) const {
+        for (double& value : values) value /= unit.factor;
+        return values;
+    }
+    std::string label(const std::string& name) const { return name + " [" + unit.symbol + ']'; }
+};
+
+/// Both axes of what was measured.
+struct Axes {
+    Scaled given, observed;
+    explicit Axes(const IdentificationStudy& study)
+        : given(study.given_values, study.given.unit),
+          observed(study.observed_values, study.observed.unit) {}
+};
+
+// Normal errors are known ones; half widths of the observed values' intervals.
+std::vector<double> error_bars(const IdentificationStudy& study) {
+    std::vector<double> bars;
+    for (const double error : study.standard_errors)
+        bars.push_back(statistics::normal_quantile(study.models.front().found.confidence) * error);
+    return bars;
+}
+
+/// Values in the order of increasing `x`.
+std::vector<double> ordered(const std::vector<double>& x, const std::vector<double>& values) {
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return x[i]; });
+    std::vector<double> result;
+    for (const std::size_t i : order) result.push_back(values[i]);
+    return result;
+}
+
+report::Figure fit_figure(const IdentificationStudy& study) {
+    const Axes axes(study);
+    const auto& x = study.given_values;
+    report::Figure figure{
+        .id = "fit",
+        .title = "What was measured, and the models at their best",
+        .caption = fmt::format(
+            "Bands: where the fitted curves lie with a confidence of "
+            "{:g} %{}.",
+            100 * study.models.front().found.confidence,
+            study.standard_errors.empty() ? "" : "; bars: the same of the observed values"),
+        .x = {axes.given.label(study.given.name)},
+        .y = {axes.observed.label(study.observed.name)}};
+    int colour = 0;
+    for (const IdentifiedModel& model : study.models) {
+        const bool curved = !model.curve.empty();
+        figure.curves.push_back(
+            {.name = model.name,
+             .x = axes.given(curved ? study.curve_points : ordered(x, x)),
+             .y = axes.observed(curved ? model.curve : ordered(x, model.found.fitted)),
+             .colour = colour});
+        const auto& widths = model.found.fitted_half_widths;
+        if (!widths.empty()) {
+            std::vector<double> low, high;
+            for (std::size_t i = 0; i < widths.size(); ++i) {
+                low.push_back(model.found.fitted[i] - widths[i]);
+                high.push_back(model.found.fitted[i] + widths[i]);
+            }
+            figure.bands.push_back({.name = model.name,
+                                    .x = axes.given(ordered(x, x)),
+                                    .low = axes.observed(ordered(x, low)),
+                                    .high = axes.observed(ordered(x, high)),
+                                    .colour = colour});
+        }
+        ++colour;
+    }
+    figure.curves.push_back({.name = "measured",
+                             .x = axes.given(x),
+                             .y = axes.observed(study.observed_values),
+                             .y_error = axes.observed(error_bars(study)),
+                             .kind = report::Curve::Kind::points,
+                             .colour = colour});
+    return figure;
+}
+
+report::Figure residual_figure(const IdentificationStudy& study) {
+    std::vector<double> all;
+    for (const IdentifiedModel& model : study.models)
+        all.insert(all.end(), model.found.residuals.begin(), model.found.residuals.end());
+    const Axes axes(study);
+    const Scaled scale(all, study.observed.unit);
+    report::Figure figure{
+        .id = "residuals",
+        .title = "What the models leave unexplained",
+        .caption =
+            "Observed minus fitted. Without a pattern the rest is noise; a wave or "
+            "a bend is a model that does not fit.",
+        .x = {axes.given.label(study.given.name)},
+        .y = {scale.label("residual")}};
+    int colour = 0;
+    for (const IdentifiedModel& model : study.models)
+        figure.curves.push_back({.name = model.name,
+                                 .x = axes.given(study.given_values),
+                                 .y = scale(model.found.residuals),
+                                 .y_error = scale(error_bars(study)),
+                                 .kind = report::Curve::Kind::points,
+                                 .colour = colour++});
+    const auto [low, high] = std::ranges::minmax(axes.given(study.given_values));
+    figure.curves.push_back({.name = "", .x = {low, high}, .y = {0, 0}, .theory = true});
+    return figure;
+}
+
+/// Sums of squares from 0 at the best to 1 at the edge of the interval.
+std::vector<double> relative(const std::vector<double>& sums, const Identification& found,
+                             double level) {
+    std::vector<double> result;
+    for (const double sum : sums)
+        result.push_back(std::isfinite(sum)
+                             ? (sum - found.sum_of_squares) / (level - found.sum_of_squares)
+                             : nan);
+    return result;
+}
+
+std::optional<report::Figure> profile_figure(const IdentificationStudy& study, Property property) {
+    const bool young = property == Property::young;
+    const auto profile_of_model = [&](const IdentifiedModel& model) -> const auto& {
+        return young ? model.young_profile : model.friction_profile;
+    };
+    std::vector<double> all;
+    for (const IdentifiedModel& model : study.models)
+        if (const auto& profile = profile_of_model(model))
+            all.insert(all.end(), profile->value.begin(), profile->value.end());
+    if (all.empty()) return {};
+    const Scaled scale(all, young ? "Pa" : "");
+    report::Figure figure{
+        .id = young ? "profile_E" : "profile_mu",
+        .title = young ? "Profile of E" : "Profile of mu",
+        .caption = fmt::format("Sum of squares with this value held and what else is free at its "
+                               "best: 0 at the best, 1 at the edges of the {:g} % interval of the "
+                               "likelihood. A parabola where the linearised interval would do; a "
+                               "curve that stays below 1 tells no bound.",
+                               100 * study.models.front().found.confidence),
+        .x = {young ? scale.label("modulus E") : "friction coefficient mu"},
+        .y = {"excess of the sum of squares"}};
+    int colour = 0;
+    for (const IdentifiedModel& model : study.models) {
+        if (const auto& profile = profile_of_model(model))
+            figure.curves.push_back({.name = model.name,
+                                     .x = scale(profile->value),
+                                     .y = relative(profile->sum_of_squares, model.found,
+                                                   model.found.level_of_interval[0]),
+                                     .colour = colour});
+        ++colour;
+    }
+    const auto [low, high] = std::ranges::minmax(scale(all));
+    figure.curves.push_back(
+        {.name = "edge of the interval", .x = {low, high}, .y = {1, 1}, .theory = true});
+    return figure;
+}
+
+/// What a correlation of E and mu means, where there is one to two digits.
+std::string correlation_text(std::optional<double> correlation) {
+    if (!correlation || !(std::abs(*correlation) >= 0.005)) return "";
+    return fmt::format("Correlation {}: more friction is answered by a {} modulus. ",
+                       report::significant(*correlation, 2),
+                       *correlation < 0 ? "smaller" : "larger");
+}
+
+report::Figure map_figure(const IdentifiedModel& model) {
+    const Scaled scale(model.map->young, "Pa");
+    const Identification& found = model.found;
+    report::Figure figure{
+        .id = "map_" + report::id_of_model(model.name),
+        .title = "E and mu together: " + model.name,
+        .caption = fmt::format("Sum of squares, 0 at the best values (point), 1 at the edge of the "
+                               "region that holds both with a confidence of {:g} %. {}White: the "
+                               "largest force would slide.",
+                               100 * found.confidence, correlation_text(found.correlation)),
+        .x = {scale.label("modulus E")},
+        .y = {"friction coefficient mu"}};
+    figure.map =
+        report::ContourMap{.label = "excess of the sum of squares",
+                           .x = scale(model.map->young),
+                           .y = model.map->friction,
+                           .values = relative(model.map->values, found, found.level_of_interval[1]),
+                           .levels = {.25, 1, 4}};
+    figure.curves.push_back({.name = "best values",
+                             .x = scale({found.best.young}),
+                             .y = {found.best.friction},
+                             .kind = report::Curve::Kind::points});
+    return figure;
+}
+
+report::Cell open_or(double value, double factor) {
+    return std::isfinite(value) ? report::Cell(value / factor) : report::Cell(std::string("open"));
+}
+
+/// One row per model and property.
+report::DocumentTable value_table(const IdentificationStudy& study) {
+    report::DocumentTable table{
+        .id = "properties",
+        .title = "Properties found",
+        .note = fmt::format(
+            "Intervals of {:g} %: low and high from the likelihood and the errors of the rig's "
+            "data ({}), by the fit alone beside them; half width of the linearised one of the fit. "
+            "Inputs: what the standard errors of the rig's data change, added in squares; both: "
+            "with the standard error of the fit, in squares (A.1.4).",
+            100 * study.models.front().found.confidence,
+            study.has_input_errors ? "[standard_errors]" : "none is stated"),
+        .columns = {{"model"},
+                    {"property"},
+                    {"value"},
+                    {"low"},
+                    {"high"},
+                    {"low by the fit"},
+                    {"high by the fit"},
+                    {"half width, linearised"},
+                    {"standard error of the fit"},
+                    {"of the inputs"},
+                    {"both"}}};
+    for (const IdentifiedModel& model : study.models)
+        for (const Property property : {Property::young, Property::friction}) {
+            const bool young = property == Property::young;
+            const auto& estimate = young ? model.found.young : model.found.friction;
+            if (!estimate) continue;
+            const double factor = young ? 1e6 : 1;
+            const double both = combined_standard_error(model, property);
+            const double inputs = input_standard_error(model, property);
+            const Interval full = full_interval(model, property);
+            table.rows.push_back({model.name, std::string(young ? "E [MPa]" : "mu"),
+                                  estimate->value / factor, open_or(full.low, factor),
+                                  open_or(full.high, factor),
+                                  open_or(estimate->likelihood.low, factor),
+                                  open_or(estimate->likelihood.high, factor),
+                                  open_or(estimate->linearised.high - estimate->value, factor),
+                                  open_or(estimate->standard_error, factor), inputs / factor,
+                                  open_or(both, factor)});
+        }
+    return table;
+}
+
+report::DocumentTable goodness_table(const IdentificationStudy& study) {
+    const bool known = !study.standard_errors.empty();
+    report::DocumentTable table{
+        .id = "goodness",
+        .title = "How well the models fit",
+        .note = known ? "chi^2: residuals over their standard errors, squared; "
+                        "p: how often noise alone exceeds it."
+                      : "Standard errors of the observed values are not stated: "
+                        "they are estimated from the residuals, and nothing says "
+                        "whether a model fits.",
+        .columns = {{"model"},
+                    {known ? "chi^2" : "sum of squares [SI]"},
+                    {"degrees of freedom"},
+                    {"p"},
+                    {"R^2", 6},
+                    {"correlation of E and mu", 3},
+                    {"interpolation error", 2}}};
+    for (const IdentifiedModel& model : study.models) {
+        const Identification& found = model.found;
+        table.rows.push_back(
+            {model.name, found.sum_of_squares, std::to_string(found.degrees_of_freedom),
+             report::p_number(found.goodness.value_or(nan)), found.r_squared,
+             found.correlation.value_or(nan), model.interpolation_error.value_or(nan)});
+    }
+    return table;
+}
+
+/// What each uncertain input does.
+std::optional<report::DocumentTable> input_table(const IdentificationStudy& study) {
+    report::DocumentTable table{.id = "inputs",
+                                .title = "Errors of the rig's data",
+                                .note =
+                                    "Change of the property by one standard error of the input, to "
+                                    "first order.",
+                                .columns = {{"model"},
+                                            {"input"},
+                                            {"standard error [SI]"},
+                                            {"change of E [MPa]", 3},
+                                            {"change of mu", 3}}};
+    for (const IdentifiedModel& model : study.models)
+        for (const InputContribution& input : model.contributions)
+            table.rows.push_back({model.name, input.key, input.standard_error,
+                                  model.found.young ? input.change.young / 1e6 : nan,
+                                  model.found.friction ? input.change.friction : nan});
+    if (table.rows.empty()) return {};
+    return table;
+}
+
+}  // namespace
+
+report::Document identification_document(const IdentificationStudy& study) {
+    report::Document document;
+    document.kind = "Identification";
+    document.title = study.title;
+    document.lead =
+        "Which Young's modulus, and which friction, do the measured values have? Every model is "
+        "fitted by least squares on its own.";
+    if (study.models.size() > 1)
+        document.lead +=
+            " The differences between their answers are what the simpler one leaves "
+            "out.";
+    document.verdicts = identification_verdicts(study);
+    document.settings = study.settings;
+    document.command = study.command;
+    document.version = study.version;
+    document.files = {{"all numbers (JSON)", "identify.json"}};
+
+    report::DocumentSection fit{.id = "fit_section", .heading = "Fit"};
+    fit.figures = {fit_figure(study), residual_figure(study)};
+    fit.tables = {goodness_table(study)};
+    report::DocumentSection values{.id = "values_section", .heading = "Properties"};
+    values.tables = {value_table(study)};
+    if (auto inputs = input_table(study)) values.tables.push_back(std::move(*inputs));
+    for (const Property property : {Property::young, Property::friction})
+        if (auto figure = profile_figure(study, property))
+            values.figures.push_back(std::move(*figure));
+    for (const IdentifiedModel& model : study.models)
+        if (model.map) values.figures.push_back(map_figure(model));
+    document.sections = {std::move(fit), std::move(values)};
+    return document;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,332 @@
+#include "experiments/identification/identification_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contact/error.h"
+#include "experiments/identification/identification_table.h"
+#include "io/case/case_reader.h"
+#include "io/keys/field_reader.h"
+#include "io/keys/file_kind.h"
+#include "io/keys/input_file.h"
+#include "io/keys/key_guess.h"
+#include "io/keys/key_kinds.h"
+#include "io/keys/messages.h"
+#include "io/keys/refusal.h"
+#include "io/keys/toml_document.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using Input = IdentificationInput;
+using Measurement = Input::Measurement;
+using Kind = io::Key::Kind;
+
+constexpr std::string_view errors_section = "standard_errors";
+
+const std::vector<io::Key>& own_keys() {
+    using enum Input::Measurement;
+    static const std::vector<io::Key> keys{
+        io::text_key("title", R"("Rig, static shift")", "what was measured"),
+        io::choice_key("measurement",
+                       {io::choice("static-shift", static_shift),
+                        io::choice("force-indentation", force_indentation),
+                        io::choice("contact-radius", contact_radius)},
+                       R"("static-shift")", "what the table holds"),
+        io::text_key("data", R"("shift.csv")", "the table"),
+        io::list_of(io::choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
+                                   R"(["half-space", "layer"])", "models that explain it")),
+        io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals")};
+    return keys;
+}
+
+const io::Key* own_key(std::string_view path) {
+    const auto found = std::ranges::find(own_keys(), path, &io::Key::path);
+    return found == own_keys().end() ? nullptr : &*found;
+}
+
+/// Keys of a case that describe a rig.
+bool describes_rig(const io::Key& key) {
+    constexpr std::array<std::string_view, 8> sections{
+        "indenter", "substrate", "lower_layer", "ground", "friction", "contact", "bem", "fem"};
+    constexpr std::array<std::string_view, 3> load{"load.normal_force", "load.press",
+                                                   "load.press_steps"};
+    return std::find(sections.begin(), sections.end(), key.section()) != sections.end() ||
+           std::find(load.begin(), load.end(), key.path) != load.end();
+}
+
+bool is_nested_section(std::string_view path) {
+    return path.starts_with("standard_errors.");
+}
+
+bool is_error(const io::Entry& entry) {
+    return entry.path.starts_with("standard_errors.");
+}
+
+void check_known(const io::Document& document) {
+    constexpr std::string_view listed = "docs/identify.md lists what it has";
+    std::vector<std::string_view> known;
+    for (const io::Key& key : own_keys()) known.push_back(key.path);
+    for (const io::Key& key : io::case_keys())
+        if (describes_rig(key)) known.push_back(key.path);
+    std::vector<std::string_view> sections{errors_section};
+    for (const std::string_view path : known)
+        if (!io::section_of(path).empty()) sections.push_back(io::section_of(path));
+    for (const auto& section : document.sections)
+        if (!is_nested_section(section.name) &&
+            std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
+            io::fail(section.place, "",
+                     (io::is_section(section.name) ? "a measurement has no section ["
+                                                   : "unknown section [") +
+                         section.name + "]",
+                     io::did_you_mean(io::nearest(section.name, sections), listed));
+        }
+    for (const io::Entry& entry : document.entries) {
+        if (is_error(entry) || std::find(known.begin(), known.end(), entry.path) != known.end())
+            continue;
+        io::fail(
+            entry.key_place, "",
+            (io::find_key(entry.path) ? "a measurement has no key " : "unknown key ") + entry.path,
+            io::did_you_mean(io::likely_path(entry.path, known), listed));
+    }
+}
+
+const io::Entry& required(const io::Document& document, std::string_view path) {
+    const io::Key* key = own_key(path) ? own_key(path) : io::find_key(path);
+    const std::string section(io::section_of(path));
+    return document.required(path, "add " + std::string(io::name_of_key(path)) + " = " +
+                                       std::string(key->example) +
+                                       (section.empty() ? "" : " to [" + section + "]"));
+}
+
+template <class T>
+void read_own(const io::Document& document, std::string_view path, T& value) {
+    io::read_field(*own_key(path), *document.find(path), io::Field(&value));
+}
+
+double quantity_of(const io::Document& document, std::string_view path) {
+    double value = 0;
+    io::read_field(*io::find_key(path), required(document, path), io::Field(&value));
+    return value;
+}
+
+/// What the models of the case have to be so that its checks are those of the identification's. The
+/// closed forms of the half-space need none.
+std::vector<std::string> case_models(const Input& input) {
+    const bool sheared = input.measurement == Measurement::static_shift;
+    std::vector<std::string> models;
+    for (const std::string& model : input.models)
+        if (model != "half-space")
+            models.push_back(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
+    if (models.empty()) models.emplace_back("mdr");
+    std::sort(models.begin(), models.end());
+    models.erase(std::unique(models.begin(), models.end()), models.end());
+    return models;
+}
+
+void check_models(const Input& input, const io::Document& document) {
+    const io::Entry& entry = *document.find("models");
+    for (const std::string& model : input.models) {
+        if (model != "half-space" && !document.find("substrate.thickness"))
+            io::fail(entry.place, entry.subject(),
+                     model + " is a model of a layer, but substrate.thickness is missing",
+                     "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+        if (model == "bem-layer" && input.measurement != Measurement::static_shift)
+            io::fail(entry.place, entry.subject(),
+                     "without tangential force bem-layer approximates what layer knows exactly",
+                     "write \"layer\" instead");
+    }
+}
+
+/// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
+/// infinite.
+double guessed_young(const Input& input, double radius, double normal_force) {
+    const auto row =
+        std::max_element(input.observed.begin(), input.observed.end()) - input.observed.begin();
+    const double x = input.given[row], y = input.observed[row];
+    constexpr double over_plane = 0.75;                  // E/E*
+    constexpr double shear_over_plane = 2. / 3;          // G*/E*
+    const double cube = 3. / 4 * radius * normal_force;  // a^3 E*
+    switch (input.measurement) {
+        case Measurement::force_indentation:
+            return over_plane * 3. / 4 * y / std::sqrt(radius * x * x * x);
+        case Measurement::contact_radius:
+            return over_plane * 3. / 4 * radius * x / (y * y * y);
+        case Measurement::static_shift:
+            break;
+    }
+    return over_plane * std::pow(x / (2 * shear_over_plane * y * std::cbrt(cube)), 1.5);
+}
+
+/// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
+void check_lengths(const Input& input, double radius, const io::Entry& data) {
+    const bool deep = input.measurement == Measurement::force_indentation;
+    const MeasuredColumns& columns = columns_of(input.measurement);
+    const auto& lengths = deep ? input.given : input.observed;
+    const double largest = *std::max_element(lengths.begin(), lengths.end());
+    if (largest >= radius)
+        io::fail(data.place, data.subject(),
+                 std::string(deep ? columns.given : columns.observed) + " reaches " +
+                     io::shortest(largest) + " m, the indenter's radius is " +
+                     io::shortest(radius) + " m: small deformations are assumed",
+                 "check the units of the table and of indenter.radius");
+}
+
+/// Hertz' theory is one of the models, and the others are laid over its radius.
+void check_round(const io::Document& document) {
+    const io::Entry* shape = document.find("indenter.shape");
+    if (!shape) return;
+    const auto* word = std::get_if<std::string>(&shape->value);
+    if (word && (*word == "paraboloid" || *word == "sphere")) return;
+    io::fail(shape->place, shape->subject(),
+             "material constants are identified under a round indenter",
+             "take \"paraboloid\" or \"sphere\"");
+}
+
+/// A refusal of the case names its models; the file calls them otherwise.
+std::string in_words_of_the_file(std::string text) {
+    constexpr std::string_view springs = "mdr-layer";
+    for (auto at = text.find(springs); at != std::string::npos; at = text.find(springs))
+        text.replace(at, springs.size(), "layer");
+    return text;
+}
+
+bool is_half_space_alone(const Input& input) {
+    return std::ranges::all_of(input.models,
+                               [](const auto& model) { return model == "half-space"; });
+}
+
+/// The rig as a case: what is to be found has a guess.
+contact::Case rig_of(const Input& input, const io::Document& document) {
+    io::Document rig = document;
+    std::erase_if(rig.entries, [](const io::Entry& entry) {
+        return io::section_of(entry.path).empty() || is_error(entry);
+    });
+    std::erase_if(rig.sections, [](const io::Document::Section& section) {
+        return section.name == errors_section || is_nested_section(section.name);
+    });
+    const std::string& place = input.data_file;
+    const bool sheared = input.measurement == Measurement::static_shift;
+    check_round(document);
+    const double radius = quantity_of(document, "indenter.radius");
+    check_lengths(input, radius, *document.find("data"));
+    std::vector<io::Entry> guesses{
+        io::overriding("models", case_models(input), document.find("models")->place),
+        io::overriding("load.tangential_ratio", 0., place)};
+    double normal_force = 0;
+    if (sheared) {
+        normal_force = quantity_of(document, "load.normal_force");
+    } else {
+        if (const io::Entry* entry = document.find("load.normal_force"))
+            io::fail(entry->place, entry->subject(), "the normal force is in the table",
+                     "omit this key");
+        const auto& forces =
+            input.measurement == Measurement::contact_radius ? input.given : input.observed;
+        normal_force = *std::max_element(forces.begin(), forces.end());
+        guesses.push_back(
+            io::overriding("load.normal_force", io::shortest(normal_force) + " N", place));
+        // Frictionless contact knows no coupling.
+        guesses.push_back(io::overriding("contact.coupling", false, place));
+    }
+    if (sheared && is_half_space_alone(input))
+        guesses.push_back(io::overriding("contact.coupling", false, place));
+    if (input.young_is_free)
+        guesses.push_back(io::overriding(
+            "substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa",
+            place));
+    if (!document.find("friction.coefficient")) {
+        const double largest = *std::max_element(input.given.begin(), input.given.end());
+        guesses.push_back(io::overriding("friction.coefficient",
+                                         sheared ? 1.5 * largest / normal_force : 1., place));
+    }
+    try {
+        return io::resolve_case(rig, guesses);
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(in_words_of_the_file(error.what()));
+    }
+}
+
+std::vector<Input::RigError> read_rig_errors(const io::Document& document) {
+    std::vector<Input::RigError> errors;
+    for (const io::Entry& entry : document.entries) {
+        if (!is_error(entry)) continue;
+        const std::string path = entry.path.substr(errors_section.size() + 1);
+        const io::CaseKey* key = io::find_key(path);
+        if (!key || !describes_rig(*key) || key->section() == "bem" || key->section() == "fem" ||
+            (key->kind != Kind::quantity && key->kind != Kind::number))
+            io::fail(entry.key_place, entry.path, "is no number that describes the rig",
+                     "write for example load.normal_force = \"0.1 N\"");
+        if (!document.find(path))
+            io::fail(entry.key_place, entry.path, "has an error, but no value",
+                     "give " + path + ", or omit its error");
+        io::Key error_key = *key;
+        error_key.range = {0, key->range.high, false, true};
+        error_key.reason = {};
+        double value = 0;
+        io::read_field(error_key, entry, io::Field(&value));
+        errors.push_back({key, value});
+    }
+    return errors;
+}
+
+/// Sliding contacts have no static shift.
+void check_friction(const Input& input, const io::Document& document) {
+    const io::Entry* entry = document.find("friction.coefficient");
+    if (input.measurement != Measurement::static_shift || !entry) return;
+    const double largest = *std::max_element(input.given.begin(), input.given.end());
+    const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
+    if (largest >= limit)
+        io::fail(entry->place, entry->subject(),
+                 "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                     " N, mu F_N is " + io::shortest(limit) + " N",
+                 "correct it, or omit it to have it identified");
+}
+
+}  // namespace
+
+std::string_view name_of(Measurement measurement) {
+    const auto& words = own_key("measurement")->choices;
+    return std::ranges::find(words, static_cast<int>(measurement), &io::Choice::enumerator)->word;
+}
+
+Input parse_identification(std::string_view text, const std::string& name) {
+    const io::Document document = io::parse_document(text, name, is_nested_section);
+    io::require_kind(io::FileKind::measurement, document);
+    check_known(document);
+    Input input;
+    input.name = name;
+    if (document.find("title")) read_own(document, "title", input.title);
+    if (document.find("confidence")) read_own(document, "confidence", input.confidence);
+    const io::Entry& measurement = required(document, "measurement");
+    input.measurement =
+        static_cast<Measurement>(io::read_choice(*own_key("measurement"), measurement).enumerator);
+    required(document, "models");
+    read_own(document, "models", input.models);
+    check_models(input, document);
+    input.young_is_free = !document.find("substrate.young");
+    input.friction_is_free =
+        input.measurement == Measurement::static_shift && !document.find("friction.coefficient");
+    if (!input.young_is_free && !input.friction_is_free)
+        io::fail(document.find("substrate.young")->place,
+                 document.find("substrate.young")->subject(), "nothing is left to be identified",
+                 "omit the key that is to be found");
+
+    std::string file;
+    const io::Entry& data = required(document, "data");
+    io::read_field(*own_key("data"), data, io::Field(&file));
+    input.data_file = document.path_of(file);
+    io::told_at(document, "data", [&] { read_measured_table(input); });
+    input.rig = rig_of(input, document);
+    input.rig.title = input.title;
+    check_friction(input, document);
+    input.rig_errors = read_rig_errors(document);
+    return input;
+}
+
+Input read_identification(const std::string& path) {
+    return parse_identification(io::read_input_file(path, "identification file"), path);
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/records/experiment.h"
+
+namespace tricontact::experiments {
+
+/// What the drive did in a record.
+struct DriveTimeline {
+    /// Successive periods of one amplitude.
+    struct Stage {
+        double amplitude = 0;         ///< W [m]
+        std::vector<double> upright;  ///< when: before the first period and after each [s]
+
+        int periods() const { return static_cast<int>(upright.size()) - 1; }
+        double period() const;  ///< mean [s]
+    };
+
+    std::vector<Stage> stages;
+    std::vector<double> offset;  ///< of the roller, one per sample [m]
+
+    double start() const { return stages.front().upright.front(); }  ///< [s]
+    double end() const { return stages.back().upright.back(); }      ///< [s]
+};
+
+/// Fewest samples in a period: an eighth of it, where a value is taken, then has four.
+inline constexpr int fewest_samples = 32;
+
+/// Times from the recorded drive, or from what is known of it. The drive moves at constant speed
+/// between its turning points, and amplitudes that differ by less than 1 % are one stage. Amplitude
+/// 0 where nothing says it. Throws contact::InputError if the drive does not move or returns, if a
+/// period has too few samples or lies outside of the record.
+DriveTimeline drive_timeline(const Record& record, const Experiment& experiment);
+
+}  // namespace tricontact::experiments

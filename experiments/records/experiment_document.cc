@@ -1,0 +1,262 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/records/experiment_report.h"
+#include "experiments/records/experiment_tables.h"
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+constexpr double um = 1e6, mm = 1e3;
+constexpr double least_drawn = 1e-3;      // [um] of growth: below what a vibrometer could see
+constexpr std::size_t most_drawn = 1500;  // samples of a curve: more than a screen has columns
+
+std::vector<double> scaled(const std::vector<double>& values, double factor) {
+    std::vector<double> result = values;
+    for (double& value : result) value *= factor;
+    return result;
+}
+
+std::vector<double> counts(std::size_t n) {
+    std::vector<double> result(n);
+    for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<double>(i);
+    return result;
+}
+
+report::Curve measured_curve(const ExperimentEvaluation& e) {
+    report::Curve curve{.name = "measured", .x = counts(e.shift.size())};
+    curve.kind = report::Curve::Kind::points;
+    curve.colour = 0;
+    for (const statistics::Estimate& u : e.shift) {
+        curve.y.push_back(um * u.value);
+        curve.y_error.push_back(um * (u.high - u.low) / 2);
+    }
+    return curve;
+}
+
+report::Figure periods_figure(const ExperimentEvaluation& e) {
+    report::Figure figure{
+        .id = "shift_over_periods",
+        .title = "Shift over the rolling periods",
+        .caption = fmt::format(
+            "U with the roller upright, before the first period (n = 0) and after each; "
+            "bars: {:.4g} %, by the scatter of the runs or, for one run, by noise and "
+            "drift. Lines: the models on the case, same amplitude and periods.",
+            100 * e.confidence),
+        .x = {"period n [-]"},
+        .y = {"shift U [µm]"}};
+    figure.curves.push_back(measured_curve(e));
+    int colour = 1;
+    for (const ModelPrediction& p : e.predictions) {
+        report::Curve curve{.name = report::display_name(p.model),
+                            .x = counts(p.shift.size()),
+                            .y = scaled(p.shift, um)};
+        curve.colour = colour++;
+        figure.curves.push_back(curve);
+    }
+    return figure;
+}
+
+// No logarithm of what does not grow.
+std::vector<double> growth(const std::vector<double>& shift) {
+    std::vector<double> result;
+    for (std::size_t n = 1; n < shift.size(); ++n) {
+        const double d = um * (shift[n] - shift[n - 1]);
+        result.push_back(d > least_drawn ? d : std::numeric_limits<double>::quiet_NaN());
+    }
+    return result;
+}
+
+report::Figure increments_figure(const ExperimentEvaluation& e) {
+    report::Figure figure{
+        .id = "increments",
+        .title = "Growth per period",
+        .caption =
+            fmt::format("u_n - u_(n-1): a transient falls along a straight line, ratcheting stays "
+                        "at its level. Bars: {:.4g} %; values that do not grow are left out.",
+                        100 * e.confidence),
+        .x = {"period n [-]"},
+        .y = {"growth in the period [µm]", true}};
+    std::vector<double> n = counts(e.shift.size());
+    n.erase(n.begin());
+    std::vector<double> shift, errors;
+    for (const statistics::Estimate& u : e.shift) shift.push_back(u.value);
+    for (const statistics::Estimate& d : e.period_increments)
+        errors.push_back(um * (d.high - d.low) / 2);
+    report::Curve measured{.name = "measured", .x = n, .y = growth(shift), .y_error = errors};
+    measured.kind = report::Curve::Kind::points;
+    measured.colour = 0;
+    figure.curves.push_back(measured);
+    int colour = 1;
+    for (const ModelPrediction& p : e.predictions) {
+        report::Curve curve{.name = report::display_name(p.model), .x = n, .y = growth(p.shift)};
+        curve.colour = colour++;
+        figure.curves.push_back(curve);
+    }
+    return figure;
+}
+
+// Figure 5.9 of the thesis, by values of periods.
+report::Figure criterion_figure(const ExperimentEvaluation& e) {
+    const StageEvaluation& stage = e.runs.front().stages.front();
+    const double rise = stage.shift.back() - stage.shift.front();
+    report::Figure figure{
+        .id = "criterion",
+        .title = "Curvature, and transient with a walk",
+        .caption =
+            fmt::format("{}: shift and time of the interval normalised to run from 0 to 1, the "
+                        "thesis' parabola (its curvature {} is its criterion), and the fit of a "
+                        "geometric transient with a steady walk, which the verdict is based on.",
+                        e.runs.front().name, report::significant(stage.curvature.value, 3)),
+        .x = {"time (t - t_0)/(t_N - t_0) [-]"},
+        .y = {"shift (U - u_0)/(u_N - u_0) [-]"}};
+    report::Curve values{.name = "values upright"};
+    values.kind = report::Curve::Kind::points;
+    report::Curve walk{.name = "transient and walk"};
+    for (std::size_t n = 0; n < stage.shift.size(); ++n) {
+        const double t =
+            (stage.time[n] - stage.time.front()) / (stage.time.back() - stage.time.front());
+        values.add(t, (stage.shift[n] - stage.shift.front()) / rise);
+        walk.add(t, (stage.settling.fitted[n] - stage.shift.front()) / rise);
+    }
+    const std::vector<double> ones(values.x.size(), 1.);
+    std::vector<double> squares;
+    for (const double t : values.x) squares.push_back(t * t);
+    report::Curve parabola{.name = "parabola of the thesis", .x = values.x};
+    parabola.y = statistics::fit_linear({ones, values.x, squares}, values.y).fitted;
+    parabola.theory = true;
+    figure.curves = {values, walk, parabola};
+    return figure;
+}
+
+report::Curve record_curve(const RunEvaluation& run) {
+    report::Curve curve{.name = run.name};
+    const std::size_t every = run.time.size() / most_drawn + 1;
+    for (std::size_t i = 0; i < run.time.size(); i += every) {
+        curve.add(run.time[i], um * run.shift[i]);
+    }
+    return curve;
+}
+
+report::Figure records_figure(const ExperimentEvaluation& e) {
+    report::Figure figure{
+        .id = "records",
+        .title = "Records",
+        .caption = fmt::format("U(t) of each run, rid of the drift; at most {} of the "
+                               "samples are drawn.",
+                               most_drawn),
+        .x = {"time t [s]"},
+        .y = {"shift U [µm]"}};
+    for (const RunEvaluation& run : e.runs) figure.curves.push_back(record_curve(run));
+    return figure;
+}
+
+report::Curve line(const StageEvaluation& stage, const LineIntersection& lines, double slope,
+                   const std::string& name) {
+    report::Curve curve{.name = name};
+    curve.theory = true;
+    for (const double t : {std::min(stage.time.front(), lines.time), lines.time,
+                           std::max(stage.time.back(), lines.time)}) {
+        curve.add(t, um * (lines.shift.value + slope * (t - lines.time)));
+    }
+    return curve;
+}
+
+report::Figure limit_figure(const RunEvaluation& run, const LimitReading& limit) {
+    const StageEvaluation &before = run.stages[limit.shakedown],
+                          &after = run.stages[limit.ratcheting];
+    report::Figure figure{
+        .id = "limit",
+        .title = "The last amplitude that shakes down, the first that ratchets",
+        .caption = fmt::format(
+            "{}: values upright of both intervals, W = {} mm and {} mm, and the straight "
+            "lines of least squares through them (5.1.9); they meet at U_lim (5.1.10).",
+            run.name, report::significant(mm * before.amplitude, 4),
+            report::significant(mm * after.amplitude, 4)),
+        .x = {"time t [s]"},
+        .y = {"shift U [µm]"}};
+    for (const auto* stage : {&before, &after}) {
+        report::Curve values{.name = stage == &before ? "shakedown" : "ratcheting",
+                             .x = stage->time,
+                             .y = scaled(stage->shift, um)};
+        values.kind = report::Curve::Kind::points;
+        figure.curves.push_back(values);
+    }
+    figure.curves.push_back(line(before, limit.lines, limit.lines.slopes[0], "line, shakedown"));
+    figure.curves.push_back(line(after, limit.lines, limit.lines.slopes[1], "line, ratcheting"));
+    return figure;
+}
+
+report::DocumentSection limit_section(const ExperimentEvaluation& e) {
+    report::DocumentSection section{.id = "limit", .heading = "Limit"};
+    for (std::size_t i = 0; i < e.runs.size(); ++i)
+        if (e.limits[i] && section.figures.empty())
+            section.figures.push_back(limit_figure(e.runs[i], *e.limits[i]));
+    section.tables = {stages_table(e), limits_table(e)};
+    if (e.normalised) section.tables.push_back(normalised_table(e));
+    if (!e.model_limits.empty()) section.tables.push_back(model_stages_table(e));
+    return section;
+}
+
+report::DocumentSection values_section(const ExperimentEvaluation& e) {
+    report::DocumentSection section{.id = "values", .heading = "Shift over the periods"};
+    section.figures = {periods_figure(e), increments_figure(e)};
+    section.tables = {values_table(e)};
+    if (e.normalised) section.tables.push_back(normalised_table(e));
+    if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
+    return section;
+}
+
+report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
+    return {.id = "criteria",
+            .heading = "Shakedown or ratcheting",
+            .paragraphs =
+                {fmt::format(
+                     "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values upright; "
+                     "shakedown if the upper end of the {:.4g} % interval of the walk Du adds less "
+                     "than {:.4g} % of the shift over the interval, else ratcheting if its lower "
+                     "end is positive, else nobody can tell.",
+                     100 * verdict_confidence, 100 * negligible_walk),
+                 "The thesis takes the sign of a parabola's curvature. Steady ratcheting has none: "
+                 "the sign is then that of the noise, or of the transient before it."},
+            .figures = {criterion_figure(e)},
+            .tables = {criteria_table(e)}};
+}
+
+}  // namespace
+
+report::Document experiment_document(const ExperimentEvaluation& e) {
+    report::Document document;
+    document.kind = "Evaluated experiment";
+    document.title = e.title.empty() ? "Experiment" : e.title;
+    const bool limit = e.kind == Experiment::Kind::limit;
+    document.lead =
+        limit ? "At which rolling amplitude does the contact begin to walk, and where was it then?"
+              : "Did the contact settle or walk, how far, and what do the models say?";
+    document.verdicts = experiment_verdicts(e);
+    document.settings = {{"runs", std::to_string(e.runs.size())},
+                         {"periods", std::to_string(e.periods)},
+                         {"confidence", fmt::format("{:.4g} %", 100 * e.confidence)}};
+    if (e.amplitude > 0)
+        document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
+                                     report::significant(mm * e.amplitude, 4) + " mm"});
+    if (limit) {
+        document.sections.push_back(limit_section(e));
+    } else {
+        document.sections.push_back(values_section(e));
+        document.sections.push_back(criteria_section(e));
+    }
+    report::DocumentSection measurement{.id = "measurement", .heading = "Records and their noise"};
+    measurement.figures = {records_figure(e)};
+    measurement.tables = {noise_table(e)};
+    if (e.wobble && e.normalised) measurement.tables.push_back(wobble_table(e));
+    document.sections.push_back(measurement);
+    return document;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,217 @@
+#include "experiments/records/experiment_evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "experiments/records/repeats.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+using contact::Case;
+using contact::State;
+
+constexpr double equal_amplitudes = 0.02;  // of repeats, relative
+constexpr int many = 1'000'000;            // degrees of freedom of a known standard error
+
+statistics::Estimate interval_of(double value, double error, double confidence,
+                                 int degrees_of_freedom) {
+    const double half = error * statistics::student_t(confidence, degrees_of_freedom);
+    return {value, error, value - half, value + half};
+}
+
+// Of one run, by noise and drift.
+statistics::Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
+    const StageEvaluation& stage = run.stages.front();
+    return interval_of(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
+}
+
+// The zero's error is the same in both values, the drift's differs by that of one period.
+statistics::Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence) {
+    const StageEvaluation& stage = run.stages.front();
+    const double drift = run.drift.standard_error * (stage.drift_time[n] - stage.drift_time[n - 1]);
+    const double error =
+        std::hypot(std::hypot(stage.noise_error[n], stage.noise_error[n - 1]), drift);
+    return interval_of(stage.shift[n] - stage.shift[n - 1], error, confidence,
+                       run.degrees_of_freedom);
+}
+
+State joint_state(const std::vector<RunEvaluation>& runs) {
+    State joint = State::undecided;
+    for (const RunEvaluation& run : runs) {
+        const State state = run.stages.front().by_walk;
+        if (state == State::undecided) continue;
+        if (joint != State::undecided && joint != state) return State::undecided;
+        joint = state;
+    }
+    return joint;
+}
+
+void check_amplitudes(const std::vector<RunEvaluation>& runs) {
+    const double first = runs.front().stages.front().amplitude;
+    for (const RunEvaluation& run : runs) {
+        const double other = run.stages.front().amplitude;
+        if (std::abs(other - first) > equal_amplitudes * first)
+            throw contact::InputError(fmt::format(
+                "{}: the amplitude is {:.4g} mm, but {:.4g} mm in {}; repeats are runs under equal "
+                "conditions: evaluate others apart",
+                run.name, 1e3 * other, 1e3 * first, runs.front().name));
+    }
+}
+
+void put_together(ExperimentEvaluation& e) {
+    std::vector<statistics::Estimate> settled, increment;
+    std::vector<std::vector<statistics::Estimate>> shift(static_cast<std::size_t>(e.periods) + 1);
+    for (const RunEvaluation& run : e.runs) {
+        for (std::size_t n = 0; n < shift.size(); ++n)
+            shift[n].push_back(value_at(run, n, e.confidence));
+        settled.push_back(run.stages.front().settling.settled);
+        increment.push_back(run.stages.front().increment);
+    }
+    for (const auto& of_runs : shift)
+        e.shift.push_back(repeated(of_runs, e.confidence).at_confidence);
+    for (std::size_t n = 1; n < shift.size(); ++n) {
+        std::vector<statistics::Estimate> of_runs;
+        for (const RunEvaluation& run : e.runs)
+            of_runs.push_back(increment_at(run, n, e.confidence));
+        e.period_increments.push_back(repeated(of_runs, e.confidence).at_confidence);
+    }
+    std::vector<statistics::Estimate> wobble;
+    for (const RunEvaluation& run : e.runs)
+        if (run.wobble) wobble.push_back(*run.wobble);
+    if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
+    e.static_shift = repeated(shift.front(), e.confidence);
+    e.final_shift = repeated(shift.back(), e.confidence);
+    e.settled_shift = repeated(settled, e.confidence);
+    e.increment = repeated(increment, e.confidence);
+}
+
+// What all repeats share does not average out.
+void widen(Repeated& r, double common, double standard_error) {
+    for (statistics::Estimate* e : {&r.at_confidence, &r.at_95}) {
+        e->standard_error = std::hypot(e->standard_error, standard_error);
+        e->low = e->value - std::hypot(e->value - e->low, common);
+        e->high = e->value + std::hypot(e->high - e->value, common);
+    }
+}
+
+// Drift that was subtracted in one period, mean of the runs [m].
+double subtracted_per_period(const ExperimentEvaluation& e) {
+    double sum = 0;
+    for (const RunEvaluation& run : e.runs) sum += run.drift.value * run.stages.front().period;
+    return sum / static_cast<double>(e.runs.size());
+}
+
+void read_limits(ExperimentEvaluation& e) {
+    std::vector<statistics::Estimate> middle, low, shift;
+    for (const RunEvaluation& run : e.runs) {
+        e.limits_by_curvature.push_back(
+            read_limit(run, &StageEvaluation::by_curvature, e.confidence));
+        const auto limit =
+            e.limits.emplace_back(read_limit(run, &StageEvaluation::by_walk, e.confidence));
+        if (!limit) continue;
+        const double half = (limit->amplitude_high - limit->amplitude_low) / 2;
+        const double mean = limit->amplitude_low + half;
+        // Anywhere between the stages with equal probability: half width over sqrt(3).
+        middle.push_back({mean, half / std::sqrt(3.), mean - half, mean + half});
+        low.push_back({limit->amplitude_low, 0, limit->amplitude_low, limit->amplitude_low});
+        shift.push_back(limit->lines.shift);
+    }
+    if (middle.empty()) return;
+    e.limit_amplitude = repeated(middle, e.confidence);
+    e.last_shakedown = repeated(low, e.confidence);
+    e.limit_shift = repeated(shift, e.confidence);
+    if (middle.size() == 1) {
+        e.limit_amplitude->at_95 = e.limit_amplitude->at_confidence;
+        return;
+    }
+    // The steps of the amplitude; and how far from straight the shift is in both stages.
+    widen(*e.limit_amplitude, (middle.front().high - middle.front().low) / 2,
+          middle.front().standard_error);
+    widen(*e.limit_shift, (shift.front().high - shift.front().low) / 2,
+          shift.front().standard_error);
+}
+
+}  // namespace
+
+std::optional<bool> Deviation::differs() const {
+    if (!has_errors || rest_is_missing) return {};
+    statistics::Estimate with_creep = measured;
+    (creep > 0 ? with_creep.high : with_creep.low) += creep;
+    if (differ(with_creep, predicted)) return true;
+    if (differ(measured, predicted)) return {};
+    return false;
+}
+
+Repeated repeated(const std::vector<statistics::Estimate>& of_runs, double confidence) {
+    Repeated r;
+    r.runs = static_cast<int>(of_runs.size());
+    if (of_runs.size() == 1) {
+        const statistics::Estimate& only = of_runs.front();
+        const double t =
+            statistics::student_t(0.95, many) / statistics::student_t(confidence, many);
+        r.at_confidence = only;
+        r.at_95 = {only.value, only.standard_error, only.value - t * (only.value - only.low),
+                   only.value + t * (only.high - only.value)};
+        return r;
+    }
+    std::vector<double> values;
+    for (const statistics::Estimate& e : of_runs) values.push_back(e.value);
+    r.at_confidence = mean_of(values, confidence);
+    r.at_95 = mean_of(values, 0.95);
+    return r;
+}
+
+ExperimentEvaluation evaluate_experiment(const Experiment& experiment) {
+    ExperimentEvaluation e;
+    e.kind = experiment.kind;
+    e.title = experiment.title;
+    e.confidence = experiment.confidence;
+    for (const auto& record : experiment.records)
+        e.runs.push_back(evaluate_run(record, experiment));
+    check_amplitudes(e.runs);
+    e.state = joint_state(e.runs);
+    e.periods = e.runs.front().stages.front().periods();
+    for (const RunEvaluation& run : e.runs) {
+        e.periods = std::min(e.periods, run.stages.front().periods());
+        e.amplitude += run.stages.front().amplitude / static_cast<double>(e.runs.size());
+        e.rest.time += run.rest / static_cast<double>(e.runs.size());
+        e.rest.is_whole = run.rest_is_whole;
+    }
+    put_together(e);
+    if (e.kind == Experiment::Kind::limit) read_limits(e);
+    return e;
+}
+
+void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
+    const double n = e.periods;
+    const auto add = [&](const char* name, const Repeated& measured, double n_drifted, auto&& of) {
+        const double value = of(prediction.shift);
+        double variance = 0;
+        for (const auto& raised : prediction.raised) {
+            const double change = of(raised) - value;
+            variance += change * change;
+        }
+        Deviation d{prediction.model, name, measured.at_confidence,
+                    interval_of(value, std::sqrt(variance), e.confidence, many)};
+        d.has_errors = !prediction.raised.empty();
+        if (e.rolled_as.hold) {
+            d.rest_is_missing = !e.rolled_as.hold_is_known;
+            d.creep = n_drifted * subtracted_per_period(e);
+        }
+        e.deviations.push_back(std::move(d));
+    };
+    add("u_stat", e.static_shift, 0, [](const std::vector<double>& u) { return u.front(); });
+    if (e.kind == Experiment::Kind::shakedown)
+        add("u_sd", e.final_shift, n, [](const std::vector<double>& u) { return u.back(); });
+    else
+        add("Du", e.increment, 1,
+            [&](const std::vector<double>& u) { return late_increment(u, e.confidence).value; });
+    e.predictions.push_back(std::move(prediction));
+}
+
+}  // namespace tricontact::experiments

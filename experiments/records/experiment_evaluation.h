@@ -1,0 +1,159 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/case.h"
+#include "experiments/records/experiment.h"
+#include "experiments/records/experiment_limit.h"
+#include "experiments/records/experiment_run.h"
+#include "statistics/error_propagation.h"
+
+namespace tricontact::experiments {
+
+/// A quantity over all runs: mean and interval by their scatter from two runs on, else the only
+/// run's own.
+struct Repeated {
+    statistics::Estimate at_confidence, at_95;
+    int runs = 0;  ///< that have it
+};
+
+/// A number of the case with its standard error.
+struct CaseQuantity {
+    std::string name;                                ///< "friction.coefficient"
+    double standard_error = 0;                       ///< SI unit
+    std::function<double&(contact::Case&)> of_case;  ///< the number, see as_the_rig_sets
+    /// Largest value that it can have: nu = 1/2. Errors of a number at its end go downwards.
+    double largest = std::numeric_limits<double>::infinity();
+};
+
+/// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
+struct NormalisedResults {
+    statistics::Uncertain tangential_ratio;  ///< f_T = F_T/(mu F_N)
+    statistics::Uncertain amplitude_ratio;   ///< w = W/a; of a limit run w_lim
+    statistics::Uncertain unit_shift;        ///< U_max [m]
+    /// Over U_max; the final one of a limit run is u_lim.
+    statistics::Uncertain static_ratio, final_ratio, increment_ratio;
+    /// w_lim of the half-space by f_T alone: 1 - 3/2 w + 1/2 w^3 = f_T, and the thesis' 1 - f_T.
+    statistics::Uncertain exact_limit, thesis_limit;
+    double radius = 0;  ///< R [m]
+};
+
+/// What a model says about the same runs.
+struct ModelPrediction {
+    std::string model;
+    std::vector<double> shift;  ///< u_0 ... u_N [m]
+    contact::State state{};
+    double wobble = 0;  ///< dU/dW of the last period [-]
+    /// `shift` when a quantity of the case grows by its standard error, one each, what else a rig
+    /// sets (see as_the_rig_sets) being the same. None: no errors are stated.
+    std::vector<std::vector<double>> raised;
+};
+
+/// A quantity measured and by a model [m].
+struct Deviation {
+    std::string model, quantity;
+    statistics::Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
+    bool has_errors = false;                   ///< errors of the case's numbers are stated
+    bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
+    /// Drift subtracted from the measured value that on a relaxing substrate may be creep, which
+    /// the model's has [m].
+    double creep = 0;
+
+    double ratio() const { return measured.value / predicted.value; }
+    /// The intervals exclude each other, also with the creep back in the measured value. Empty
+    /// where that cannot be told.
+    std::optional<bool> differs() const;
+};
+
+/// What the record says of the rest under F_T before rolling.
+struct Rest {
+    double time = 0;        ///< mean of the runs, as far as recorded [s]
+    bool is_whole = false;  ///< record.loading says when F_T was applied
+};
+
+/// What the models take from the record besides amplitude and periods.
+struct RolledAs {
+    std::optional<double> hold;  ///< under F_T before rolling [s]; empty: an elastic substrate
+    bool hold_is_known = false;
+    std::optional<double> speed;  ///< of the drive [m/s]; empty: an elastic substrate
+};
+
+/// Verdicts of a model over the amplitudes of a limit run.
+struct PredictedLimit {
+    std::string model;
+    std::vector<contact::State> states;  ///< one per stage of the first run
+};
+
+struct ExperimentEvaluation {
+    Experiment::Kind kind{};
+    std::string title;
+    double confidence = 0;
+    std::vector<RunEvaluation> runs;
+    contact::State state{};  ///< by the walk, of all runs that can tell; undecided if none or
+                             ///< if they contradict each other
+    int periods = 0;         ///< of the shortest run, of the first stage
+    double amplitude = 0;    ///< mean of the first stages [m]; 0: unknown
+    Rest rest;
+    RolledAs rolled_as;
+    std::vector<std::string> uncertain_numbers;  ///< of the case: whose standard error is stated
+    Repeated static_shift;                       ///< u_stat [m]
+    Repeated final_shift;                        ///< u_sd: upright after the last common period [m]
+    Repeated settled_shift;                      ///< extrapolated [m]
+    Repeated increment;                          ///< Du, second half of the periods [m]
+    std::vector<statistics::Estimate> shift;     ///< per period, at `confidence` [m]
+    /// Of each period, u_n - u_(n-1), at `confidence` [m]; of one run by noise.
+    std::vector<statistics::Estimate> period_increments;
+
+    /// dU/dW: the shift that follows the drive [-]; empty where the amplitude is unknown or
+    /// changes.
+    std::optional<Repeated> wobble;
+
+    /// Limit runs, by the walk: per run, empty where it cannot be read.
+    std::vector<std::optional<LimitReading>> limits;
+    std::vector<std::optional<LimitReading>> limits_by_curvature;  ///< by the thesis' criterion
+    std::optional<Repeated> limit_amplitude;  ///< middle between the two stages [m]
+    std::optional<Repeated> last_shakedown;   ///< amplitude of the thesis' rule [m]
+    std::optional<Repeated> limit_shift;      ///< U_lim by the lines [m]
+
+    std::optional<NormalisedResults> normalised;  ///< with a case
+    std::vector<ModelPrediction> predictions;
+    std::vector<Deviation> deviations;
+    std::vector<PredictedLimit> model_limits;
+};
+
+/// Evaluates all records and puts the runs together. Throws contact::InputError, also if the
+/// amplitudes of runs differ by more than 2 %.
+ExperimentEvaluation evaluate_experiment(const Experiment& experiment);
+
+/// The case with F_T [N] and W [m] in place of their ratios, which stand for this F_N [N] and W:
+/// what a rig sets is a force and a length, which an error of mu or F_N does not move.
+contact::Case as_the_rig_sets(contact::Case c, double normal_force, double amplitude);
+/// The same by Hertz' scales.
+contact::Case as_the_rig_sets(const contact::Case& c, const contact::HalfSpaceScales& hertz);
+
+/// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4), F_T and
+/// W as the rig sets them: `of_case` is asked of such a case. Where nothing that a number depends
+/// on has an error, its standard error is 0: not stated.
+void normalise(ExperimentEvaluation& evaluation, const contact::Case& c,
+               const std::vector<CaseQuantity>& quantities);
+
+/// Shift that follows the drive in the last period of a model's run, beside a straight line in
+/// time: dU/dW [-]. On a layer that couples normal and tangential contact free rolling creeps: this
+/// is not zero, even without a tangential force.
+double model_wobble(const contact::Case& c, const contact::History& history);
+
+/// What is left of the measured wobble beside a model's own, as a pivot that is Dh = R dU/dW too
+/// high (5.1.11) [m]. Needs `wobble` and `normalised`.
+statistics::Uncertain pivot_height(const ExperimentEvaluation& e, double own_wobble);
+
+/// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting).
+void add_prediction(ExperimentEvaluation& evaluation, ModelPrediction prediction);
+
+/// The scatter of one measured quantity over the runs.
+Repeated repeated(const std::vector<statistics::Estimate>& of_runs, double confidence);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,281 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/records/experiment_report.h"
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+constexpr double mm = 1e3;
+
+using contact::State;
+using Standing = report::Verdict::Standing;
+
+std::string word(State state) {
+    return state == State::undecided ? "cannot tell" : contact::name_of(state);
+}
+
+// "217.9 ± 0.3 um" with the half width of the interval.
+std::string shift(const statistics::Estimate& e) {
+    return report::with_error(1e6 * e.value, 1e6 * (e.high - e.low) / 2, 4) + " µm";
+}
+std::string shift(const Repeated& r) {
+    return shift(r.at_confidence);
+}
+std::string between(const statistics::Estimate& e) {
+    return fmt::format("between {} and {}", report::significant(1e6 * e.low, 3),
+                       report::significant(1e6 * e.high, 3));
+}
+
+std::string level(double confidence) {
+    return fmt::format("{:.4g} %", 100 * confidence);
+}
+
+std::string runs(int n) {
+    return n == 1 ? "one run" : fmt::format("{} runs", n);
+}
+
+int count(const ExperimentEvaluation& e, State StageEvaluation::*verdict, State state) {
+    return static_cast<int>(std::ranges::count_if(
+        e.runs, [&](const RunEvaluation& run) { return run.stages.front().*verdict == state; }));
+}
+
+// Of the run that walks most.
+const StageEvaluation& largest_walk(const ExperimentEvaluation& e) {
+    return std::ranges::max_element(
+               e.runs, {},
+               [](const RunEvaluation& run) { return run.stages.front().settling.increment.high; })
+        ->stages.front();
+}
+
+std::string walk(const ExperimentEvaluation& e) {
+    const StageEvaluation& stage = largest_walk(e);
+    const statistics::Estimate& increment = stage.settling.increment;
+    if (e.state == State::ratcheting)
+        return fmt::format("the steady walk beside the transient is {} per period ({})",
+                           shift(increment), level(verdict_confidence));
+    if (e.state == State::undecided)
+        return fmt::format("the steady walk beside the transient is {} µm per period ({})",
+                           between(increment), level(verdict_confidence));
+    const double added = std::max(0., increment.high * stage.periods());
+    return fmt::format("a steady walk adds at most {:.2g} % of the shift in {} periods ({})",
+                       100 * added / std::abs(stage.shift.back()), stage.periods(),
+                       level(verdict_confidence));
+}
+
+report::Verdict state_verdict(const ExperimentEvaluation& e) {
+    const int n = static_cast<int>(e.runs.size());
+    const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
+    if (e.state == State::undecided)
+        return {Standing::cannot_tell,
+                fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
+                            "{} settle and {} ratchet.",
+                            e.periods, walk(e), runs(n),
+                            count(e, &StageEvaluation::by_walk, State::shakedown),
+                            count(e, &StageEvaluation::by_walk, State::ratcheting))};
+    const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
+    const std::string where =
+        n == 1 ? ""
+               : fmt::format(" in {} of {} runs", count(e, &StageEvaluation::by_walk, e.state), n);
+    return {expected ? Standing::holds : Standing::fails, state + where + ": " + walk(e) + "."};
+}
+
+report::Verdict curvature_verdict(const ExperimentEvaluation& e) {
+    const statistics::Estimate& c = e.runs.front().stages.front().curvature;
+    const State state = e.runs.front().stages.front().by_curvature;
+    std::string sentence = fmt::format(
+        "The thesis' criterion, the curvature of a parabola through U(t) (5.1.5-5.1.8), says "
+        "\"{}\" in the first run: {} by the values of periods ({} of {}).",
+        word(state), report::significant(c.value, 3), level(verdict_confidence),
+        fmt::format("{} to {}", report::significant(c.low, 3), report::significant(c.high, 3)));
+    if (e.state == State::ratcheting && state == State::shakedown)
+        sentence += " It sees the transient bend, not the walk behind it, which is straight.";
+    if (e.state == State::ratcheting && state == State::undecided)
+        sentence += " A contact that ratchets steadily has no curvature.";
+    return {Standing::finding, sentence};
+}
+
+report::Verdict values_verdict(const ExperimentEvaluation& e) {
+    const std::string scatter = e.runs.size() > 1
+                                    ? "by the scatter of " + runs(static_cast<int>(e.runs.size()))
+                                    : "of one run, by noise and drift";
+    std::string sentence = fmt::format("u_stat = {}, ", shift(e.static_shift));
+    if (e.kind == Experiment::Kind::ratcheting)
+        sentence += fmt::format("Du = {} per period ({}, {}).", shift(e.increment),
+                                level(e.confidence), scatter);
+    else
+        sentence += fmt::format("u_sd = {} after {} periods ({}, {}); extrapolated {}.",
+                                shift(e.final_shift), e.periods, level(e.confidence), scatter,
+                                shift(e.settled_shift));
+    return {Standing::finding, sentence};
+}
+
+report::Verdict limit_verdict(const ExperimentEvaluation& e) {
+    if (!e.limit_amplitude)
+        return {
+            Standing::cannot_tell,
+            "No run has an amplitude that shakes down and a larger one that ratchets: the limit "
+            "is not in the record."};
+    const statistics::Estimate& w = e.limit_amplitude->at_confidence;
+    const auto& first = **std::ranges::find_if(e.limits, [](const auto& l) { return bool(l); });
+    const double ratio_limit = first.amplitude_low / w.value;
+    return {Standing::finding,
+            fmt::format("W_lim = {} mm ({} of {}, {}): between the last amplitude that shakes down "
+                        "and the first that ratchets. Read as the last that shakes down it would "
+                        "be {} mm, half a step lower: {} from the middle. U_lim = {} where the "
+                        "straight lines through both intervals meet (5.1.9, 5.1.10).",
+                        report::with_error(1e3 * w.value, 1e3 * (w.high - w.low) / 2, 4),
+                        e.limit_amplitude->runs, runs(static_cast<int>(e.runs.size())),
+                        level(e.confidence),
+                        report::significant(1e3 * e.last_shakedown->at_confidence.value, 4),
+                        report::percent(ratio_limit), shift(*e.limit_shift))};
+}
+
+std::string why_not_compared(const Deviation& d) {
+    if (!d.has_errors)
+        return "the case's numbers have no stated errors ([errors]): whether they differ cannot be "
+               "told";
+    if (d.rest_is_missing)
+        return "how long F_T acted before the rolling is not known: whether they differ cannot be "
+               "told";
+    return fmt::format(
+        "the intervals exclude each other, but not if the drift that was subtracted, {} µm, is "
+        "creep of the substrate",
+        report::significant(1e6 * d.creep, 2));
+}
+
+report::Verdict deviation_verdict(const Deviation& d) {
+    const auto differs = d.differs();
+    const Standing standing = !differs   ? Standing::cannot_tell
+                              : *differs ? Standing::fails
+                                         : Standing::holds;
+    const std::string computed =
+        d.has_errors ? shift(d.predicted) : report::significant(1e6 * d.predicted.value) + " µm";
+    return {standing,
+            fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
+                        d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
+                        !differs   ? why_not_compared(d)
+                        : *differs ? "the intervals exclude each other: they differ"
+                                   : "the intervals overlap")};
+}
+
+// Of a relaxing substrate.
+report::Verdict rest_verdict(const ExperimentEvaluation& e) {
+    const std::string rest = report::given_quantity(*e.rolled_as.hold, "s");
+    if (!e.rolled_as.hold_is_known)
+        return {Standing::cannot_tell,
+                fmt::format("The substrate relaxes, and the record does not say when F_T was "
+                            "applied: the models rest under it for the {} that are recorded, the "
+                            "rig rested longer. Give record.loading, or load.hold in the case.",
+                            rest)};
+    return {Standing::finding,
+            fmt::format("The substrate relaxes: the models rest under F_T for {} before they roll, "
+                        "at {}, as {}.",
+                        rest, report::quantity(*e.rolled_as.speed, "m/s", 3),
+                        e.rest.is_whole ? "the record says" : "record and load.hold say")};
+}
+
+// By the thesis' criterion, in the first run.
+report::Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
+    const auto& limit = e.limits_by_curvature.front();
+    const auto& stages = e.runs.front().stages;
+    const auto ratchets =
+        std::ranges::count(stages, State::ratcheting, &StageEvaluation::by_curvature);
+    const std::string found =
+        limit ? fmt::format("puts the limit between {} mm and {} mm",
+                            report::significant(mm * limit->amplitude_low, 4),
+                            report::significant(mm * limit->amplitude_high, 4))
+              : fmt::format("finds no limit: it says ratcheting of {} of {} amplitudes", ratchets,
+                            stages.size());
+    return {Standing::finding,
+            fmt::format("The thesis' criterion, the curvature of a parabola (5.1.5-5.1.8), {} in "
+                        "the first run, at {}.",
+                        found, level(verdict_confidence))};
+}
+
+report::Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit& limit) {
+    const auto& stages = e.runs.front().stages;
+    double low = 0, high = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < stages.size() && !std::isfinite(high); ++k) {
+        if (limit.states[k] == State::shakedown) low = stages[k].amplitude;
+        if (limit.states[k] == State::ratcheting) high = stages[k].amplitude;
+    }
+    std::string range = fmt::format("between {} mm and {} mm", report::significant(mm * low, 4),
+                                    report::significant(mm * high, 4));
+    if (low == 0) range = fmt::format("below {} mm", report::significant(mm * high, 4));
+    if (!std::isfinite(high)) range = fmt::format("above {} mm", report::significant(mm * low, 4));
+    if (low == 0 && !std::isfinite(high)) range = "not to be told at these amplitudes";
+    report::Verdict v{Standing::finding,
+                      fmt::format("{}: W_lim {}", report::display_name(limit.model), range)};
+    if (e.limit_amplitude) {
+        const statistics::Estimate& w = e.limit_amplitude->at_confidence;
+        // Stages of runs agree to 1 %, so that neighbouring intervals only touch.
+        const bool overlap = low < 0.99 * w.high && high > 1.01 * w.low;
+        v.standing = overlap ? Standing::holds : Standing::fails;
+        v.sentence += overlap ? ", as measured" : ", which the measurement excludes";
+    }
+    v.sentence += ".";
+    return v;
+}
+
+report::Verdict drift_verdict(const ExperimentEvaluation& e) {
+    const auto changes =
+        std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
+    return {Standing::cannot_tell,
+            fmt::format("The drift before and after the rolling differs in {} of {} by more than "
+                        "three standard errors: it is not linear, or the substrate still creeps; "
+                        "the errors are widened by the difference.",
+                        changes, runs(static_cast<int>(e.runs.size())))};
+}
+
+std::string slope(const statistics::Estimate& e) {
+    return report::with_error(mm * e.value, mm * (e.high - e.low) / 2, 3) + " µm/mm";
+}
+
+/// What a height of the pivot over the contact is, as far as it is more than its error.
+std::string pivot_text(const statistics::Uncertain& height) {
+    const std::string size =
+        report::with_error(1e6 * std::abs(height.value), 1e6 * height.standard_error, 3) + " µm";
+    if (std::abs(height.value) <= height.standard_error)
+        return "no more than a pivot level with the contact to " + size;
+    return fmt::format("a pivot {} too {}", size, height.value > 0 ? "high" : "low");
+}
+
+report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
+    const statistics::Uncertain height = pivot_height(e, p.wobble);
+    return {Standing::finding,
+            fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest "
+                        "corresponds to "
+                        "{} (5.1.11, one standard error).",
+                        slope(e.wobble->at_confidence), report::display_name(p.model),
+                        report::significant(mm * p.wobble, 3), pivot_text(height))};
+}
+
+}  // namespace
+
+std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
+    std::vector<report::Verdict> verdicts;
+    if (e.kind == Experiment::Kind::limit) {
+        verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
+        for (const PredictedLimit& limit : e.model_limits)
+            verdicts.push_back(model_limit_verdict(e, limit));
+        if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
+    } else {
+        verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
+        for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
+        for (const ModelPrediction& p : e.predictions)
+            if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)
+                verdicts.push_back(wobble_verdict(e, p));
+    }
+    if (std::ranges::any_of(e.runs, [](const RunEvaluation& run) { return run.drift_changes; }))
+        verdicts.push_back(drift_verdict(e));
+    return verdicts;
+}
+
+}  // namespace tricontact::experiments

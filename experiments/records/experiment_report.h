@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/records/experiment_evaluation.h"
+#include "report/document.h"
+
+namespace tricontact::experiments {
+
+/// What the experiment says, one statement each, the answer first.
+std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e);
+
+/// The text of experiment.json: fixed keys in fixed order, SI units in the names, undefined and
+/// non-finite numbers as null.
+std::string experiment_json(const std::string& version, const ExperimentEvaluation& e);
+
+/// The report: verdicts, records, values over the periods with the models, criteria, tables. Title,
+/// command, version and files are left to the caller.
+report::Document experiment_document(const ExperimentEvaluation& e);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/history.h"
+#include "experiments/records/drive_timeline.h"
+#include "experiments/records/experiment.h"
+#include "experiments/records/record_noise.h"
+#include "experiments/records/settling_fit.h"
+#include "statistics/regression.h"
+
+namespace tricontact::experiments {
+
+/// Level of the intervals that verdicts are based on.
+inline constexpr double verdict_confidence = 0.95;
+/// A walk that could add less than this part of the shift over the whole interval is none.
+inline constexpr double negligible_walk = 0.05;
+
+/// What the shift did while the amplitude was the same. Shifts are counted from the unsheared state
+/// if the record holds it, and are rid of the drift.
+struct StageEvaluation {
+    double amplitude = 0;  ///< W [m]; 0: unknown
+    double period = 0;     ///< [s]
+    /// With the roller upright: before the first period and after each.
+    std::vector<double> time;         ///< [s]
+    std::vector<double> shift;        ///< [m]
+    std::vector<double> shift_error;  ///< standard error by noise, drift and zero [m]
+    std::vector<double> noise_error;  ///< of these by noise alone [m]
+    std::vector<double> drift_time;   ///< times the drift's error is its part of them [s]
+    SettlingFit settling;             ///< at verdict_confidence; drift's error included
+    statistics::Estimate curvature;   ///< of period values, at verdict_confidence [-]
+    double sampled_curvature = 0;     ///< of all samples, as the thesis takes it [-]
+    statistics::Estimate increment;   ///< Du: slope of the second half, `confidence` [m]
+    /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
+    contact::State by_walk{}, by_curvature{};
+
+    int periods() const { return static_cast<int>(shift.size()) - 1; }
+};
+
+/// A slope of the rest with its standard error [m/s].
+struct Drift {
+    double value = 0, standard_error = 0;
+};
+
+/// One record evaluated.
+struct RunEvaluation {
+    std::string name;
+    std::vector<StageEvaluation> stages;
+    RecordNoise noise;           ///< of the rest before rolling
+    double rest = 0;             ///< under F_T before rolling, as far as recorded [s]
+    bool rest_is_whole = false;  ///< the record says when F_T was applied
+    Drift before;                ///< of the rest before rolling
+    std::optional<Drift> after;  ///< of the rest after it
+    Drift drift;                 ///< what was subtracted: mean of both
+    bool drift_changes = false;  ///< both differ by more than three standard errors
+    std::optional<statistics::Estimate>
+        wobble;                       ///< dU/dW of the second half of the periods [-], one stage
+    std::vector<double> time, shift;  ///< the record, corrected as above [s], [m]
+    int degrees_of_freedom = 0;       ///< of the noise: independent samples of the rest, less two
+};
+
+/// Evaluates one record. Throws contact::InputError about it: see drive_timeline(), rest of fewer
+/// than 30 samples before rolling, fewer than 5 periods of an amplitude, an amplitude that changes
+/// although the kind says one.
+RunEvaluation evaluate_run(const Record& record, const Experiment& experiment);
+
+/// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
+/// of the last shift over the interval; else ratcheting if the lower end is positive.
+contact::State judge_walk(const statistics::Estimate& increment, int periods, double last_shift);
+
+/// Slope of the straight line through the second half of the shifts at the ends of periods.
+statistics::Estimate late_increment(const std::vector<double>& shift, double confidence);
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,257 @@
+#include "experiments/records/experiment_tables.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "report/format.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+constexpr double um = 1e6, nm = 1e9, mm = 1e3;
+
+report::WithError with_half_width(const statistics::Estimate& e, double factor) {
+    return {factor * e.value, factor * (e.high - e.low) / 2};
+}
+
+std::string interval(const statistics::Estimate& e, double factor) {
+    return report::significant(factor * e.low, 3) + " to " +
+           report::significant(factor * e.high, 3);
+}
+
+std::string word(contact::State state) {
+    return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
+}
+
+// An error of 0 is one that nobody stated.
+report::Cell with_stated_error(const statistics::Uncertain& u, double factor) {
+    if (u.standard_error == 0) return factor * u.value;
+    return report::WithError{factor * u.value, factor * u.standard_error};
+}
+
+std::string numbers_with_errors(const ExperimentEvaluation& e) {
+    std::string names;
+    for (const std::string& name : e.uncertain_numbers) names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? "none is stated ([errors])" : names;
+}
+
+std::string percents(double level) {
+    return fmt::format("{:.4g} %", 100 * level);
+}
+
+}  // namespace
+
+report::DocumentTable values_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "values",
+        .title = "Values",
+        .note =
+            "Half widths of the intervals behind ±. u_stat: before rolling. "
+            "u_sd: upright after the last period. u_inf: where the transient of "
+            "the second half of the periods leads. Du: slope over the second "
+            "half of the periods.",
+        .columns = {{"quantity"}, {percents(e.confidence) + " [µm]"}, {"95 % [µm]"}, {"runs", 1}}};
+    const auto add = [&](const char* name, const Repeated& r) {
+        table.rows.push_back({name, with_half_width(r.at_confidence, um),
+                              with_half_width(r.at_95, um), double(r.runs)});
+    };
+    add("u_stat", e.static_shift);
+    add("u_sd", e.final_shift);
+    add("u_inf", e.settled_shift);
+    add("Du", e.increment);
+    return table;
+}
+
+report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
+    const NormalisedResults& n = *e.normalised;
+    const bool limit = e.kind == Experiment::Kind::limit;
+    report::DocumentTable table{
+        .id = "normalised",
+        .title = "Over Hertz' scales of the case",
+        .note =
+            "One standard error behind ±: of the measured value and of the "
+            "case's numbers, first order, independent; F_T and W are what the "
+            "rig sets. Errors of the case: " +
+            numbers_with_errors(e) + ".",
+        .columns = {{"quantity"}, {"value"}}};
+    const auto add = [&](const char* name, const statistics::Uncertain& u, double factor = 1) {
+        table.rows.push_back({name, with_stated_error(u, factor)});
+    };
+    add("f_T = F_T/(μ F_N)", n.tangential_ratio);
+    if (limit) {
+        if (e.limit_amplitude) add("w_lim = W_lim/a", n.amplitude_ratio);
+        add("w_lim, exact for half-spaces", n.exact_limit);
+        add("w_lim of the thesis, 1 - f_T", n.thesis_limit);
+    } else if (n.amplitude_ratio.value > 0) {
+        add("w = W/a", n.amplitude_ratio);
+    }
+    add("U_max [µm]", n.unit_shift, um);
+    add("u_stat/U_max", n.static_ratio);
+    if (!limit || e.limit_shift) add(limit ? "U_lim/U_max" : "u_sd/U_max", n.final_ratio);
+    if (!limit) add("Du/U_max", n.increment_ratio);
+    return table;
+}
+
+report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "deviations",
+        .title = "Measured and computed",
+        .note = percents(e.confidence) +
+                " intervals; of a model by the errors of the case's numbers: " +
+                numbers_with_errors(e) + ". They differ if the intervals exclude each other.",
+        .columns = {{"model"},
+                    {"quantity"},
+                    {"measured [µm]"},
+                    {"computed [µm]"},
+                    {"deviation of the measured"},
+                    {"differs"}}};
+    for (const Deviation& d : e.deviations)
+        table.rows.push_back({report::display_name(d.model), d.quantity,
+                              with_half_width(d.measured, um),
+                              d.has_errors ? report::Cell(with_half_width(d.predicted, um))
+                                           : report::Cell(um * d.predicted.value),
+                              report::percent(d.ratio()),
+                              !d.differs()   ? "cannot tell"
+                              : *d.differs() ? "yes"
+                                             : "no"});
+    return table;
+}
+
+report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "criteria_by_run",
+        .title = "Both criteria",
+        .note = "Intervals at " + percents(verdict_confidence) +
+                ". Residual: of the values upright about transient and walk; "
+                "noise: what their errors explain. Curvature of all samples: as "
+                "the thesis takes it, without an interval, since neighbours in the "
+                "record are not independent.",
+        .columns = {{"run"},
+                    {"walk Du [µm]"},
+                    {"verdict by the walk"},
+                    {"q", 2},
+                    {"residual [µm]", 2},
+                    {"noise [µm]", 2},
+                    {"curvature"},
+                    {"verdict by it"},
+                    {"curvature of all samples", 3}}};
+    for (const RunEvaluation& run : e.runs) {
+        const StageEvaluation& s = run.stages.front();
+        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
+                              s.settling.ratio, um * s.settling.residual_deviation,
+                              um * s.shift_error[s.shift_error.size() / 2],
+                              interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});
+    }
+    return table;
+}
+
+report::DocumentTable stages_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "stages",
+        .title = "Verdict per amplitude",
+        .note = "Walk and curvature: intervals at " + percents(verdict_confidence) + ".",
+        .columns = {{"run"},
+                    {"W [mm]"},
+                    {"periods"},
+                    {"walk Du [µm]"},
+                    {"verdict by the walk"},
+                    {"curvature"},
+                    {"verdict by it"}}};
+    for (const RunEvaluation& run : e.runs)
+        for (const StageEvaluation& s : run.stages)
+            table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
+                                  interval(s.settling.increment, um), word(s.by_walk),
+                                  interval(s.curvature, 1), word(s.by_curvature)});
+    return table;
+}
+
+report::DocumentTable limits_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "limits",
+        .title = "Limit per run",
+        .note = "U_lim: where the lines meet, half width of its interval behind ±.",
+        .columns = {{"run"}, {"last shakedown [mm]"}, {"first ratcheting [mm]"}, {"U_lim [µm]"}}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < e.runs.size(); ++i) {
+        const auto& limit = e.limits[i];
+        if (limit)
+            table.rows.push_back({e.runs[i].name, mm * limit->amplitude_low,
+                                  mm * limit->amplitude_high,
+                                  with_half_width(limit->lines.shift, um)});
+        else
+            table.rows.push_back({e.runs[i].name, nan, nan, nan});
+    }
+    return table;
+}
+
+report::DocumentTable model_stages_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{.id = "model_stages",
+                                .title = "What the models say at these amplitudes",
+                                .note = "Amplitudes of the first run; each rolled from rest.",
+                                .columns = {{"W [mm]"}}};
+    for (const PredictedLimit& limit : e.model_limits)
+        table.columns.push_back({report::display_name(limit.model)});
+    for (std::size_t k = 0; k < e.runs.front().stages.size(); ++k) {
+        table.rows.push_back({mm * e.runs.front().stages[k].amplitude});
+        for (const PredictedLimit& limit : e.model_limits)
+            table.rows.back().push_back(word(limit.states[k]));
+    }
+    return table;
+}
+
+report::DocumentTable wobble_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "wobble",
+        .title = "Shift that follows the drive",
+        .note =
+            "dU/dW of whole periods. On a layer that couples normal and "
+            "tangential contact free rolling creeps, so that a model has a "
+            "wobble of its own; by what the measured one has beside it the "
+            "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
+            "standard error behind ±.",
+        .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}}};
+    const auto add = [&](const std::string& name, double own) {
+        const statistics::Uncertain height = pivot_height(e, own);
+        table.rows.push_back({name, um / mm * own,
+                              report::WithError{um * height.value, um * height.standard_error}});
+    };
+    add("nothing", 0);
+    for (const ModelPrediction& p : e.predictions) add(report::display_name(p.model), p.wobble);
+    return table;
+}
+
+report::DocumentTable noise_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "noise",
+        .title = "Noise, drift and the table's wobble",
+        .note =
+            "Noise: standard deviation in the rest before rolling; so many "
+            "neighbouring samples count as one. Drift: slope of the rest, one "
+            "standard error behind ±; the mean is subtracted. Wobble: what the "
+            "shift follows the drive by, dU/dW = Δh/R (5.1.11), half width of "
+            "its interval behind ±; it vanishes upright. It holds "
+            "what the contact itself does in step with the drive.",
+        .columns = {{"run"},
+                    {"resolution [nm]", 3},
+                    {"noise [nm]", 3},
+                    {"correlated samples", 2},
+                    {"drift before [nm/s]", 3},
+                    {"drift after [nm/s]", 3},
+                    {"wobble [µm/mm]", 3}}};
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const RunEvaluation& run : e.runs) {
+        const Drift after = run.after.value_or(Drift{nan, nan});
+        table.rows.push_back(
+            {run.name, nm * run.noise.resolution(), nm * run.noise.standard_deviation(),
+             run.noise.correlated_samples(),
+             report::WithError{nm * run.before.value, nm * run.before.standard_error},
+             report::WithError{nm * after.value, nm * after.standard_error},
+             run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm)) : report::Cell(nan)});
+    }
+    return table;
+}
+
+}  // namespace tricontact::experiments

@@ -1,0 +1,7 @@
+#include "files/version.h"
+
+namespace tricontact::files {
+
+const char* const version = TRICONTACT_VERSION;
+
+}  // namespace tricontact::files

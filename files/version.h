@@ -1,0 +1,8 @@
+#pragma once
+
+namespace tricontact::files {
+
+/// The program's version, "0.1.0": in every file that it writes.
+extern const char* const version;
+
+}  // namespace tricontact::files

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "contact/case.h"
+#include "io/keys/toml_document.h"
+
+// Rules that join several keys, one file of them each; case_checks.cc calls the others. All throw
+// contact::InputError that points into the document.
+namespace tricontact::io {
+
+/// Whether the model is one of the case's.
+inline bool computes(const contact::Case& c, std::string_view model) {
+    return std::ranges::count(c.models, model) > 0;
+}
+
+/// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
+/// the contact against the indenter, resolution and cost.
+void check_case(const contact::Case& c, const Document& document);
+
+/// bem.influence: the file is there, and one model is to use it. output.volume: the inside is
+/// known. bem.period: the model is one whose mean displacement is defined, the period holds a whole
+/// number of cells and more than the rolling path, and layers that cannot be compressed have room
+/// to give way.
+void check_bem_options(const contact::Case& c, const Document& document);
+
+/// Bounds of the contact radius on a layer of whatever Poisson's ratio and base [m], the load at
+/// the crest of its oscillation. The extreme is the bonded incompressible layer: under a given
+/// force `low` is 0.72 to 0.97 of its radius for b/a from 0.025 to 10 (exact layer, Fredholm's
+/// equation of frictionless contact: Lebedev and Ufliand 1958).
+struct RadiusBounds {
+    double low, high;
+};
+RadiusBounds contact_radius_bounds(const contact::Case& c);
+
+/// Rules for the finite element layer: there is a layer, the indenter is as good as rigid, contact
+/// and rolling path have elements enough and not too many and fit on the block. `steps` [-]: of the
+/// whole run.
+void check_fem(const contact::Case& c, double steps, const Document& document);
+
+/// Makes the case's lower layers of the lists of [lower_layer].
+void resolve_lower_layers(contact::Case& c, const Document& document);
+
+/// The lists of [lower_layer] from the case's lower layers, for the writer.
+void state_lower_layers(contact::Case& c);
+
+/// [ground] and substrate.base = "half-space" go together.
+void check_ground(const contact::Case& c, const Document& document);
+
+/// The case has layers that this model can take.
+void check_layer(const std::string& model, const contact::Case& c, const Document& document);
+
+/// What cylinder and roller cannot be combined with; nothing for other bodies.
+void check_line_contact(const contact::Case& c, const Document& document);
+
+/// Reads the file of a height map.
+void resolve_height_map(contact::Case& c, const Document& document);
+
+/// Height maps, planes and roughness: models that can, a period that fits, cells that resolve, and
+/// nothing that refers to a radius of contact where there is none.
+void check_rough_bodies(const contact::Case& c, const Document& document);
+
+/// F_T points along x except where the body rolls on.
+void check_direction_of_force(const contact::Case& c, const Document& document);
+
+/// F_T stays below mu F_N all along the path, by what the models can tell. With a prescribed
+/// indentation they find F_N, and check again.
+void check_friction_limit(const contact::Case& c, const contact::HalfSpaceScales& scales,
+                          const Document& document);
+
+/// Refuses what does not go with [tractive_rolling].
+void check_tractive_rolling(const contact::Case& c, const Document& document);
+
+/// Steps of a case that rolls on, at most: loading, then one per cell. The case has to be one.
+double steps_of_tractive_rolling(const contact::Case& c, const contact::HalfSpaceScales& scales);
+
+}  // namespace tricontact::io

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "contact/bodies/rough_scales.h"
+#include "contact/load_path.h"
+#include "io/case/case_checks.h"
+#include "io/keys/messages.h"
+#include "io/keys/refusal.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using contact::HalfSpaceScales;
+using contact::triangle_wave;
+
+// 1 - F_T/(mu F_N) that solvers over surfaces need: they balance forces to 1e-10 of mu F_N, and
+// what a contact that all but slides still holds back goes with the square of the angles between
+// tractions and force, 1e-3 here. The springs of mdr have no angles.
+constexpr double closest_to_sliding = 1e-6;
+
+// As a contact rolls, cells enter and leave it. A sum of pressures over them varies by up to this
+// times the square of cells over contact radius (seen: 0.26, of a power law of 1.4): at a fixed
+// indentation F_N, and on a displaced surface what pressures carry along it.
+constexpr double force_of_cells = .5;
+constexpr double layer_elements = 100;  // of mdr-layer in the contact radius
+
+/// Largest F_T/(mu F_N) on a path whose loads oscillate as triangles. The quotient of two piecewise
+/// linear functions is largest at a kink of either: at the crests and troughs. `force`: F_N over
+/// its mean where the normal control is this times its own.
+double largest_ratio(const Case::Load& load, double mean_ratio,
+                     const std::function<double(double)>& force) {
+    const double normal_shift = load.normal_phase / (2 * std::numbers::pi);
+    const double tangential_shift = load.tangential_phase / (2 * std::numbers::pi);
+    double worst = mean_ratio;
+    for (const double shift : {normal_shift, tangential_shift})
+        for (const double kink : {0.25, 0.75}) {
+            const double phase = kink - shift;
+            const double normal =
+                force(1 + load.normal_amplitude_ratio * triangle_wave(phase + normal_shift));
+            const double tangential =
+                1 + load.tangential_amplitude_ratio * triangle_wave(phase + tangential_shift);
+            worst = std::max(worst, mean_ratio * std::abs(tangential) / normal);
+        }
+    return worst;
+}
+
+/// On the half-space; that of a layer falls no less where the indentation falls.
+double force_at(const Case& c, const HalfSpaceScales& scales, double factor) {
+    Case other = c;
+    other.load.indentation = *c.load.indentation * factor;
+    return contact::half_space_scales(other).normal_force / scales.normal_force;
+}
+
+void check_oscillating_ratio(const std::string& key, double worst, const Document& document) {
+    if (worst >= 1)
+        refuse(document, key,
+               "with the oscillating loads F_T/(mu F_N) reaches " + rounded(worst) +
+                   ", not below 1: the contact slides",
+               "reduce it or the amplitude ratios in [load]");
+}
+
+void check_tells_sliding(const Case& c, const std::string& key, double ratio,
+                         const Document& document) {
+    if (ratio <= 1 - closest_to_sliding || c.tractive_rolling) return;
+    if (c.models == std::vector<std::string>{"mdr"}) return;
+    refuse(document, key,
+           "F_T/(mu F_N) reaches " + shortest(ratio) +
+               ": so close to 1 only mdr tells stick from sliding as a whole",
+           "stay at or below " + shortest(1 - closest_to_sliding) + ", or take mdr alone");
+}
+
+/// Edge of a cell, or distance of springs, over the contact radius; the coarsest of the models'.
+double coarsest_cell(const Case& c, const HalfSpaceScales& s) {
+    double coarsest = 0;
+    const double path = contact::rolling_amplitude(*c.rolling, s.contact_radius) / s.contact_radius;
+    for (const std::string& model : c.models) {
+        if (model == "mdr-layer") coarsest = std::max(coarsest, 1 / layer_elements);
+        if (model == "mdr") coarsest = std::max(coarsest, 2 * (1 + path) / c.mdr.springs);
+        if (model.starts_with("bem"))
+            coarsest = std::max(coarsest, c.bem.spacing ? *c.bem.spacing / s.contact_radius
+                                                        : 1 / *c.bem.cells_per_radius);
+    }
+    return coarsest;
+}
+
+void check_force_of_cells(const Case& c, const HalfSpaceScales& scales, double ratio,
+                          const Document& document) {
+    if (!c.rolling) return;
+    const double largest = 1 - force_of_cells * std::pow(coarsest_cell(c, scales), 2);
+    if (ratio <= largest) return;
+    refuse(document, "load.tangential_ratio",
+           "F_T/(mu F_N) reaches " + shortest(ratio) +
+               ", but at a fixed indentation F_N varies from cell to cell as the contact rolls: it "
+               "may slide",
+           "stay at or below " + rounded(largest) +
+               ", use smaller cells or more springs, or give load.normal_force");
+}
+
+/// The pressures of a displaced surface push along it, each up to the slope times itself; what is
+/// left of their sum on the cells must be less than friction carries.
+void check_inclined_force(const Case& c, const HalfSpaceScales& scales, double ratio,
+                          const Document& document) {
+    if (c.contact.kinematics != Case::Kinematics::deformed) return;
+    if (contact::has_conical_tip(c))
+        refuse(document, "contact.kinematics",
+               "a displaced surface meets the indenter by its slope, which a conical tip has not",
+               "take kinematics = \"linear\"");
+    if (!c.rolling) return;
+    const double slope = 2 * scales.indentation / scales.contact_radius;
+    const double left = slope * force_of_cells * std::pow(coarsest_cell(c, scales), 2);
+    const double carried = c.friction_coefficient * (1 - ratio);
+    if (left <= carried) return;
+    refuse(document, "contact.kinematics",
+           "on a displaced surface pressures on cells leave a force along it of up to " +
+               rounded(left) + " F_N, but friction has " + rounded(carried) + " F_N beside F_T",
+           "use smaller cells, or kinematics = \"linear\"");
+}
+
+void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document& document) {
+    const std::string key = "load.tangential_ratio";
+    if (!c.load.tangential_ratio || contact::is_nominally_flat(c)) return;
+    const double mean = std::abs(*c.load.tangential_ratio);
+    // What relaxes remembers more forces than this one.
+    const double worst = c.relaxation || c.load.normal_amplitude_ratio == 0
+                             ? mean
+                             : largest_ratio(c.load, mean, [&](double factor) {
+                                   return force_at(c, scales, factor);
+                               });
+    check_oscillating_ratio(key, worst, document);
+    check_tells_sliding(c, key, worst, document);
+    check_force_of_cells(c, scales, worst, document);
+    check_inclined_force(c, scales, worst, document);
+}
+
+}  // namespace
+
+void check_direction_of_force(const Case& c, const Document& document) {
+    if (c.tractive_rolling) return;
+    if (c.load.tangential_ratio.value_or(0) < 0)
+        refuse(document, "load.tangential_ratio",
+               "must be at least 0 and less than 1 but with [tractive_rolling]",
+               "give its amount, x points along F_T");
+    if (c.load.tangential_force.value_or(0) < 0)
+        refuse(document, "load.tangential_force", "must be at least 0 but with [tractive_rolling]",
+               "give its amount, x points along F_T");
+}
+
+void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Document& document) {
+    if (c.load.indentation) return check_at_depth(c, scales, document);
+    if (!c.load.tangential_ratio && !c.load.tangential_force) return;
+    const double mean =
+        std::abs(c.load.tangential_ratio
+                     ? *c.load.tangential_ratio
+                     : *c.load.tangential_force / (c.friction_coefficient * *c.load.normal_force));
+    const std::string key = used(document, "load.tangential_ratio", "load.tangential_force");
+    if (mean >= 1)
+        refuse(document, key,
+               "F_T/(mu F_N) = " + rounded(mean) + " is not below 1: the contact slides",
+               "reduce it below mu F_N = " +
+                   rounded(c.friction_coefficient * *c.load.normal_force) + " N");
+    const double worst = largest_ratio(c.load, mean, [](double factor) { return factor; });
+    check_oscillating_ratio(key, worst, document);
+    check_tells_sliding(c, key, worst, document);
+    check_inclined_force(c, scales, worst, document);
+}
+
+}  // namespace tricontact::io

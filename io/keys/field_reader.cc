@@ -1,0 +1,210 @@
+#include "io/keys/field_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "io/keys/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+[[noreturn]] void refuse(const Key& key, const Entry& entry, const std::string& rule,
+                         const std::string& remedy = {}) {
+    const std::string example =
+        "write for example " + std::string(key.name()) + " = " + std::string(key.example);
+    fail(entry.place, entry.subject(), rule, remedy.empty() ? example : remedy);
+}
+
+std::string range_rule(const Key& key) {
+    const auto bound = [&](double value) {
+        std::string text = shortest(value);
+        if (key.dimension != Dimension::none) text.append(" ").append(si_unit(key.dimension));
+        return text;
+    };
+    const Range& r = key.range;
+    const std::string rule =
+        "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
+        " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
+    return key.reason.empty() ? rule : rule + ": " + std::string(key.reason);
+}
+
+// `which`: of several values the one at hand.
+double in_range(double value, const Key& key, const Entry& entry, const std::string& which = {}) {
+    if (!std::isfinite(value)) refuse(key, entry, which + "must be a finite number");
+    if (!key.range.contains(value)) refuse(key, entry, which + range_rule(key));
+    return value;
+}
+
+[[noreturn]] void refuse_kind(const Key& key, const Entry& entry, const std::string& expected) {
+    refuse(key, entry, "must be " + expected + ", but is " + std::string(kind_of(entry.value)));
+}
+
+double number_of(const Key& key, const Entry& entry) {
+    if (const auto* v = std::get_if<std::int64_t>(&entry.value))
+        return in_range(static_cast<double>(*v), key, entry);
+    if (const auto* v = std::get_if<double>(&entry.value)) return in_range(*v, key, entry);
+    refuse_kind(key, entry, "a pure number without unit and quotes");
+}
+
+int integer_of(const Key& key, const Entry& entry) {
+    const auto* v = std::get_if<std::int64_t>(&entry.value);
+    if (!v) refuse_kind(key, entry, "a whole number without unit, point and quotes");
+    return static_cast<int>(in_range(static_cast<double>(*v), key, entry));
+}
+
+double quantity_of(const std::string& text, const Key& key, const Entry& entry,
+                   const std::string& which = {}) {
+    try {
+        return in_range(parse_quantity(text, key.dimension), key, entry, which);
+    } catch (const QuantityError& error) {
+        refuse(key, entry, which.empty() ? error.rule : which + "is refused: " + error.rule,
+               error.remedy);
+    }
+}
+
+double quantity_of(const Key& key, const Entry& entry) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    const std::string what(name_of(key.dimension));
+    if (!text) {
+        const bool bare = kind_of(entry.value) == "a number";
+        if (bare) refuse(key, entry, "must be " + what + ", but has no unit");
+        refuse_kind(key, entry, what + " with its unit in quotes");
+    }
+    return quantity_of(*text, key, entry);
+}
+
+void check_length(std::size_t n, const Key& key, const Entry& entry) {
+    if (n == 0 || n > longest_list)
+        refuse(key, entry,
+               "the list must have 1 to " + std::to_string(longest_list) + " elements, but has " +
+                   std::to_string(n));
+}
+
+bool is_list(const Entry& entry) {
+    return std::holds_alternative<std::vector<std::string>>(entry.value) ||
+           std::holds_alternative<std::vector<double>>(entry.value) ||
+           std::holds_alternative<std::vector<bool>>(entry.value) ||
+           std::holds_alternative<OtherValue>(entry.value);
+}
+
+std::vector<double> quantities_of(const Key& key, const Entry& entry) {
+    if (key.bare && !is_list(entry)) return {quantity_of(key, entry)};
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of quantities, each with its unit in quotes");
+    check_length(list->size(), key, entry);
+    std::vector<double> values;
+    for (const std::string& text : *list)
+        values.push_back(quantity_of(text, key, entry, toml_string(shortened(text, 40)) + ' '));
+    return values;
+}
+
+std::vector<double> numbers_of(const Key& key, const Entry& entry) {
+    if (key.bare && !is_list(entry)) return {number_of(key, entry)};
+    const auto* empty = std::get_if<std::vector<std::string>>(&entry.value);
+    if (empty && empty->empty()) check_length(0, key, entry);
+    const auto* list = std::get_if<std::vector<double>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of pure numbers without units and quotes");
+    check_length(list->size(), key, entry);
+    for (const double value : *list) in_range(value, key, entry, toml_number(value) + ' ');
+    return *list;
+}
+
+std::string words_of(const Key& key) {
+    std::string words;
+    for (const Choice& choice : key.choices)
+        words += (words.empty() ? "" : ", ") + toml_string(choice.word);
+    return words;
+}
+
+const Choice& choice_of(const std::string& word, const Key& key, const Entry& entry) {
+    const auto it = std::find_if(key.choices.begin(), key.choices.end(),
+                                 [&](const Choice& choice) { return choice.word == word; });
+    if (it != key.choices.end()) return *it;
+    std::vector<std::string_view> words;
+    for (const Choice& choice : key.choices) words.push_back(choice.word);
+    const std::string_view near = nearest(word, words);
+    refuse(key, entry, toml_string(shortened(word, 40)) + " is not one of " + words_of(key),
+           near.empty() ? "use one of them" : "did you mean " + toml_string(near) + "?");
+}
+
+std::vector<std::string> list_of(const Key& key, const Entry& entry) {
+    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
+    if (!list) refuse_kind(key, entry, "a list of texts");
+    if (list->empty()) refuse(key, entry, "the list is empty: nothing would be computed");
+    for (auto it = list->begin(); it != list->end(); ++it) {
+        choice_of(*it, key, entry);
+        if (std::find(list->begin(), it, *it) != it)
+            refuse(key, entry, toml_string(*it) + " stands twice", "name each once");
+    }
+    return *list;
+}
+
+std::string text_of(const Key& key, const Entry& entry) {
+    const auto* text = std::get_if<std::string>(&entry.value);
+    if (!text) refuse_kind(key, entry, "a text in quotes");
+    return *text;
+}
+
+bool boolean_of(const Key& key, const Entry& entry) {
+    const auto* value = std::get_if<bool>(&entry.value);
+    if (!value) refuse_kind(key, entry, "true or false, without quotes");
+    return *value;
+}
+
+using Parsed = std::variant<std::string, std::vector<std::string>, double, std::vector<double>, int,
+                            bool, Choice>;
+
+Parsed parsed(const Key& key, const Entry& entry) {
+    switch (key.kind) {
+        case Key::Kind::choice:
+            return choice_of(text_of(key, entry), key, entry);
+        case Key::Kind::choice_list:
+            return list_of(key, entry);
+        case Key::Kind::number:
+            return number_of(key, entry);
+        case Key::Kind::integer:
+            return integer_of(key, entry);
+        case Key::Kind::boolean:
+            return boolean_of(key, entry);
+        case Key::Kind::quantity:
+            return quantity_of(key, entry);
+        case Key::Kind::quantity_list:
+            return quantities_of(key, entry);
+        case Key::Kind::number_list:
+            return numbers_of(key, entry);
+        case Key::Kind::text:
+            break;
+    }
+    return text_of(key, entry);
+}
+
+// std::get throws if the declaration of a key pairs a kind with a field of another type.
+struct Store {
+    const Parsed& value;
+
+    void operator()(std::monostate) const {}
+    void operator()(EnumPlace field) const { field.set(std::get<Choice>(value).enumerator); }
+    template <class T>
+    void operator()(T* field) const {
+        *field = std::get<T>(value);
+    }
+    void operator()(std::optional<double>* field) const { *field = std::get<double>(value); }
+    void operator()(std::optional<std::string>* field) const {
+        *field = std::get<std::string>(value);
+    }
+};
+
+}  // namespace
+
+void read_field(const Key& key, const Entry& entry, const Field& field) {
+    const Parsed value = parsed(key, entry);
+    std::visit(Store{value}, field);
+}
+
+const Choice& read_choice(const Key& key, const Entry& entry) {
+    return choice_of(text_of(key, entry), key, entry);
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,319 @@
+#include "io/keys/toml_document.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "io/case/case_keys.h"
+#include "io/keys/disguise.h"
+#include "io/keys/entered_number.h"
+#include "io/keys/file_kind.h"
+#include "io/keys/messages.h"
+#include "io/keys/nesting.h"
+#include "io/keys/number_text.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr std::size_t longest_shown = 60;  // bytes of a value in a message
+
+std::string place(const std::string& name, const toml::source_position& position) {
+    return name + ':' + std::to_string(std::max(position.line, 1U)) + ':' +
+           std::to_string(std::max(position.column, 1U));
+}
+
+std::optional<std::vector<double>> numbers_of(const toml::array& array) {
+    std::vector<double> numbers;
+    for (const toml::node& element : array) {
+        if (!element.is_number()) return {};
+        numbers.push_back(*element.value<double>());
+    }
+    return numbers;
+}
+
+std::optional<std::vector<bool>> truth_values_of(const toml::array& array) {
+    std::vector<bool> values;
+    for (const toml::node& element : array) {
+        if (!element.is_boolean()) return {};
+        values.push_back(*element.value<bool>());
+    }
+    return values;
+}
+
+Value list_of(const toml::array& array, const Disguise& disguise) {
+    if (auto numbers = numbers_of(array); numbers && !numbers->empty()) return *numbers;
+    if (auto values = truth_values_of(array); values && !values->empty()) return *values;
+    std::vector<std::string> words;
+    for (const toml::node& element : array) {
+        const auto* word = element.as_string();
+        if (!word) return OtherValue{"a list of other things than texts or numbers"};
+        words.push_back(disguise.take_off(word->get()));
+    }
+    return words;
+}
+
+Value value_of(const toml::node& node, const Disguise& disguise) {
+    if (const auto* v = node.as_boolean()) return v->get();
+    if (const auto* v = node.as_integer()) return v->get();
+    if (const auto* v = node.as_floating_point()) return v->get();
+    if (const auto* v = node.as_string()) return disguise.take_off(v->get());
+    if (const auto* v = node.as_array()) return list_of(*v, disguise);
+    if (node.is_table()) return OtherValue{"a table"};
+    return OtherValue{"a date or time"};
+}
+
+// A quoted key with a dot must not pass for a key in a section.
+std::string path_of(const std::string& prefix, std::string_view key) {
+    const bool bare = !key.empty() && key.find('.') == std::string_view::npos;
+    return prefix + (bare ? std::string(key) : toml_string(key));
+}
+
+constexpr std::string_view too_small = "a number too small for double precision";
+
+bool has_zero(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value)) return *number == 0;
+    const auto* list = std::get_if<std::vector<double>>(&value);
+    return list && std::ranges::count(*list, 0.) > 0;
+}
+
+struct Positioned {
+    toml::source_position at;
+    Entry entry;
+    const toml::table* table;  // null: the entry is none
+    toml::source_position source;
+};
+
+using Items = std::vector<Positioned>;
+
+void sort(Items& items) {
+    std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+}
+
+Items items_of(const toml::table& table, const std::string& prefix, const std::string& name,
+               const Disguise& disguise) {
+    Items out;
+    for (const auto& [key, node] : table) {
+        const auto& at = key.source().begin;
+        out.push_back({at,
+                       {.path = path_of(prefix, disguise.take_off(key.str())),
+                        .value = value_of(node, disguise),
+                        .place = place(name, node.source().begin),
+                        .key_place = place(name, at)},
+                       node.as_table(),
+                       node.source().begin});
+    }
+    sort(out);
+    return out;
+}
+
+// Sections go to the document, keys to `keys`. Goes as deep as known sections are.
+void flatten(const toml::table& table, const std::string& prefix, IsSection is_nested,
+             const Disguise& disguise, Document& document, Items& keys) {
+    for (auto& item : items_of(table, prefix, document.name, disguise)) {
+        const std::string path = item.entry.path;
+        if (item.table && (prefix.empty() || is_nested(path))) {
+            document.sections.push_back({path, item.entry.place});
+            flatten(*item.table, path + '.', is_nested, disguise, document, keys);
+        } else {
+            keys.push_back(std::move(item));
+        }
+    }
+}
+
+// Bytes that no text has: better "binary" than a complaint about one odd character.
+bool looks_binary(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 &&
+               std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
+    });
+}
+
+// "line:column" of an offset, in characters.
+std::string line_and_column(std::string_view text, std::size_t offset) {
+    const std::string_view before = text.substr(0, offset);
+    const auto line = std::count(before.begin(), before.end(), '\n');
+    const std::string_view last = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
+    const auto column = std::count_if(last.begin(), last.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    });
+    return std::to_string(line + 1) + ':' + std::to_string(column + 1);
+}
+
+// Such an escape would be taken for a disguised character.
+bool escapes_disguise(std::string_view text) {
+    return text.find("\\U000F") != std::string_view::npos ||
+           text.find("\\U000f") != std::string_view::npos;
+}
+
+// Tables within tables are built, and taken down, by functions that call themselves.
+void check_nesting(std::string_view text, const std::string& name) {
+    const std::size_t at = first_too_deep(text);
+    if (at != std::string_view::npos)
+        fail(name + ':' + line_and_column(text, at), "",
+             "tables or lists are nested deeper than in any file of ours",
+             "write keys as section.key");
+}
+
+constexpr const char* examples = "begin with one of the files in examples/";
+
+void check_text(std::string_view text, const std::string& name) {
+    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        fail(name + ":1:1", "", "the file is empty", examples);
+    if (looks_binary(text))
+        fail(name + ":1:1", "", "the file is binary, not a TOML text", examples);
+    const std::size_t bad = first_non_utf8(text);
+    if (bad != std::string_view::npos)
+        fail(name + ':' + line_and_column(text, bad), "", "not valid UTF-8",
+             "save the file in UTF-8");
+    if (escapes_disguise(text))
+        fail(name + ":1:1", "", "escapes of private-use characters (\\U000F...) are not supported",
+             "omit them");
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name, Disguise& disguise) {
+    check_text(text, name);
+    try {
+        check_nesting(text, name);
+        return toml::parse(disguise.put_on(text));
+    } catch (const toml::parse_error& error) {
+        if (is_contact_program_input(name)) refuse_contact_program_input(name);
+        const std::string what = disguise.take_off(error.description());
+        const bool twice = what.find("redefine") != std::string::npos;
+        fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
+             twice ? "keep one of the two"
+             : has_bare_point(text, error.source().begin.line)
+                 ? "write a digit on both sides of the point, as in 0.24"
+                 : "correct the line (texts and quantities stand in double quotes)");
+    } catch (const std::length_error& error) {
+        fail(name + ":1:1", "", error.what(), examples);
+    }
+}
+
+}  // namespace
+
+std::string shown(const Value& value) {
+    struct Show {
+        std::string operator()(bool v) const { return v ? "true" : "false"; }
+        std::string operator()(std::int64_t v) const { return std::to_string(v); }
+        std::string operator()(double v) const { return toml_number(v); }
+        std::string operator()(const std::string& v) const {
+            return toml_string(shortened(v, longest_shown));
+        }
+        std::string operator()(const std::vector<std::string>& v) const {
+            std::string out = "[";
+            for (const auto& word : v) out += (out.size() > 1 ? ", " : "") + toml_string(word);
+            return shortened(out + "]", longest_shown);
+        }
+        std::string operator()(const std::vector<double>& v) const {
+            std::string out = "[";
+            for (const double number : v) out += (out.size() > 1 ? ", " : "") + toml_number(number);
+            return shortened(out + "]", longest_shown);
+        }
+        std::string operator()(const std::vector<bool>& v) const {
+            std::string out = "[";
+            for (const bool b : v)
+                out.append(out.size() > 1 ? ", " : "").append(b ? "true" : "false");
+            return shortened(out + "]", longest_shown);
+        }
+        std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
+    };
+    return std::visit(Show{}, value);
+}
+
+std::string_view kind_of(const Value& value) {
+    struct Kind {
+        std::string_view operator()(bool) const { return "a truth value"; }
+        std::string_view operator()(std::int64_t) const { return "a number"; }
+        std::string_view operator()(double) const { return "a number"; }
+        std::string_view operator()(const std::string&) const { return "a text"; }
+        std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
+        std::string_view operator()(const std::vector<double>&) const {
+            return "a list of numbers";
+        }
+        std::string_view operator()(const std::vector<bool>&) const {
+            return "a list of truth values";
+        }
+        std::string_view operator()(const OtherValue& v) const { return v.kind; }
+    };
+    return std::visit(Kind{}, value);
+}
+
+const Entry* Document::find(std::string_view path) const {
+    const auto it = std::find_if(entries.begin(), entries.end(),
+                                 [&](const Entry& entry) { return entry.path == path; });
+    return it == entries.end() ? nullptr : &*it;
+}
+
+const Document::Section* Document::find_section(std::string_view section) const {
+    const auto it = std::find_if(sections.begin(), sections.end(),
+                                 [&](const Section& s) { return s.name == section; });
+    return it == sections.end() ? nullptr : &*it;
+}
+
+std::string Document::place_of(std::string_view path) const {
+    if (const Entry* entry = find(path)) return entry->place;
+    const Section* section = find_section(section_of(path));
+    return section ? section->place : name + ":1:1";
+}
+
+const Entry& Document::required(std::string_view path, std::string_view remedy) const {
+    if (const Entry* entry = find(path)) return *entry;
+    fail(place_of(path), "", "missing key " + std::string(path), remedy);
+}
+
+std::string Document::path_of(const std::string& file) const {
+    return (std::filesystem::path(name).parent_path() / file).lexically_normal().string();
+}
+
+Entry overriding(std::string path, Value value, const std::string& place) {
+    return {.path = std::move(path),
+            .value = std::move(value),
+            .place = place,
+            .key_place = place,
+            .overridden = true};
+}
+
+Document parse_document(std::string_view text, const std::string& name) {
+    return parse_document(text, name, is_section);
+}
+
+Document parse_document(std::string_view text, const std::string& name, IsSection is_nested) {
+    Disguise disguise;
+    const toml::table root = parse_toml(text, name, disguise);
+    Document document{.name = name, .sections = {}, .entries = {}};
+    Items keys;
+    flatten(root, "", is_nested, disguise, document, keys);
+    sort(keys);
+    for (auto& item : keys) {
+        if (has_zero(item.entry.value) &&
+            underflows(source_at(text, item.source.line, item.source.column)))
+            item.entry.value = OtherValue{too_small};
+        document.entries.push_back(std::move(item.entry));
+    }
+    return document;
+}
+
+Value parse_value(const std::string& text) {
+    if (const auto number = entered_number(text)) return *number;
+    // A line break could smuggle in a second key.
+    if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text) ||
+        first_too_deep(text) != std::string_view::npos)
+        return text;
+    try {
+        Disguise disguise;
+        const toml::table table = toml::parse(disguise.put_on("v = " + text));
+        const toml::node* node = table.get("v");
+        if (table.size() != 1 || !node) return text;
+        const Value value = value_of(*node, disguise);
+        return has_zero(value) && underflows(text) ? Value(OtherValue{too_small}) : value;
+    } catch (const toml::parse_error&) {
+        return text;
+    }
+    return text;
+}
+
+}  // namespace tricontact::io

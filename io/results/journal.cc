@@ -1,0 +1,192 @@
+#include "io/results/journal.h"
+
+#include <cstring>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::LoadStep;
+using contact::StepRecord;
+
+// An entry is the bytes of the call, then those of the answer. A member that is added to one of
+// these structures does not compile until it is named here.
+template <class Step, class Visit>
+void visit_step(Step& step, const Visit& visit) {
+    auto& [phase, offset, normal, tangential, duration, friction] = step;
+    visit(phase);
+    visit(offset);
+    auto& [kind, value] = normal;
+    visit(kind);
+    visit(value);
+    for (auto& control : tangential) {
+        auto& [tangential_kind, tangential_value] = control;
+        visit(tangential_kind);
+        visit(tangential_value);
+    }
+    visit(duration);
+    visit(friction);
+}
+
+template <class Record, class Visit>
+void visit_record(Record& record, const Visit& visit) {
+    auto& [phase, time, offset, normal_force, tangential_force, indentation, shift, dissipation,
+           material_dissipation, stored_energy, contact_area, stick_area, slip_area, open_area,
+           normal_iterations, tangential_iterations, normal_residual, tangential_residual,
+           force_residual] = record;
+    visit(phase);
+    visit(time);
+    visit(offset);
+    visit(normal_force);
+    visit(tangential_force);
+    visit(indentation);
+    visit(shift);
+    visit(dissipation);
+    visit(material_dissipation);
+    visit(stored_energy);
+    visit(contact_area);
+    visit(stick_area);
+    visit(slip_area);
+    visit(open_area);
+    visit(normal_iterations);
+    visit(tangential_iterations);
+    visit(normal_residual);
+    visit(tangential_residual);
+    visit(force_residual);
+}
+
+// Appends the bytes of a number or an array of numbers.
+auto appends_to(std::string& bytes) {
+    return [&bytes](const auto& value) {
+        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(value)>>);
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+}
+
+constexpr std::string_view advance_call = "advance ";
+constexpr std::string_view release_call = "release ";
+constexpr std::string_view limit_call = "limit   ";
+
+std::string bytes_of(const LoadStep& step) {
+    std::string bytes(advance_call);
+    visit_step(step, appends_to(bytes));
+    return bytes;
+}
+
+std::string bytes_of(const StepRecord& record) {
+    std::string bytes;
+    visit_record(record, appends_to(bytes));
+    return bytes;
+}
+
+// Takes the record from the front of the bytes.
+StepRecord take_record(std::string_view& bytes) {
+    StepRecord record;
+    visit_record(record, [&bytes](auto& value) {
+        std::memcpy(&value, bytes.data(), sizeof value);
+        bytes.remove_prefix(sizeof value);
+    });
+    return record;
+}
+
+}  // namespace
+
+JournalledModel::JournalledModel(std::unique_ptr<contact::Model> model, const std::string& path,
+                                 std::string_view key, Warning warn)
+    : model_(std::move(model)), path_(path), warn_(std::move(warn)) {
+    try {
+        file_ = std::make_unique<JournalFile>(path, key);
+        for (std::size_t i = 0; i < file_->size(); ++i)
+            n_found_ += file_->read_front(i, advance_call.size()) == advance_call;
+    } catch (const std::system_error& error) {
+        const bool used = error.code() == std::errc::resource_unavailable_try_again;
+        give_up("the journal cannot be opened",
+                used ? "another run has it open" : error.code().message().c_str());
+    }
+}
+
+StepRecord JournalledModel::advance(const LoadStep& step) {
+    const std::string call = bytes_of(step);
+    if (const auto answer = replayed(call)) {
+        std::string_view rest = *answer;
+        const StepRecord record = take_record(rest);
+        model_->read_state(rest);
+        ++n_reused_;
+        return record;
+    }
+    const StepRecord record = model_->advance(step);
+    if (!file_ || !writes_) return record;
+    const std::string state = model_->write_state();
+    if (state.empty())
+        finish();
+    else
+        remember(call + bytes_of(record) + state);
+    return record;
+}
+
+void JournalledModel::release() {
+    model_->release();
+    note(release_call);
+}
+
+void JournalledModel::start_limit() {
+    model_->start_limit();
+    note(limit_call);
+}
+
+// A call without an answer: it is carried out in any case, here it finds its place in the order.
+void JournalledModel::note(std::string_view call) {
+    if (!replayed(call) && file_ && writes_) remember(call);
+}
+
+// The recorded answer to this call; none where the journal ends or another call was recorded.
+std::optional<std::string> JournalledModel::replayed(std::string_view call) {
+    if (!file_ || next_ >= file_->size()) return {};
+    try {
+        const std::string entry = file_->read(next_);
+        if (entry.compare(0, call.size(), call) == 0) {
+            ++next_;
+            return entry.substr(call.size());
+        }
+        file_->cut(next_);
+    } catch (const std::system_error& error) {
+        give_up("the journal cannot be read", error.code().message().c_str());
+    }
+    return {};
+}
+
+void JournalledModel::remember(std::string_view entry) {
+    if (file_->bytes() + entry.size() > most_bytes_) {
+        writes_ = false;
+        warn_(path_ + ": the journal has reached its largest size; later steps are not kept");
+        return;
+    }
+    try {
+        file_->append(entry);
+        next_ = file_->size();
+    } catch (const std::system_error& error) {
+        writes_ = false;  // what it holds still serves
+        warn_(path_ + ": the journal cannot be written (" + error.code().message() +
+              "); a run that is killed later goes on from here");
+    }
+}
+
+void JournalledModel::give_up(const std::string& what, const char* reason) {
+    file_.reset();
+    warn_(path_ + ": " + what + " (" + reason + "); a run that is killed starts again");
+}
+
+void JournalledModel::finish() {
+    if (!file_) return;
+    try {
+        file_->remove();
+    } catch (const std::system_error& error) {
+        warn_(path_ + ": the journal cannot be removed (" + error.code().message() + ")");
+    }
+    file_.reset();
+}
+
+}  // namespace tricontact::io

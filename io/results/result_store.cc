@@ -1,0 +1,260 @@
+#include "io/results/result_store.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "files/digest.h"
+#include "io/keys/messages.h"
+
+namespace tricontact::io {
+
+namespace {
+
+constexpr const char* journal_suffix = "-journal";  // SQLite's
+
+// "Tric", so that the file says whose it is; and the number of its form.
+constexpr std::int64_t application_id = 0x54726963;
+constexpr std::int64_t form = 2;
+
+// One result per point, any number of failures. Times differ from run to run: a table of their own.
+// Each row has a digest of all that the program reads of it.
+constexpr const char* tables = R"(
+CREATE TABLE points (
+    id INTEGER PRIMARY KEY,
+    key TEXT NOT NULL,
+    version TEXT NOT NULL,
+    model TEXT NOT NULL,
+    resolved_case TEXT NOT NULL,
+    results TEXT,
+    error TEXT,
+    digest TEXT NOT NULL,
+    CHECK ((results IS NULL) <> (error IS NULL))
+);
+CREATE UNIQUE INDEX one_result ON points (key) WHERE results IS NOT NULL;
+CREATE INDEX points_by_key ON points (key);
+CREATE TABLE times (
+    point INTEGER PRIMARY KEY REFERENCES points (id),
+    cpu_s REAL NOT NULL,
+    wall_s REAL NOT NULL,
+    finished TEXT NOT NULL DEFAULT (datetime('now')),
+    digest TEXT NOT NULL
+);
+)";
+
+// A row whose times have gone is there all the same, and damaged.
+constexpr const char* selection =
+    "SELECT key, version, model, resolved_case, results, error, cpu_s, wall_s, points.digest, "
+    "times.digest, id FROM points LEFT JOIN times ON point = id ";
+constexpr int first_digest = 8, id_column = 10;
+
+std::int64_t pragma(const SqliteFile& file, const std::string& name) {
+    auto statement = file.prepare("PRAGMA " + name);
+    return statement.step() ? statement.integer(0) : 0;
+}
+
+PointOutcome outcome_of(const SqliteFile::Statement& row) {
+    return {.key = row.text(0).value_or(""),
+            .version = row.text(1).value_or(""),
+            .model = row.text(2).value_or(""),
+            .resolved = row.text(3).value_or(""),
+            .results = row.text(4),
+            .error = row.text(5),
+            .cpu_s = row.number(6),
+            .wall_s = row.number(7)};
+}
+
+void add_optional(files::Digest& digest, const std::optional<std::string>& text) {
+    digest << (text ? "there" : "none") << text.value_or("");
+}
+
+std::string content_digest(const PointOutcome& outcome) {
+    files::Digest digest;
+    digest << outcome.key << outcome.version << outcome.model << outcome.resolved;
+    add_optional(digest, outcome.results);
+    add_optional(digest, outcome.error);
+    return digest.text();
+}
+
+std::string times_digest(const PointOutcome& outcome) {
+    files::Digest digest;
+    digest << outcome.key;
+    digest.add(&outcome.cpu_s, sizeof outcome.cpu_s).add(&outcome.wall_s, sizeof outcome.wall_s);
+    return digest.text();
+}
+
+bool is_whole(const SqliteFile::Statement& row) {
+    const PointOutcome outcome = outcome_of(row);
+    return row.text(first_digest) == content_digest(outcome) &&
+           row.text(first_digest + 1) == times_digest(outcome);
+}
+
+void insert(SqliteFile& file, const PointOutcome& outcome) {
+    file.prepare(
+            "INSERT INTO points (key, version, model, resolved_case, results, error, digest) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .bind(0, std::string_view(outcome.key))
+        .bind(1, std::string_view(outcome.version))
+        .bind(2, std::string_view(outcome.model))
+        .bind(3, std::string_view(outcome.resolved))
+        .bind(4, outcome.results)
+        .bind(5, outcome.error)
+        .bind(6, std::string_view(content_digest(outcome)))
+        .step();
+    file.prepare(
+            "INSERT INTO times (point, cpu_s, wall_s, digest) "
+            "VALUES (last_insert_rowid(), ?, ?, ?)")
+        .bind(0, outcome.cpu_s)
+        .bind(1, outcome.wall_s)
+        .bind(2, std::string_view(times_digest(outcome)))
+        .step();
+}
+
+// Everything between construction and `commit`, or nothing.
+class Transaction {
+  public:
+    explicit Transaction(SqliteFile& file) : file_(file) { file_.execute("BEGIN IMMEDIATE"); }
+    ~Transaction() {
+        if (committed_) return;
+        try {
+            file_.execute("ROLLBACK");
+        } catch (...) {  // SQLite has rolled back by itself
+        }
+    }
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    void commit() {
+        file_.execute("COMMIT");
+        committed_ = true;
+    }
+
+  private:
+    SqliteFile& file_;
+    bool committed_ = false;
+};
+
+}  // namespace
+
+ResultStore::ResultStore(const std::string& path, Mode mode)
+    : file_(path, mode == Mode::write ? SqliteFile::Open::create : SqliteFile::Open::existing) {
+    if (mode == Mode::write) {
+        if (file_.is_read_only())
+            fail(path, "", "cannot be written (the file is read-only)",
+                 "give yourself the permission, or choose another output folder");
+        file_.execute("PRAGMA journal_mode = DELETE");
+        file_.execute("PRAGMA synchronous = EXTRA");
+        if (pragma(file_, "schema_version") != 0) remove_ended_journal();
+        file_.execute("PRAGMA locking_mode = EXCLUSIVE");
+        file_.execute("BEGIN EXCLUSIVE; COMMIT");  // from now on nobody else
+        if (pragma(file_, "schema_version") == 0) make_tables();
+    }
+    check_kind();
+    file_.check_integrity();
+    if (mode == Mode::write) remove_damaged();
+}
+
+// A process that was killed between two transactions leaves a journal that has ended, which SQLite
+// lets lie. That of an unfinished transaction has been rolled back, and is gone, once the file was
+// read; without a file to roll back SQLite removes it, too. Nobody writes meanwhile.
+void ResultStore::remove_ended_journal() {
+    file_.execute("BEGIN EXCLUSIVE");
+    std::filesystem::remove(file_.path() + journal_suffix);
+    file_.execute("COMMIT");
+}
+
+void ResultStore::check_kind() const {
+    if (pragma(file_, "application_id") != application_id)
+        fail(file_.path(), "", "is no file of results", "name another, or move it away");
+    if (pragma(file_, "user_version") != form)
+        fail(file_.path(), "",
+             "was written by another version of the program, whose rows this one does not trust",
+             "move it away, and its points are computed again; or choose another output folder");
+}
+
+// What is removed is computed again.
+void ResultStore::remove_damaged() {
+    std::vector<std::int64_t> damaged;
+    auto rows = file_.prepare(selection);
+    while (rows.step())
+        if (!is_whole(rows)) damaged.push_back(rows.integer(id_column));
+    if (damaged.empty()) return;
+    Transaction transaction(file_);
+    for (const std::int64_t id : damaged) {
+        file_.prepare("DELETE FROM times WHERE point = ?").bind(0, id).step();
+        file_.prepare("DELETE FROM points WHERE id = ?").bind(0, id).step();
+    }
+    transaction.commit();
+    n_damaged_ = damaged.size();
+}
+
+void ResultStore::make_tables() {
+    Transaction transaction(file_);
+    file_.execute(tables);
+    file_.execute("PRAGMA application_id = " + std::to_string(application_id));
+    file_.execute("PRAGMA user_version = " + std::to_string(form));
+    transaction.commit();
+}
+
+std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
+    auto row = file_.prepare(std::string(selection) +
+                             "WHERE key = ? ORDER BY results IS NULL, id DESC LIMIT 1");
+    row.bind(0, std::string_view(key));
+    if (!row.step()) return {};
+    const PointOutcome outcome = outcome_of(row);
+    if (outcome.key != key || !is_whole(row))
+        fail(file_.path(), "point " + key, "its row is damaged",
+             "call `tricontact sweep` again, which removes such rows and computes the points anew");
+    return outcome;
+}
+
+void ResultStore::add(std::span<const PointOutcome> outcomes) {
+    Transaction transaction(file_);
+    for (const PointOutcome& outcome : outcomes) {
+        const auto found = find(outcome.key);
+        if (!found || !found->results) insert(file_, outcome);
+    }
+    transaction.commit();
+}
+
+ResultStore::Merged ResultStore::merge(const ResultStore& other) {
+    Merged merged;
+    Transaction transaction(file_);
+    auto rows = other.file_.prepare(std::string(selection) + "ORDER BY id");
+    while (rows.step()) {
+        if (!is_whole(rows)) {
+            ++merged.damaged;
+            continue;
+        }
+        const PointOutcome outcome = outcome_of(rows);
+        const auto here = find(outcome.key);
+        if (here && here->results) {
+            merged.different += outcome.results && *outcome.results != *here->results;
+            continue;
+        }
+        if (here && here->error == outcome.error) continue;
+        insert(file_, outcome);
+        ++(outcome.results ? merged.points : merged.failures);
+    }
+    transaction.commit();
+    return merged;
+}
+
+bool is_result_store(const std::string& path) {
+    // SQLite's file format, section 1.3: the application's number, big-endian, from byte 68.
+    constexpr std::string_view magic("SQLite format 3\0", 16);
+    constexpr std::size_t start = 68;
+    std::array<char, start + 4> head{};
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(head.data(), head.size())) return false;
+    std::int64_t number = 0;
+    for (std::size_t i = start; i < head.size(); ++i)
+        number = 256 * number + static_cast<unsigned char>(head[i]);
+    return std::string_view(head.data(), magic.size()) == magic && number == application_id;
+}
+
+std::vector<std::string> result_store_files() {
+    return {result_store_name, std::string(result_store_name) + journal_suffix};
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,131 @@
+#include "io/results/vtk_fields.h"
+
+#include <vtkDataObject.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLWriter.h>
+#include <vtkZLibDataCompressor.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace tricontact::io {
+
+namespace {
+
+void check_size(const char* name, std::size_t size, std::size_t n) {
+    if (size != n)
+        throw std::invalid_argument(std::string(name) + ": " + std::to_string(n) +
+                                    " values are due, not " + std::to_string(size));
+}
+
+vtkNew<vtkDoubleArray> array_of(const char* name, int n_components, std::size_t n) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(n_components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+    return array;
+}
+
+template <std::size_t N>
+vtkNew<vtkDoubleArray> array_of(const char* name, std::span<const std::array<double, N>> values,
+                                std::size_t n) {
+    check_size(name, values.size(), n);
+    auto array = array_of(name, static_cast<int>(N), n);
+    double* out = array->GetPointer(0);
+    for (const auto& value : values) out = std::copy(value.begin(), value.end(), out);
+    return array;
+}
+
+}  // namespace
+
+void add_scalar(vtkFieldData& data, const char* name, std::span<const double> values,
+                std::size_t n) {
+    if (values.empty()) return;
+    check_size(name, values.size(), n);
+    auto array = array_of(name, 1, n);
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data.AddArray(array);
+}
+
+void add_vector(vtkFieldData& data, const char* name,
+                const std::array<std::span<const double>, 3>& components, std::size_t n,
+                double z_sign) {
+    auto array = array_of(name, 3, n);
+    array->Fill(0);
+    double* out = array->GetPointer(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (components[k].empty()) continue;
+        check_size(name, components[k].size(), n);
+        const double sign = k == 2 ? z_sign : 1;
+        for (std::size_t i = 0; i < n; ++i) out[3 * i + k] = sign * components[k][i];
+    }
+    data.AddArray(array);
+}
+
+void add_vector(vtkFieldData& data, const char* name, std::span<const std::array<double, 3>> values,
+                std::size_t n) {
+    data.AddArray(array_of(name, values, n));
+}
+
+void add_tensor(vtkFieldData& data, const char* name, std::span<const std::array<double, 6>> values,
+                std::size_t n) {
+    auto array = array_of(name, values, n);
+    vtkIdType k = 0;
+    for (const char* component : {"XX", "YY", "ZZ", "XY", "YZ", "XZ"})
+        array->SetComponentName(k++, component);
+    data.AddArray(array);
+}
+
+void add_bytes(vtkFieldData& data, const char* name, std::span<const std::uint8_t> values,
+               std::size_t n) {
+    check_size(name, values.size(), n);
+    vtkNew<vtkUnsignedCharArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(n));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data.AddArray(array);
+}
+
+void add_numbers(vtkFieldData& data, const char* name, std::initializer_list<double> values) {
+    auto array = array_of(name, static_cast<int>(values.size()), 1);
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    data.AddArray(array);
+}
+
+void add_texts(vtkFieldData& data, const char* name, const std::vector<std::string>& texts) {
+    vtkNew<vtkStringArray> array;
+    array->SetName(name);
+    for (const std::string& text : texts) array->InsertNextValue(text);
+    data.AddArray(array);
+}
+
+void add_provenance(vtkFieldData& data, const Provenance& provenance) {
+    add_texts(data, "program_version", {provenance.program_version});
+    add_texts(data, "command_line", {provenance.command_line});
+}
+
+void set_points(vtkPoints& points, std::span<const std::array<double, 3>> positions) {
+    points.SetDataTypeToDouble();
+    points.SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
+    vtkIdType i = 0;
+    for (const auto& position : positions) points.SetPoint(i++, position.data());
+}
+
+std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data) {
+    vtkNew<vtkZLibDataCompressor> compressor;
+    writer.SetInputDataObject(&data);
+    writer.SetDataModeToAppended();
+    writer.EncodeAppendedDataOff();
+    writer.SetCompressor(compressor);
+    writer.SetHeaderTypeToUInt64();
+    writer.WriteToOutputStringOn();
+    if (!writer.Write()) throw std::runtime_error("VTK could not serialise a data set");
+    return writer.GetOutputString();
+}
+
+}  // namespace tricontact::io

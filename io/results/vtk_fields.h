@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/results/provenance.h"
+
+class vtkDataObject;
+class vtkFieldData;
+class vtkPoints;
+class vtkXMLWriter;
+
+namespace tricontact::io {
+
+// Arrays of VTK's data sets. All throw std::invalid_argument unless there is one value for each of
+// the `n` points or cells.
+
+/// A number each; nothing is added if the field is empty.
+void add_scalar(vtkFieldData& data, const char* name, std::span<const double> values,
+                std::size_t n);
+/// A vector each; components that are empty are zero. `z_sign` multiplies the third component.
+void add_vector(vtkFieldData& data, const char* name,
+                const std::array<std::span<const double>, 3>& components, std::size_t n,
+                double z_sign = 1);
+void add_vector(vtkFieldData& data, const char* name, std::span<const std::array<double, 3>> values,
+                std::size_t n);
+/// A symmetric tensor each: XX YY ZZ XY YZ XZ, the order that ParaView expects.
+void add_tensor(vtkFieldData& data, const char* name, std::span<const std::array<double, 6>> values,
+                std::size_t n);
+void add_bytes(vtkFieldData& data, const char* name, std::span<const std::uint8_t> values,
+               std::size_t n);
+
+/// One tuple of numbers for the whole data set.
+void add_numbers(vtkFieldData& data, const char* name, std::initializer_list<double> values);
+void add_texts(vtkFieldData& data, const char* name, const std::vector<std::string>& texts);
+void add_provenance(vtkFieldData& data, const Provenance& provenance);
+
+/// Positions in double precision.
+void set_points(vtkPoints& points, std::span<const std::array<double, 3>> positions);
+
+/// The data set as VTK's XML: appended, zlib-compressed, raw; small, exact, and the same bytes each
+/// time. Throws std::runtime_error.
+std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data);
+
+}  // namespace tricontact::io

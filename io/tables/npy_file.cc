@@ -1,0 +1,179 @@
+// Height maps as NumPy arrays: numpy.lib.format, versions 1.0 and 2.0.
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <sstream>
+
+#include "io/keys/messages.h"
+#include "io/keys/number_text.h"
+#include "io/tables/height_map_file.h"
+
+namespace tricontact::io {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are read as they stand");
+
+constexpr std::string_view magic = "\x93NUMPY";
+const std::string remedy = "write it by numpy.save";
+
+struct Header {
+    std::size_t item = 0;  // bytes of a number
+    bool columns_first = false;
+    std::size_t n_rows = 0, n_columns = 0;
+    std::size_t data = 0;  // offset
+};
+
+/// Little-endian number of `n` bytes at an offset that exists.
+std::size_t little_endian(std::string_view bytes, std::size_t at, std::size_t n) {
+    std::size_t value = 0;
+    for (std::size_t k = 0; k < n; ++k)
+        value |= std::size_t{static_cast<unsigned char>(bytes[at + k])} << 8 * k;
+    return value;
+}
+
+/// The dictionary's text: where it begins, and how long it is, stands behind the magic and version.
+std::string_view dictionary(std::string_view bytes, const std::string& name, Header& header) {
+    if (!bytes.starts_with(magic) || bytes.size() < 12)
+        fail(name, "", "does not begin as a NumPy array does", remedy);
+    const int version = bytes[6];
+    if ((version != 1 && version != 2) || bytes[7] != 0)
+        fail(name, "",
+             "is of version " + std::to_string(version) + "." + std::to_string(int{bytes[7]}) +
+                 " of NumPy's format, not 1.0 or 2.0",
+             remedy);
+    const std::size_t digits = version == 1 ? 2 : 4, first = 8 + digits;
+    const std::size_t length = little_endian(bytes, 8, digits);
+    if (length > bytes.size() - first) fail(name, "", "ends within its header", remedy);
+    header.data = first + length;
+    return bytes.substr(first, length);
+}
+
+/// Removes `front` from the text; false if it does not begin so.
+bool take(std::string_view& text, std::string_view front) {
+    if (!text.starts_with(front)) return false;
+    text.remove_prefix(front.size());
+    return true;
+}
+
+/// The text up to `end`, both removed; empty without an end.
+std::optional<std::string_view> take_until(std::string_view& text, char end) {
+    const auto at = text.find(end);
+    if (at == text.npos) return {};
+    const std::string_view front = text.substr(0, at);
+    text.remove_prefix(at + 1);
+    return front;
+}
+
+/// "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }" and blanks, as NumPy writes it.
+struct Dictionary {
+    std::string_view type, order, shape;
+};
+
+std::optional<Dictionary> parse_dictionary(std::string_view text) {
+    if (!take(text, "{'descr': '")) return {};
+    const auto type = take_until(text, '\'');
+    if (!type || !take(text, ", 'fortran_order': ")) return {};
+    const auto order = take_until(text, ',');
+    if (!order || (*order != "True" && *order != "False") || !take(text, " 'shape': (")) return {};
+    const auto shape = take_until(text, ')');
+    if (!shape || !take(text, ", }") || text.find_first_not_of(" \t\n\r\f\v") != text.npos)
+        return {};
+    return Dictionary{*type, *order, *shape};
+}
+
+/// Up to nine digits and nothing else.
+std::optional<std::size_t> parse_side(std::string_view text) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data(), end, value);
+    if (text.empty() || text.size() > 9 || error != std::errc() || at != end) return {};
+    return value;
+}
+
+Header read_header(std::string_view bytes, const std::string& name) {
+    Header header;
+    const std::string_view text = dictionary(bytes, name, header);
+    const auto parts = parse_dictionary(text);
+    if (!parts)
+        fail(name, toml_string(shortened(text, 80)), "is no header of a plain array", remedy);
+    if (parts->type != "<f8" && parts->type != "<f4")
+        fail(name, toml_string(shortened(parts->type, 20)),
+             "is not the type of little-endian floating-point numbers, <f8 or <f4",
+             "convert it by astype(float)");
+    const auto comma = std::min(parts->shape.find(", "), parts->shape.size());
+    const auto n_rows = parse_side(parts->shape.substr(0, comma));
+    const auto n_columns =
+        parse_side(parts->shape.substr(std::min(comma + 2, parts->shape.size())));
+    if (!n_rows || !n_columns)
+        fail(name, "shape (" + shortened(parts->shape, 40) + ")", "is not that of rows and columns",
+             "save an array of two dimensions");
+    header.item = parts->type == "<f8" ? 8 : 4;
+    header.columns_first = parts->order == "True";
+    header.n_rows = *n_rows;
+    header.n_columns = *n_columns;
+    return header;
+}
+
+void check_size(const Header& header, std::size_t n_bytes, const std::string& name) {
+    const auto n = static_cast<double>(header.n_rows) * static_cast<double>(header.n_columns);
+    const std::string shape =
+        std::to_string(header.n_rows) + " x " + std::to_string(header.n_columns);
+    if (header.n_rows < 2 || header.n_columns < 2 || n > most_height_nodes)
+        fail(name, "shape " + shape, "must be from 2 x 2 to 4096 x 4096 heights",
+             "save another part of it");
+    const std::size_t expected = header.n_rows * header.n_columns * header.item;
+    if (n_bytes - header.data != expected)
+        fail(name, "",
+             "holds " + std::to_string(n_bytes - header.data) + " bytes of data, but " + shape +
+                 " numbers take " + std::to_string(expected),
+             remedy);
+}
+
+double number_at(std::string_view data, std::size_t k, std::size_t item) {
+    if (item == 8) {
+        double value = 0;
+        std::memcpy(&value, data.data() + 8 * k, 8);
+        return value;
+    }
+    float value = 0;
+    std::memcpy(&value, data.data() + 4 * k, 4);
+    return value;
+}
+
+[[noreturn]] void refuse_missing(const std::string& name, std::size_t row, std::size_t column) {
+    std::ostringstream index;
+    index << '[' << row << ", " << column << ']';
+    fail(name, index.str(), "is no finite number: missing values are not filled in",
+         "interpolate them first");
+}
+
+}  // namespace
+
+contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
+                             const HeightMapScale& scale) {
+    const Header header = read_header(bytes, name);
+    check_size(header, bytes.size(), name);
+    const std::string_view data = bytes.substr(header.data);
+    contact::HeightMap map{static_cast<int>(header.n_columns),
+                           static_cast<int>(header.n_rows),
+                           {scale.spacing, scale.spacing},
+                           {}};
+    map.height.reserve(header.n_rows * header.n_columns);
+    for (std::size_t j = 0; j < header.n_rows; ++j)
+        for (std::size_t i = 0; i < header.n_columns; ++i) {
+            const std::size_t k =
+                header.columns_first ? i * header.n_rows + j : j * header.n_columns + i;
+            const double value = number_at(data, k, header.item);
+            if (!std::isfinite(value)) refuse_missing(name, j, i);
+            map.height.push_back(scaled(value, scale.unit, name));
+        }
+    return map;
+}
+
+}  // namespace tricontact::io

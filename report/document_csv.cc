@@ -1,0 +1,111 @@
+#include "report/document_csv.h"
+
+#include <algorithm>
+
+#include "report/csv.h"
+
+namespace tricontact::report {
+
+namespace {
+
+struct Column {
+    std::string heading;
+    std::vector<double> values;
+};
+
+std::string table_of(const std::vector<Column>& columns) {
+    std::vector<std::string> fields;
+    std::size_t n_rows = 0;
+    for (const Column& column : columns) {
+        fields.push_back(csv_field(column.heading));
+        n_rows = std::max(n_rows, column.values.size());
+    }
+    std::string text = csv_line(fields);
+    for (std::size_t row = 0; row < n_rows; ++row) {
+        fields.clear();
+        for (const Column& column : columns)
+            fields.push_back(row < column.values.size() ? csv_field(column.values[row]) : "");
+        text += csv_line(fields);
+    }
+    return text;
+}
+
+std::vector<Column> columns_of(const Figure& figure) {
+    std::vector<Column> columns;
+    const std::vector<double>* last_x = nullptr;
+    const auto add_x = [&](const std::vector<double>& x, const std::vector<double>& errors) {
+        if (!last_x || *last_x != x || !errors.empty()) columns.push_back({figure.x.label, x});
+        if (!errors.empty()) columns.push_back({"± " + figure.x.label, errors});
+        last_x = &x;
+    };
+    for (const Curve& curve : figure.curves) {
+        add_x(curve.x, curve.x_error);
+        const std::string heading =
+            curve.name.empty() ? figure.y.label : curve.name + ": " + figure.y.label;
+        columns.push_back({heading, curve.y});
+        if (!curve.y_error.empty()) columns.push_back({"± " + heading, curve.y_error});
+    }
+    for (const Band& band : figure.bands) {
+        add_x(band.x, {});
+        columns.push_back({band.name + ", low: " + figure.y.label, band.low});
+        columns.push_back({band.name + ", high: " + figure.y.label, band.high});
+    }
+    return columns;
+}
+
+std::string map_csv(const Figure& figure) {
+    const ContourMap& map = *figure.map;
+    std::string text =
+        csv_line({csv_field(figure.x.label), csv_field(figure.y.label), csv_field(map.label)});
+    auto value = map.values.begin();
+    for (const double y : map.y)
+        for (const double x : map.x)
+            text += csv_line({csv_field(x), csv_field(y), csv_field(*value++)});
+    return text;
+}
+
+}  // namespace
+
+std::string figure_csv(const Figure& figure) {
+    std::string text = figure.map ? map_csv(figure) : "";
+    const std::vector<Column> columns = columns_of(figure);
+    // Curves over a map: a second table below.
+    if (figure.map && !columns.empty()) text += '\n';
+    return columns.empty() ? text : text + table_of(columns);
+}
+
+std::string table_csv(const DocumentTable& table) {
+    const std::size_t n_columns = table.columns.size();
+    std::vector<bool> with_errors(n_columns, false);
+    for (const auto& row : table.rows)
+        for (std::size_t i = 0; i < n_columns; ++i)
+            if (std::holds_alternative<WithError>(row[i])) with_errors[i] = true;
+    std::vector<std::string> fields;
+    for (std::size_t i = 0; i < n_columns; ++i) {
+        fields.push_back(csv_field(table.columns[i].heading));
+        if (with_errors[i]) fields.push_back(csv_field("± " + table.columns[i].heading));
+    }
+    std::string text = csv_line(fields);
+    for (const auto& row : table.rows) {
+        fields.clear();
+        for (std::size_t i = 0; i < n_columns; ++i) {
+            std::string error;
+            if (const auto* words = std::get_if<std::string>(&row[i])) {
+                fields.push_back(csv_field(*words));
+            } else if (const auto* number = std::get_if<double>(&row[i])) {
+                fields.push_back(csv_field(*number));
+            } else if (const auto* link = std::get_if<Link>(&row[i])) {
+                fields.push_back(csv_field(link->path));
+            } else {
+                const auto& measured = std::get<WithError>(row[i]);
+                fields.push_back(csv_field(measured.value));
+                error = csv_field(measured.error);
+            }
+            if (with_errors[i]) fields.push_back(error);
+        }
+        text += csv_line(fields);
+    }
+    return text;
+}
+
+}  // namespace tricontact::report

@@ -1,0 +1,87 @@
+#include "report/format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "contact/number_text.h"
+
+namespace tricontact::report {
+
+namespace {
+
+constexpr const char* undefined = "–";
+
+}  // namespace
+
+std::string significant(std::optional<double> value, int digits) {
+    return contact::significant(value, digits);
+}
+
+std::string with_error(double value, double error, int digits) {
+    return contact::with_error(value, error, digits);
+}
+
+std::string as_given(double value) {
+    std::string text = significant(value, 6);
+    const std::size_t power = std::min(text.find("·"), text.size());
+    if (text.find('.') >= power) return text;
+    std::size_t end = power;
+    while (text[end - 1] == '0') --end;
+    if (text[end - 1] == '.') --end;
+    return text.erase(end, power - end);
+}
+
+std::string percent(std::optional<double> ratio) {
+    if (!ratio || !std::isfinite(*ratio)) return undefined;
+    const double value = 100 * (*ratio - 1);
+    const int decimals = std::abs(value) < 0.995 ? 2 : (std::abs(value) < 99.95 ? 1 : 0);
+    const std::string text = fmt::format("{:+.{}f}", value, decimals);
+    // A difference below what is shown has no sign.
+    if (text.find_first_not_of("+-0.") == std::string::npos) return text.substr(1) + " %";
+    return (text.front() == '-' ? "−" : "+") + text.substr(1) + " %";
+}
+
+Unit fitting_unit(double magnitude, const std::string& base) {
+    const contact::UnitPrefix prefix = contact::fitting_prefix(magnitude);
+    return {prefix.factor, prefix.symbol + base};
+}
+
+std::string quantity(double value, const std::string& base, int digits) {
+    return contact::quantity(value, base, digits);
+}
+
+std::string given_quantity(double value, const std::string& base) {
+    const Unit unit = fitting_unit(value, base);
+    return as_given(value / unit.factor) + " " + unit.symbol;
+}
+
+std::string display_name(const std::string& model) {
+    std::string name;
+    bool abbreviation = true;
+    for (const char letter : model) {
+        if (letter == '-') abbreviation = false;
+        const auto code = static_cast<unsigned char>(letter);
+        name +=
+            letter == '-' ? ' ' : (abbreviation ? static_cast<char>(std::toupper(code)) : letter);
+    }
+    return name;
+}
+
+std::string id_of_model(std::string model) {
+    std::ranges::replace(model, '-', '_');
+    return model;
+}
+
+std::string display_names(const std::vector<std::string>& models) {
+    std::string text;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        if (i > 0) text += i + 1 == models.size() ? " and " : ", ";
+        text += display_name(models[i]);
+    }
+    return text;
+}
+
+}  // namespace tricontact::report

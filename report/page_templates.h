@@ -1,0 +1,21 @@
+#pragma once
+
+namespace tricontact::report {
+
+// *.html.mustache, *.css and *.js of this folder, embedded when the program is built.
+
+/// What every page shares: colours by day, night and on paper, letters, tables, figures.
+extern const char* const page_style;
+
+/// What the scripts that draw share; stands before them.
+extern const char* const charts_script;
+
+extern const char* const report_template;
+extern const char* const report_table_template;
+extern const char* const report_style;
+
+extern const char* const document_template;
+extern const char* const document_style;
+extern const char* const document_script;
+
+}  // namespace tricontact::report

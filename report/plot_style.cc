@@ -1,0 +1,59 @@
+#include "report/plot_style.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <iterator>
+
+namespace tricontact::report {
+
+std::string model_colour(std::size_t i) {
+    // Okabe and Ito (2008), Color Universal Design: vermilion, blue, green, purple, amber.
+    constexpr std::array colours{"#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00"};
+    return colours[i % colours.size()];
+}
+
+int model_marker(std::size_t i) {
+    constexpr std::array markers{7, 5, 9, 13, 11};  // gnuplot's filled shapes
+    return markers[i % markers.size()];
+}
+
+std::string plot_style() {
+    return "set minussign\n"
+           "set format '%h'\n"
+           "set datafile missing 'NaN'\n"
+           "set border 3 linewidth 1 linecolor rgb '#444444'\n"
+           "set tics out nomirror scale 0.6 textcolor rgb '#333333'\n"
+           "set grid linewidth 0.7 linetype 1 linecolor rgb '#e4e4e4'\n"
+           "set key reverse Left samplen 2.2 spacing 1.15 textcolor rgb '#222222'\n"
+           "set xlabel textcolor rgb '#222222'\n"
+           "set ylabel textcolor rgb '#222222'\n";
+}
+
+std::string data_block(const std::string& name, const std::vector<std::vector<double>>& columns) {
+    fmt::memory_buffer text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "{} << EOD\n", name);
+    for (std::size_t row = 0; row < columns.front().size(); ++row) {
+        for (const auto& column : columns) {
+            if (std::isfinite(column[row]))
+                fmt::format_to(out, "{:.6g} ", column[row]);
+            else
+                fmt::format_to(out, "NaN ");
+        }
+        fmt::format_to(out, "\n");
+    }
+    fmt::format_to(out, "EOD\n");
+    return fmt::to_string(text);
+}
+
+std::vector<std::size_t> thinned(std::size_t size, std::size_t at_most) {
+    const std::size_t stride = size <= at_most ? 1 : (size + at_most - 1) / at_most;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < size; i += stride) indices.push_back(i);
+    if (size > 0 && indices.back() != size - 1) indices.push_back(size - 1);
+    return indices;
+}
+
+}  // namespace tricontact::report

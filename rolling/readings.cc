@@ -1,0 +1,70 @@
+#include "rolling/readings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tricontact::rolling {
+
+double force_ratio(const RollingState& state, double friction_coefficient) {
+    return state.force[0] / (friction_coefficient * state.normal_force);
+}
+
+std::optional<double> energy_error(const RollingState& steady, double friction_coefficient) {
+    const auto& [longitudinal, lateral, spin] = steady.creepage;
+    const double work = longitudinal * steady.force[0] + lateral * steady.force[1] +
+                        spin * steady.spin_moment + steady.resistance;
+    const double size = std::sqrt(steady.contact_area);
+    const double sliding = std::abs(longitudinal) + std::abs(lateral) + std::abs(spin) * size;
+    if (sliding == 0 && steady.material_dissipation == 0) return std::nullopt;
+    const double unit =
+        friction_coefficient * steady.normal_force * sliding + std::abs(steady.resistance);
+    return std::abs(steady.dissipation + steady.material_dissipation - work) / unit;
+}
+
+std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient,
+                                  double ratio) {
+    const std::vector<RollingState>& curve = run.creep_curve;
+    const double sign = std::copysign(1, ratio), size = std::abs(ratio);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+        const double low = sign * force_ratio(curve[i - 1], friction_coefficient);
+        const double high = sign * force_ratio(curve[i], friction_coefficient);
+        if (!(low <= size && size <= high && low < high)) continue;
+        const double begin = std::cbrt(1 - low), end = std::cbrt(1 - high);
+        const double part = (begin - std::cbrt(1 - size)) / (begin - end);
+        return std::lerp(curve[i - 1].creepage.longitudinal, curve[i].creepage.longitudinal, part);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> steady_after(const RollingReport& report, const RollingRun& run) {
+    constexpr double near = .01;
+    const auto value = [&](const RollingState& s) {
+        return by_creepage(report.c) ? s.force[0] : s.creepage.longitudinal;
+    };
+    const double end = value(run.history.steady);
+    if (end == 0) return std::nullopt;  // percents of nothing
+    const auto& states = run.history.transient;
+    const auto far = [&](const RollingState& s) {
+        return std::abs(value(s) - end) > near * std::abs(end);
+    };
+    const auto last = std::find_if(states.rbegin(), states.rend(), far);
+    if (last == states.rbegin()) return std::nullopt;
+    return (last.base() != states.end() ? last.base()->distance : 0) /
+           run.history.steady.half_length;
+}
+
+double drive_sign(const contact::Case& c) {
+    const auto& creepage = c.tractive_rolling->longitudinal_creepage;
+    const auto& ratio = c.load.tangential_ratio;
+    const double drive = creepage ? *creepage
+                         : ratio  ? *ratio
+                                  : c.load.tangential_force.value_or(0);
+    return drive < 0 ? -1 : 1;
+}
+
+const RollingRun* run_of(const RollingReport& report, const std::string& model) {
+    const auto run = std::ranges::find(report.runs, model, &RollingRun::model);
+    return run == report.runs.end() ? nullptr : &*run;
+}
+
+}  // namespace tricontact::rolling

@@ -1,0 +1,152 @@
+#include "rolling/rolling_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/format.h"
+#include "rolling/creep_theory.h"
+#include "rolling/readings.h"
+#include "rolling/rolling_sections.h"
+
+namespace tricontact::rolling {
+
+namespace {
+
+using contact::Case;
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::string driven_by(const Case& c, const RollingRun& run) {
+    const auto& s = run.history.steady;
+    if (by_creepage(c))
+        return fmt::format("driven by ξ = {}", report::significant(s.creepage.longitudinal, 4));
+    const double f = force_ratio(s, c.friction_coefficient);
+    if (std::abs(f) < 1e-9) return "rolling freely";  // the solver's rounding
+    return fmt::format("driven by F_x = {} μ F_N", report::significant(f, 3));
+}
+
+report::Verdict steady_verdict(const RollingReport& report, const RollingRun& run) {
+    const Case& c = report.c;
+    const auto& s = run.history.steady;
+    std::string text = fmt::format("{}, {}: ", report::display_name(run.model), driven_by(c, run));
+    text += by_creepage(c)
+                ? fmt::format("F_x = {} μ F_N",
+                              report::significant(force_ratio(s, c.friction_coefficient), 4))
+                : fmt::format("ξ = {}", report::significant(s.creepage.longitudinal, 4));
+    text += fmt::format(", {} % of the contact sticks",
+                        report::significant(100 * s.stick_area / s.contact_area, 3));
+    if (const auto way = steady_after(report, run))
+        text += fmt::format("; within 1 % of it after {} a", report::significant(*way, 3));
+    return {.standing = report::Verdict::Standing::finding, .sentence = text + "."};
+}
+
+std::optional<report::Verdict> energy_verdict(const RollingReport& report) {
+    double worst = -1;
+    for (const RollingRun& run : report.runs)
+        if (const auto error = energy_error(run.history.steady, report.c.friction_coefficient))
+            worst = std::max(worst, *error);
+    if (worst < 0) return std::nullopt;
+    return report::Verdict{
+        .standing = report::Verdict::Standing::finding,
+        .sentence =
+            fmt::format("What friction{} differs from what creepage, spin and resistance work by "
+                        "{} of it.",
+                        report.c.relaxation ? " and material dissipate" : " dissipates",
+                        report::significant(worst, 2))};
+}
+
+/// MDR's creep over that of three dimensions beside what closed forms have for it.
+std::optional<report::Verdict> ratio_verdict(const RollingReport& report) {
+    const RollingRun* mdr = run_of(report, "mdr");
+    const RollingRun* bem = run_of(report, "bem");
+    if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c))
+        return std::nullopt;
+    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient) > 0)) return std::nullopt;
+    const double measured =
+        mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
+    if (!std::isfinite(measured)) return std::nullopt;
+    return report::Verdict{
+        .standing = report::Verdict::Standing::finding,
+        .sentence = fmt::format(
+            "MDR creeps {} times as much as BEM; by the closed forms it is {} (2.2.31).",
+            report::significant(measured, 3),
+            report::significant(thesis_creep_ratio(report.c), 3))};
+}
+
+/// Of each model what the relaxing substrate resists.
+std::optional<report::Verdict> resistance_verdict(const RollingReport& report,
+                                                  const RollingRun& run) {
+    if (!report.c.relaxation) return std::nullopt;
+    const auto& s = run.history.steady;
+    return report::Verdict{
+        .standing = report::Verdict::Standing::finding,
+        .sentence = fmt::format("{}: the relaxing substrate resists with {} F_N.",
+                                report::display_name(run.model),
+                                report::significant(s.resistance / s.normal_force, 4))};
+}
+
+/// Dissimilar cylinders without a force, beside both bounds.
+std::optional<report::Verdict> free_verdict(const RollingReport& report, const RollingRun& run) {
+    const auto bounds = free_creepages(report.c);
+    if (bounds.empty()) return std::nullopt;
+    const double unit = creepage_unit(report.c);
+    std::string text = fmt::format(
+        "{} creeps under its normal load alone, ξ = {} units", report::display_name(run.model),
+        report::significant(run.history.steady.creepage.longitudinal / unit, 4));
+    for (const FreeCreepage& bound : bounds)
+        text += fmt::format("; {}: {}", bound.name, report::significant(bound.creepage / unit, 4));
+    return report::Verdict{.standing = report::Verdict::Standing::finding, .sentence = text + "."};
+}
+
+Settings settings_of(const Case& c) {
+    const contact::HalfSpaceScales scales = contact::half_space_scales(c);
+    Settings settings{{"F_N", report::quantity(scales.normal_force, "N")},
+                      {"a, on the half-space", report::quantity(scales.contact_radius, "m")},
+                      {"E", report::given_quantity(c.substrate.young, "Pa")},
+                      {"ν", report::as_given(c.substrate.poisson)},
+                      {"μ", report::as_given(c.friction_coefficient)},
+                      {"rolled way", report::as_given(c.tractive_rolling->distance) + " a"},
+                      {"unit of creepage", report::significant(creepage_unit(c), 4)},
+                      {"spin φ", report::as_given(c.tractive_rolling->spin) + " rad/m"}};
+    if (c.relaxation)
+        settings.emplace_back("v", report::given_quantity(c.tractive_rolling->speed, "m/s"));
+    if (c.layer.thickness)
+        settings.emplace_back("layer, seen by BEM layer",
+                              report::given_quantity(*c.layer.thickness, "m"));
+    return settings;
+}
+
+}  // namespace
+
+report::Document rolling_document(const RollingReport& report) {
+    report::Document document{
+        .kind = "Tractive rolling",
+        .title = report.c.title.empty() ? "A contact that rolls on" : report.c.title,
+        .lead =
+            "The indenter rolls on to the right, from rest and steadily: how force and creepage go "
+            "together, where the contact sticks, and what closed forms say. Creepage is the "
+            "sliding of the indenter over the substrate per rolled way.",
+        .settings = settings_of(report.c),
+        .sections = {steady_section(report), resistance_section(report), transient_section(report),
+                     creep_section(report), zones_section(report)},
+        .files = report.files,
+        .command = report.command,
+        .version = report.version};
+    for (const RollingRun& run : report.runs) {
+        document.verdicts.push_back(steady_verdict(report, run));
+        for (const auto& verdict : {resistance_verdict(report, run), free_verdict(report, run)})
+            if (verdict) document.verdicts.push_back(*verdict);
+    }
+    if (auto verdict = ratio_verdict(report)) document.verdicts.push_back(std::move(*verdict));
+    if (auto verdict = energy_verdict(report)) document.verdicts.push_back(std::move(*verdict));
+    std::erase_if(document.sections, [](const report::DocumentSection& section) {
+        return section.tables.empty() &&
+               std::ranges::all_of(section.figures, [](const report::Figure& figure) {
+                   return figure.curves.empty();
+               });
+    });
+    return document;
+}
+
+}  // namespace tricontact::rolling

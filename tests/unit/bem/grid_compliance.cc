@@ -1,0 +1,180 @@
+#include "bem/grid_compliance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "bem/influence.h"
+#include "bem/layer_influence.h"
+
+namespace tricontact {
+namespace {
+
+using bem::GridCompliance;
+using bem::half_space_compliance;
+using contact::ContactPoints;
+using contact::MaterialPair;
+using contact::TangentialField;
+
+const ContactPoints grid_a = ContactPoints::grid(9, 6, {-.8, 2}, {.2, .3});
+const ContactPoints grid_b = ContactPoints::grid(5, 7, {0, 0}, {.1, .1});
+
+MaterialPair materials(double nu) {
+    return {contact::Material{50, .3}, {3, nu}};
+}
+
+/// Matrix of a linear map of tangential fields, by its columns, x components first.
+Eigen::MatrixXd matrix_of(
+    std::size_t n, const std::function<void(const TangentialField&, TangentialField&)>& map) {
+    Eigen::MatrixXd m(2 * n, 2 * n);
+    TangentialField in(n), out(n);
+    for (std::size_t k = 0; k < 2 * n; ++k) {
+        double& entry = k < n ? in.x[k] : in.y[k - n];
+        entry = 1;
+        map(in, out);
+        entry = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            m(i, k) = out.x[i];
+            m(n + i, k) = out.y[i];
+        }
+    }
+    return m;
+}
+
+double asymmetry(const Eigen::MatrixXd& m) {
+    return (m - m.transpose()).cwiseAbs().maxCoeff() / m.cwiseAbs().maxCoeff();
+}
+double least_eigenvalue(const Eigen::MatrixXd& m) {
+    const Eigen::MatrixXd symmetric = (m + m.transpose()) / 2;
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().minCoeff();
+}
+
+// Coupling included, for half-spaces and for a layer.
+template <class Influence>
+void expect_sum_of_coefficients(const GridCompliance& compliance, const Influence& k) {
+    const ContactPoints& grid = compliance.points();
+    const std::size_t n = grid.size();
+    std::vector<double> p(n), by_p(n), by_t(n);
+    TangentialField t(n), u(n), u_by_p(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        p[i] = std::sin(3. * i);
+        t.x[i] = std::sin(5. * i);
+        t.y[i] = std::cos(2. * i);
+    }
+    compliance.normal(p, by_p);
+    compliance.normal_from_tangential(t, by_t);
+    compliance.tangential(t, u);
+    compliance.tangential_from_normal(p, u_by_p);
+    const double rounding = 1e-14 * n * k.at(0, 0).zz;
+    for (std::size_t i = 0; i < n; ++i) {
+        double zz = 0, zt = 0, xt = 0, yt = 0, xz = 0, yz = 0;
+        for (std::size_t j = 0; j < n; ++j) {
+            const auto c = k.at(grid.x[i] - grid.x[j], grid.y[i] - grid.y[j]);
+            zz += c.zz * p[j];
+            zt += c.zx * t.x[j] + c.zy * t.y[j];
+            xt += c.xx * t.x[j] + c.xy * t.y[j];
+            yt += c.yx() * t.x[j] + c.yy * t.y[j];
+            xz += c.xz * p[j];
+            yz += c.yz * p[j];
+        }
+        ASSERT_NEAR(by_p[i], zz, rounding);
+        ASSERT_NEAR(by_t[i], zt, rounding);
+        ASSERT_NEAR(u.x[i], xt, rounding);
+        ASSERT_NEAR(u.y[i], yt, rounding);
+        ASSERT_NEAR(u_by_p.x[i], xz, rounding);
+        ASSERT_NEAR(u_by_p.y[i], yz, rounding);
+    }
+    EXPECT_EQ(compliance.local_tangential(), k.at(0, 0).xx);
+}
+
+TEST(GridCompliance, IsTheSumOfInfluenceCoefficients) {
+    for (const double nu : {0., .3, .5})
+        for (const auto& grid : {grid_a, grid_b}) {
+            const auto& [h_x, h_y] = grid.spacing;
+            expect_sum_of_coefficients(*half_space_compliance(materials(nu), grid, 1),
+                                       bem::RectangleInfluence(materials(nu), h_x, h_y));
+            const theory::LayerStack layer{{{{3, nu}, .7}}, theory::LayerBase::bonded, {}};
+            expect_sum_of_coefficients(*bem::layer_compliance(layer, {}, grid, 1),
+                                       bem::LayerInfluence(layer, {}, h_x, h_y, 5));
+        }
+}
+
+TEST(GridCompliance, SymmetricPositiveDefinite) {
+    for (const double nu : {0., .3, .5})
+        for (const auto& grid : {grid_a, grid_b}) {
+            const auto owner = half_space_compliance(materials(nu), grid, 1);
+            const GridCompliance& compliance = *owner;
+            const auto tangential = matrix_of(
+                grid.size(), [&](const auto& t, auto& u) { compliance.tangential(t, u); });
+            EXPECT_LT(asymmetry(tangential), 1e-14);
+            // The shortest waves of a grid of spacing h feel about h/4 per G; half of it, to be
+            // sure.
+            EXPECT_GT(least_eigenvalue(tangential), .1 * compliance.local_tangential());
+            const auto normal =
+                matrix_of(grid.size(), [&](const TangentialField& t, TangentialField& u) {
+                    compliance.normal(t.x, u.x);
+                    compliance.normal(t.y, u.y);
+                });
+            EXPECT_LT(asymmetry(normal), 1e-14);
+            EXPECT_GT(least_eigenvalue(normal), 0);
+        }
+}
+
+TEST(GridCompliance, PreconditionerIsSymmetricPositiveAndGood) {
+    for (const double nu : {0., .3, .5})
+        for (const auto& grid : {grid_a, grid_b, ContactPoints::grid(16, 15, {0, 0}, {.1, .1})}) {
+            const auto owner = half_space_compliance(materials(nu), grid, 1);
+            const GridCompliance& compliance = *owner;
+            const auto inverse = matrix_of(grid.size(), [&](const auto& r, auto& z) {
+                compliance.precondition_tangential(r, z);
+            });
+            EXPECT_LT(asymmetry(inverse), 1e-13);
+            EXPECT_GT(least_eigenvalue(inverse), 0);
+            const auto tangential = matrix_of(
+                grid.size(), [&](const auto& t, auto& u) { compliance.tangential(t, u); });
+            auto condition = [](const Eigen::MatrixXd& m) {
+                const Eigen::VectorXd values = m.eigenvalues().real();
+                return values.maxCoeff() / values.minCoeff();
+            };
+            // it must be worth its transforms
+            EXPECT_LT(condition(inverse * tangential), .6 * condition(tangential));
+        }
+}
+
+TEST(GridCompliance, CouplesWhereTheMaterialsDo) {
+    EXPECT_TRUE(half_space_compliance(materials(.3), grid_a, 1)->is_coupled());
+    EXPECT_FALSE(half_space_compliance({{}, {3, .5}}, grid_a, 1)->is_coupled());
+    EXPECT_FALSE(
+        half_space_compliance({contact::Material{3, .3}, {3, .3}}, grid_a, 1)->is_coupled());
+    const theory::LayerStack layer{{{{3, .5}, .7}}, theory::LayerBase::bonded, {}};
+    EXPECT_TRUE(bem::layer_compliance(layer, {}, grid_a, 1)->is_coupled());
+}
+
+TEST(GridCompliance, ThreadsDoNotChangeABit) {
+    const auto grid =
+        ContactPoints::grid(400, 300, {0, 0}, {.1, .1});  // enough to be worth threads
+    const auto one = half_space_compliance(materials(.4), grid, 1),
+               two = half_space_compliance(materials(.4), grid, 2);
+    const std::size_t n = grid.size();
+    TangentialField t(n), u1(n), u2(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        t.x[i] = std::sin(1e-2 * i * i);
+        t.y[i] = std::cos(3e-2 * i * i);
+    }
+    one->tangential(t, u1);
+    two->tangential(t, u2);
+    EXPECT_EQ(u1.x, u2.x);
+    EXPECT_EQ(u1.y, u2.y);
+    one->precondition_tangential(t, u1);
+    two->precondition_tangential(t, u2);
+    EXPECT_EQ(u1.x, u2.x);
+    one->normal(t.x, u1.x);
+    two->normal(t.x, u2.x);
+    EXPECT_EQ(u1.x, u2.x);
+}
+
+}  // namespace
+}  // namespace tricontact

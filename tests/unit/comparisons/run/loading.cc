@@ -1,0 +1,154 @@
+#include <gtest/gtest.h>
+
+#include "comparisons/quantities/summary.h"
+#include "comparisons/run/loading_report.h"
+#include "comparisons/run/report.h"
+#include "tests/unit/comparisons/history.h"
+
+namespace tricontact::comparisons {
+namespace {
+
+using contact::Case;
+using contact::State;
+
+/// The thesis' rig 5.1.1: rubber of 8 mm, rigid sphere.
+Case rig() {
+    Case c;
+    c.models = {"mdr", "mdr-layer", "bem-layer", "fem"};
+    c.indenter.radius = 0.04;
+    c.substrate = {5.2e6, 0.5};
+    c.layer.thickness = 8e-3;
+    c.friction_coefficient = 0.57;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = 0.56;
+    return c;
+}
+
+LoadingOutcome settled(double static_shift, double shift) {
+    return {static_shift, State::shakedown, shift, 0};
+}
+LoadingOutcome ratcheting(double static_shift, double increment) {
+    return {static_shift, State::ratcheting, 20 * increment, increment};
+}
+
+std::vector<LoadingVariant> variants() {
+    const LoadingOutcome run = settled(1.5e-4, 2e-4);
+    return {{"bem-layer", "contact.kinematics", "linear", "deformed", {1.5e-4}, {{1.53e-4}}, ""},
+            {"bem-layer", "contact.coupling", "true", "false", run, settled(1.485e-4, 1.9e-4), ""},
+            {"bem-layer", "load.press", "friction", "frictionless", run, {}, "no end"},
+            {"fem", "load.press_steps", "20", "1", run, ratcheting(1.56e-4, 1e-4), ""}};
+}
+
+std::string joined(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + "\n";
+    return text;
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts)
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\nin: " << text;
+}
+
+TEST(LoadingVariant, ComparesWhatTheVerdictsHaveInCommon) {
+    LoadingVariant v;
+    v.run = settled(1e-4, 2e-4);
+    EXPECT_FALSE(v.static_ratio());
+    EXPECT_FALSE(v.rolled_ratio());
+    v.other = settled(1.1e-4, 1.9e-4);
+    EXPECT_DOUBLE_EQ(v.static_ratio().value(), 1.1);
+    EXPECT_DOUBLE_EQ(v.rolled_ratio().value(), .95);
+    v.other = ratcheting(1.1e-4, 3e-5);
+    EXPECT_FALSE(v.rolled_ratio());
+    v.run = ratcheting(1e-4, 2e-5);
+    EXPECT_DOUBLE_EQ(v.rolled_ratio().value(), 1.5);
+    v.run = settled(0, 0);  // no tangential force
+    EXPECT_FALSE(v.static_ratio());
+    v.run = v.other.value() = {1e-4};
+    EXPECT_FALSE(v.rolled_ratio());
+}
+
+TEST(TreatmentSentences, CarryTheNumbersOfTheStudy) {
+    const Case c = rig();
+    expect_parts(
+        joined(treatment_sentences(c, c.models, variants())),
+        {"BEM layer and FEM couple normal and tangential contact (contact.coupling = true)",
+         "With contact.coupling = false the static shift of BEM layer would be 148.5 µm instead of "
+         "150.0 µm (−1.0 %), and the shift after rolling 190.0 µm instead of 200.0 µm (−5.0 %).",
+         "MDR has no coupling", "MDR layer leaves out the coupling",
+         "undisplaced surface point (contact.kinematics = linear)",
+         "With contact.kinematics = deformed the static shift of BEM layer would be 153.0 µm "
+         "instead of 150.0 µm (+2.0 %).",
+         "in 20 equal steps with friction",
+         "With load.press = frictionless there is no number: no end.",
+         "of FEM would be 156.0 µm instead of 150.0 µm (+4.0 %), and the verdict ratcheting "
+         "instead "
+         "of shakedown."});
+}
+
+TEST(TreatmentSentences, WithoutAStudyNoNumberIsClaimed) {
+    const Case c = rig();
+    const std::string text = joined(treatment_sentences(c, c.models, {}));
+    EXPECT_EQ(text.find("would be"), std::string::npos) << text;
+    expect_parts(text, {"contact.kinematics = linear", "20 equal steps"});
+}
+
+TEST(TreatmentSentences, CouplingThatIsLeftOutIsSaid) {
+    Case c = rig();
+    c.substrate.poisson = 0.3;  // Dundurs' beta 0.29 under a rigid indenter
+    c.contact.coupling = false;
+    expect_parts(joined(treatment_sentences(c, {"mdr", "fem"}, {})),
+                 {"left out of FEM (contact.coupling = false)",
+                  "MDR leaves out the coupling that these materials have on a half-space: Dundurs' "
+                  "|β| exceeds 0.001 (β = 0.29)"});
+    expect_parts(joined(treatment_sentences(c, {"mdr", "bem"}, {})), {"MDR and BEM leave out"});
+    c.contact.coupling = true;
+    expect_parts(joined(treatment_sentences(c, {"bem"}, {})), {"BEM couples normal"});
+}
+
+TEST(VariantsTable, HasAGroupForLoadingAndOneForRolling) {
+    const Table table = variants_table(variants());
+    ASSERT_EQ(table.groups.size(), 4u);
+    EXPECT_EQ(table.groups[0].title, "BEM layer: static shift");
+    EXPECT_EQ(table.groups[0].rows.size(), 3u);
+    EXPECT_EQ(table.groups[1].title, "BEM layer: settled shift");
+    EXPECT_EQ(table.groups[1].rows[0].cells,
+              (std::vector<std::string>{"200.0", "190.0", "−5.0 %"}));
+    EXPECT_EQ(table.groups[1].rows[1].cells, (std::vector<std::string>{"200.0", "–", "–"}));
+    EXPECT_EQ(table.groups[3].rows[0].cells,
+              (std::vector<std::string>{"200.0", "ratcheting", "–"}));
+}
+
+TEST(LoadingJson, CarriesTheSameNumbers) {
+    const auto json = nlohmann::ordered_json::parse(summary_json(
+        "1", nullptr, {}, {{"loading_variants", loading_json(variants())}}))["loading_variants"];
+    ASSERT_EQ(json.size(), 4u);
+    EXPECT_NEAR(json[0]["static_change"].get<double>(), 0.02, 1e-12);
+    EXPECT_TRUE(json[0]["run"]["final_shift_m"].is_null());
+    EXPECT_NEAR(json[1]["rolled_change"].get<double>(), -0.05, 1e-12);
+    EXPECT_EQ(json[1]["other"]["final_shift_m"], 1.9e-4);
+    EXPECT_TRUE(json[2]["other"].is_null());
+    EXPECT_EQ(json[2]["why_none"], "no end");
+    EXPECT_EQ(json[3]["other"]["state"], "ratcheting");
+    EXPECT_EQ(json[3]["other"]["shift_increment_m"], 1e-4);
+    EXPECT_TRUE(json[3]["rolled_change"].is_null());
+    EXPECT_FALSE(nlohmann::json::parse(
+                     summary_json("1", nullptr, {}, {{"loading_variants", loading_json({})}}))
+                     .contains("loading_variants"));
+}
+
+TEST(LoadingReport, HasItsSectionWithALayerOrVariants) {
+    Case c = rig();
+    const std::vector<contact::History> histories{synthetic::loaded_history("mdr")};
+    const auto report = [&](const LoadingStudy& study) {
+        return make_report(c, "case", "1", histories, {study, {}, {}}).front().content;
+    };
+    expect_parts(report({}), {"<section id=\"loading\">"});
+    c.layer.thickness.reset();
+    EXPECT_EQ(report({}).find("loading\""), std::string::npos);
+    expect_parts(report({variants(), {}}), {"href=\"#loading\"", "153.0\u00a0µm instead of",
+                                            "contact.kinematics: deformed instead of linear"});
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons

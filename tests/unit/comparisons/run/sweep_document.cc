@@ -1,0 +1,123 @@
+#include "comparisons/run/sweep_document.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparisons/run/sweep_figures.h"
+#include "report/document_csv.h"
+
+namespace tricontact::comparisons {
+namespace {
+
+/// Two models over amplitude and thickness; the shift is 10 times the amplitude plus the thickness
+/// in metres, thick layers ratchet.
+Sweep sweep() {
+    Sweep result{.title = "Two by two",
+                 .settings = {{"case", "a.toml"}},
+                 .axes = {{"rolling.amplitude", "m"}, {"substrate.thickness", "m", true}},
+                 .points = {}};
+    for (const double amplitude : {1e-3, 2e-3})
+        for (const double thickness : {0.004, 0.008})
+            for (const char* model : {"mdr", "bem-layer"}) {
+                const bool thick = thickness > 0.005;
+                Sweep::Point& point = result.points.emplace_back();
+                point.values = {amplitude, thickness};
+                point.model = model;
+                using namespace quantities;
+                point.results.set(quantities::state,
+                                  thick ? contact::State::ratcheting : contact::State::shakedown);
+                point.results.set(static_shift_ratio, 0.1);
+                if (!thick) point.results.set(settled_shift_ratio, 10 * amplitude + thickness);
+                point.results.set(shift_increment_ratio, thick ? amplitude : 0);
+            }
+    return result;
+}
+
+TEST(SweepDocument, CountsWhatBecameOfThePoints) {
+    Sweep some = sweep();
+    report::Document document = sweep_document(some);
+    ASSERT_EQ(document.verdicts.size(), 3u);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::holds);
+    EXPECT_EQ(document.verdicts[0].sentence, "8 points computed, none failed.");
+    EXPECT_EQ(document.verdicts[2].sentence,
+              "BEM layer: of 4 rolling points, 2 shake down, 2 ratchet, 0 stay undecided.");
+    some.points[1].error = "no convergence";
+    document = sweep_document(some);
+    EXPECT_EQ(document.verdicts[0].standing, report::Verdict::Standing::fails);
+    EXPECT_EQ(document.verdicts[0].sentence, "1 of 8 points failed.");
+    const report::DocumentTable& failed = document.sections.back().tables.back();
+    EXPECT_EQ(report::table_csv(failed),
+              "model,rolling.amplitude [mm],substrate.thickness [mm],error\n"
+              "BEM layer,1,4,no convergence\n");
+}
+
+TEST(SweepDocument, LinesJoinPointsThatDifferInOneKey) {
+    const auto sections = shift_sections(sweep(), scales_of(sweep()));
+    ASSERT_EQ(sections.size(), 3u);
+    EXPECT_EQ(sections[1].heading, "Settled shift u_sd");
+    const report::Figure& over_amplitude = sections[1].figures[0];
+    EXPECT_EQ(over_amplitude.id, "settled_shift_ratio_1");
+    EXPECT_EQ(over_amplitude.x.label, "rolling.amplitude [mm]");
+    EXPECT_FALSE(over_amplitude.x.logarithmic);
+    EXPECT_TRUE(sections[1].figures[1].x.logarithmic);
+    ASSERT_EQ(over_amplitude.curves.size(), 2u);
+    const report::Curve& mdr = over_amplitude.curves[0];
+    EXPECT_EQ(mdr.kind, report::Curve::Kind::line_and_points);
+    // The thin layer's line, a gap, and that of the thick layer, which does not settle.
+    ASSERT_EQ(mdr.x.size(), 5u);
+    EXPECT_DOUBLE_EQ(mdr.x[1], 2);
+    EXPECT_DOUBLE_EQ(mdr.y[0], 0.014);
+    EXPECT_DOUBLE_EQ(mdr.y[1], 0.024);
+    for (const int i : {2, 3, 4}) EXPECT_TRUE(std::isnan(mdr.y[i])) << i;
+    EXPECT_DOUBLE_EQ(sections[2].figures[0].curves[1].y[4], 2e-3);  // increment, thick layer
+}
+
+TEST(SweepDocument, SamplesArePointsAndWordsNoAxis) {
+    Sweep sample = sweep();
+    sample.axes = {{"rolling.angle", "rad"}, {"load.tangential_ratio", ""}, {"substrate.base", ""}};
+    for (std::size_t i = 0; i < sample.points.size(); ++i)
+        sample.points[i].values = {0.1 * static_cast<double>(i),
+                                   0.5 - 0.01 * static_cast<double>(i),
+                                   std::string(i % 2 ? "bonded" : "sliding")};
+    const auto sections = shift_sections(sample, scales_of(sample));
+    ASSERT_EQ(sections[0].figures.size(), 2u);
+    EXPECT_EQ(sections[0].figures[0].x.label, "rolling.angle [°]");
+    EXPECT_EQ(sections[0].figures[0].curves[0].kind, report::Curve::Kind::points);
+    const auto settings = sweep_document(sample).settings;
+    EXPECT_EQ(settings[1].second, "0 ... 40.107 °, 8 values");
+    EXPECT_EQ(settings[3].second, "bonded, sliding");
+}
+
+TEST(SweepDocument, LevelsAreCurvesOfTheirOwn) {
+    Sweep levels = sweep();
+    levels.levels = 2;
+    for (std::size_t i = 0; i < levels.points.size(); ++i)
+        levels.points[i].level = static_cast<int>(i / 2 % 2);
+    const auto sections = shift_sections(levels, scales_of(levels));
+    EXPECT_EQ(sections[2].figures[0].curves.size(), 4u);
+    EXPECT_EQ(sections[2].figures[0].curves[2].name, "MDR, level 1");
+}
+
+TEST(SweepDocument, ManyPointsStayInTheTableBeside) {
+    Sweep many = sweep();
+    const Sweep::Point point = many.points.front();
+    many.points.resize(most_drawn, point);
+    EXPECT_EQ(sweep_document(many).sections.front().figures.size(), 2u);
+    many.points.push_back(point);
+    const report::Document document = sweep_document(many);
+    ASSERT_EQ(document.sections.size(), 1u);
+    EXPECT_TRUE(document.sections[0].tables.empty());
+    EXPECT_EQ(document.sections[0].paragraphs.size(), 2u);
+}
+
+TEST(SweepDocument, NoPointsNoNumbers) {
+    const report::Document document =
+        sweep_document({.title = "Empty", .settings = {}, .axes = {{"a", "m"}}, .points = {}});
+    EXPECT_EQ(document.verdicts.front().sentence, "0 points computed, none failed.");
+    EXPECT_EQ(document.settings.front().second, "no values");
+    EXPECT_FALSE(report::document_html(document).empty());
+}
+
+}  // namespace
+}  // namespace tricontact::comparisons

@@ -1,0 +1,96 @@
+#include "experiments/assumptions/calculation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "contact/error.h"
+#include "experiments/assumptions/assumption.h"
+#include "experiments/assumptions/printed.h"
+
+namespace {
+
+using namespace tricontact;
+using namespace tricontact::experiments;
+
+// y = k x^3
+Calculation cube() {
+    return calculate("cube", "y", "k x^3", "", "m", {{"k", {2, 0.1}, "1"}, {"x", {3, 0.06}, "1"}},
+                     [](const auto& v) { return v[0] * std::pow(v[1], 3); });
+}
+
+experiments::PrintedValue printed(double value, double error, double half_digit) {
+    return {.name = "cube",
+            .text = "",
+            .value = {value, error},
+            .half_digit = half_digit,
+            .half_error_digit = half_digit,
+            .source = ""};
+}
+
+PrintedCheck check(const experiments::PrintedValue& value) {
+    const Assumption holder{.name = "",
+                            .title = "",
+                            .claim = "",
+                            .criteria = {},
+                            .background = {cube()},
+                            .missing = {},
+                            .consequence = ""};
+    return check_printed({value}, {holder}).front();
+}
+
+TEST(RigCalculation, PropagatesTheErrorsOfWhatIsGiven) {
+    EXPECT_DOUBLE_EQ(cube().result.value, 54);
+    // Relative: 5 % of k and three times 2 % of x.
+    EXPECT_NEAR(cube().result.standard_error, 54 * std::hypot(0.05, 0.06), 1e-9);
+}
+
+TEST(RigCalculation, FindsTheGivenNumberThatWouldLeadToAnother) {
+    const auto found = substitutes(cube(), 2 * 54);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[0].needed, 4, 1e-9);
+    EXPECT_NEAR(found[1].needed, 3 * std::cbrt(2), 1e-9);
+    EXPECT_EQ(found[1].given, 3);
+    EXPECT_TRUE(substitutes(cube(), -1).empty());
+}
+
+TEST(RigCalculation, APrintAgreesWhenItRoundsToTheSame) {
+    using enum PrintedCheck::Agreement;
+    EXPECT_EQ(check(printed(54.4, 0, 0.5)).agreement, agrees);
+    EXPECT_EQ(check(printed(50, 0, 0.5)).agreement, within_error);  // 4.2 is the propagated error
+    EXPECT_EQ(check(printed(70, 0, 0.5)).agreement, differs);
+    EXPECT_EQ(check(printed(70, 20, 0.5)).agreement, within_error);
+    EXPECT_FALSE(check(printed(54, 8.4, 0.5)).error_agrees);
+    EXPECT_NEAR(*check(printed(54, 8.4, 0.5)).error_ratio, 8.4 / cube().result.standard_error,
+                1e-9);
+    EXPECT_TRUE(check(printed(54, 4, 0.5)).error_agrees);
+    experiments::PrintedValue other = printed(54, 0, 1);
+    other.name = "square";
+    EXPECT_EQ(check(other).agreement, not_computed);
+}
+
+TEST(RigAssumption, StandsAsItsWeakestCriterion) {
+    using enum Standing;
+    const auto criterion = [](double threshold) {
+        return Criterion{cube(), Criterion::Relation::at_most, threshold, ""};
+    };
+    EXPECT_EQ(criterion(60).standing(), holds);
+    EXPECT_EQ(criterion(55).standing(), cannot_tell);  // within the error of 4.2
+    EXPECT_EQ(criterion(40).standing(), fails);
+    Assumption a{.name = "",
+                 .title = "",
+                 .claim = "",
+                 .criteria = {criterion(60)},
+                 .background = {},
+                 .missing = {},
+                 .consequence = ""};
+    EXPECT_EQ(a.standing(), holds);
+    a.missing = {"density"};
+    EXPECT_EQ(a.standing(), cannot_tell);
+    a.criteria.push_back(criterion(40));
+    EXPECT_EQ(a.standing(), fails);
+    a.criteria.clear();
+    EXPECT_EQ(a.standing(), cannot_tell);
+}
+
+}  // namespace

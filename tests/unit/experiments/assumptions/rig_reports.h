@@ -1,0 +1,57 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "experiments/assumptions/check_rig.h"
+#include "experiments/assumptions/rig_reader.h"
+
+// What tests ask of the report of a file in examples/rigs/.
+namespace tricontact {
+
+inline experiments::Rig rig_file(const std::string& name) {
+    return experiments::read_rig(TRICONTACT_SOURCE_DIR "/examples/rigs/" + name + ".toml");
+}
+
+inline experiments::RigReport report_of(const std::string& name) {
+    return std::visit([](const auto& rig) { return experiments::check_rig(rig); }, rig_file(name));
+}
+
+inline const experiments::Assumption& assumption_of(const experiments::RigReport& report,
+                                                    const std::string& name) {
+    for (const auto& one : report.assumptions)
+        if (one.name == name) return one;
+    throw std::out_of_range(name);
+}
+
+inline const experiments::Calculation& calculation_of(const experiments::RigReport& report,
+                                                      const std::string& name) {
+    for (const auto& assumption : report.assumptions) {
+        for (const auto& one : assumption.criteria)
+            if (one.calculation.name == name) return one.calculation;
+        for (const auto& one : assumption.background)
+            if (one.name == name) return one;
+    }
+    throw std::out_of_range(name);
+}
+
+inline double value_of(const experiments::RigReport& report, const std::string& name) {
+    return calculation_of(report, name).result.value;
+}
+
+inline const experiments::PrintedCheck& print_of(const experiments::RigReport& report,
+                                                 const std::string& name) {
+    for (const auto& one : report.printed)
+        if (one.printed.name == name) return one;
+    throw std::out_of_range(name);
+}
+
+/// The value of a given quantity that the print would follow from.
+inline double needed(const experiments::PrintedCheck& check, const std::string& symbol) {
+    for (const auto& one : check.substitutes)
+        if (one.symbol == symbol) return one.needed;
+    throw std::out_of_range(symbol);
+}
+
+}  // namespace tricontact

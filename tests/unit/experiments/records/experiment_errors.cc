@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "experiments/records/experiment_evaluation.h"
+#include "experiments/records/experiment_report.h"
+#include "tests/unit/experiments/records/synthetic_record.h"
+
+namespace tricontact::experiments {
+namespace {
+
+using contact::State;
+using tests::SyntheticRecord;
+
+constexpr double um = 1e-6;
+
+// A rig sets a force and a length. mu and F_N drawn at random, the cubic solved by bisection.
+TEST(Experiment, RatiosOfTheCaseStandForTheForceAndTheLengthThatTheRigSets) {
+    contact::Case c;
+    c.indenter.radius = 0.04;
+    c.substrate = {5.2e6, 0.5};
+    c.friction_coefficient = 0.57;
+    c.load.normal_force = 21.1;
+    c.load.tangential_ratio = 0.56;
+    c.rolling.emplace();
+    c.rolling->amplitude_ratio = 0.24;
+    std::mt19937_64 random(8);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    normalise(e, c,
+              {{"friction.coefficient", 0.02,
+                [](contact::Case& k) -> double& { return k.friction_coefficient; }},
+               {"load.normal_force", 0.1,
+                [](contact::Case& k) -> double& { return *k.load.normal_force; }}});
+    const auto& r = *e.normalised;
+    EXPECT_NEAR(r.tangential_ratio.value, 0.56, 1e-15);
+    EXPECT_NEAR(r.tangential_ratio.standard_error / 0.56, std::hypot(0.02 / 0.57, 0.1 / 21.1),
+                1e-7);
+    std::normal_distribution<double> gauss;
+    double sum = 0, squares = 0;
+    constexpr int n = 20000;
+    for (int i = 0; i < n; ++i) {
+        const double mu = 0.57 + 0.02 * gauss(random), force = 21.1 + 0.1 * gauss(random);
+        const double ratio = 0.56 * 0.57 * 21.1 / (mu * force);
+        double low = 0, high = 1;
+        while (high - low > 1e-12) {
+            const double w = (low + high) / 2;
+            (1 - 1.5 * w + 0.5 * w * w * w > ratio ? low : high) = w;
+        }
+        sum += low;
+        squares += low * low;
+    }
+    const double deviation = std::sqrt((squares - sum * sum / n) / n);
+    // A deviation of 20000 draws scatters by 0.5 %; the second order adds some (0.02/0.57)^2.
+    EXPECT_NEAR(r.exact_limit.standard_error / deviation, 1, 0.02);
+    const contact::Case set = as_the_rig_sets(c, contact::half_space_scales(c));
+    EXPECT_NEAR(*set.load.tangential_force, 0.56 * 0.57 * 21.1, 1e-12);
+    EXPECT_NEAR(*set.rolling->amplitude, 0.24 * contact::half_space_scales(c).contact_radius,
+                1e-15);
+    EXPECT_FALSE(set.load.tangential_ratio || set.rolling->amplitude_ratio);
+}
+
+// nu = 1/2 is the end of what there is. U_max = mu (E*/G*) d with E*/G* = (2 - nu)/(2 (1 - nu)) and
+// d ~ (1 - nu^2)^(2/3): d ln U_max/d nu = 1/(1 - nu) - 1/(2 - nu) - 4/3 nu/(1 - nu^2) = 4/9.
+TEST(Experiment, AnErrorAtTheEndOfARangeGoesInwards) {
+    contact::Case c;
+    c.indenter.radius = 0.04;
+    c.substrate = {5.2e6, 0.5};
+    c.friction_coefficient = 0.57;
+    c.load.normal_force = 21.1;
+    c.load.tangential_force = 6.7;
+    std::mt19937_64 random(8);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    normalise(e, c,
+              {{"substrate.poisson", 0.01,
+                [](contact::Case& k) -> double& { return k.substrate.poisson; }, 0.5}});
+    const auto& unit = e.normalised->unit_shift;
+    // Mirrored at its end the function bends there: steps of 0.9 % of nu leave 1e-3 of the slope.
+    EXPECT_NEAR(unit.standard_error / unit.value, 0.01 * 4 / 9, 1e-3 * 0.01);
+}
+
+std::string sentences(const ExperimentEvaluation& e) {
+    std::string all;
+    for (const report::Verdict& verdict : experiment_verdicts(e)) all += verdict.sentence + '\n';
+    return all;
+}
+
+TEST(Experiment, WithoutStatedErrorsNobodyTellsWhetherModelsDiffer) {
+    std::mt19937_64 random(9);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    std::vector<double> shift;
+    for (const statistics::Estimate& u : e.shift) shift.push_back(1.1 * u.value);
+    add_prediction(e, {"mdr", shift, State::shakedown, 0, {}});
+    for (const Deviation& d : e.deviations) EXPECT_FALSE(d.differs());
+    const std::string text = sentences(e);
+    EXPECT_EQ(text.find("they differ\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("± 0 "), std::string::npos) << text;
+    EXPECT_NE(text.find("no stated errors ([errors])"), std::string::npos) << text;
+}
+
+// Of a relaxing substrate: what F_T did before the record began is no difference of the models, nor
+// is the drift that was taken out of the record with the creep.
+TEST(Experiment, RestAndCreepOfARelaxingSubstrateAreNoDifference) {
+    std::mt19937_64 random(9);
+    auto e = tests::evaluated(SyntheticRecord(), random);
+    EXPECT_DOUBLE_EQ(e.rest.time, 30);
+    EXPECT_FALSE(e.rest.is_whole);
+    Experiment loaded;
+    loaded.loading = 10;
+    SyntheticRecord with_loading;
+    with_loading.unloaded = 10;
+    loaded.records = {with_loading.make(random)};
+    const auto whole = evaluate_experiment(loaded);
+    EXPECT_DOUBLE_EQ(whole.rest.time, 30);  // of 40 s before the rolling, 10 without the load
+    EXPECT_TRUE(whole.rest.is_whole);
+
+    std::vector<double> shift;
+    for (const statistics::Estimate& u : e.shift) shift.push_back(1.1 * u.value);
+    const ModelPrediction prediction{"mdr", shift, State::shakedown, 0, {shift}};
+    e.rolled_as = {.hold = 30, .hold_is_known = false, .speed = 1e-3};
+    add_prediction(e, prediction);
+    EXPECT_FALSE(e.deviations[0].differs());
+    EXPECT_NE(sentences(e).find("the record does not say when F_T was applied"), std::string::npos);
+
+    e.deviations.clear();
+    e.rolled_as.hold_is_known = true;
+    add_prediction(e, prediction);
+    EXPECT_EQ(e.deviations[0].differs(), std::optional(true));
+    EXPECT_EQ(e.deviations[1].differs(), std::optional(true));  // 0.1 um of drift, 10 um apart
+    e.deviations.clear();
+    e.runs[0].drift.value = 1.1 * um / (12 * 4.) * 10;  // 11 um in twelve periods of 4 s
+    add_prediction(e, prediction);
+    EXPECT_EQ(e.deviations[0].differs(), std::optional(true));
+    EXPECT_FALSE(e.deviations[1].differs());
+    EXPECT_NE(sentences(e).find("creep of the substrate"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tricontact::experiments

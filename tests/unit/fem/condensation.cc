@@ -1,0 +1,135 @@
+#include "fem/condensation.h"
+
+#include <gtest/gtest.h>
+
+#include "contact/error.h"
+#include "fem/condensed_layer.h"
+#include "tests/unit/fem/layer_problems.h"
+
+namespace tricontact {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using fem::Condensation;
+using fem::Discretisation;
+
+// Rounding: the condition of the dense reference, entries of K/G = 1e6.
+constexpr double rounding = 1e-8;
+
+MatrixXd square(const std::vector<double>& columns) {
+    const auto n = static_cast<Eigen::Index>(std::lround(std::sqrt(columns.size())));
+    return Eigen::Map<const MatrixXd>(columns.data(), n, n);
+}
+
+fem::LayerProblem distorted_layer(bool half_model) {
+    auto problem = test::small_layer(half_model);
+    test::distort(problem.mesh, .1e-3);
+    return problem;
+}
+
+TEST(FemCondensation, IsTheInversesLastBlock) {
+    const Discretisation layer(distorted_layer(true));
+    const auto sparse = layer.assemble().matrix;
+    const int n_contact = layer.n_unknowns() - layer.n_interior();
+    const MatrixXd inverse =
+        test::dense(sparse).llt().solve(MatrixXd::Identity(sparse.n, sparse.n));
+    Condensation condensation(sparse, layer.node_of_unknown(), layer.n_interior());
+    EXPECT_THROW(condensation.compliance(), std::logic_error);  // not factorised
+    condensation.factorise();
+    const MatrixXd compliance = square(condensation.compliance());
+    const MatrixXd expected = inverse.bottomRightCorner(n_contact, n_contact);
+    EXPECT_LT((compliance - expected).norm(), rounding * expected.norm());
+    EXPECT_EQ(compliance, compliance.transpose());
+
+    const auto wider = condensation.compliance(n_contact + 3);
+    ASSERT_EQ(wider.size(), (n_contact + 3u) * (n_contact + 3u));
+    MatrixXd padded = MatrixXd::Zero(n_contact + 3, n_contact + 3);
+    padded.topLeftCorner(n_contact, n_contact) = compliance;
+    // Columns further apart in memory may be summed in another order.
+    EXPECT_LT((square(wider) - padded).norm(), rounding * padded.norm());
+    EXPECT_EQ(square(wider).rightCols(3).norm() + square(wider).bottomRows(3).norm(), 0);
+}
+
+TEST(FemCondensation, SolvesForAllUnknownsAndSeveralForces) {
+    const Discretisation layer(distorted_layer(true));
+    const auto sparse = layer.assemble().matrix;
+    const MatrixXd stiffness = test::dense(sparse);
+    Condensation condensation(sparse, layer.node_of_unknown(), layer.n_interior());
+    condensation.factorise();
+    MatrixXd forces(sparse.n, 2);
+    for (int i = 0; i < forces.size(); ++i) forces(i) = std::sin(i * i + .5);
+    const auto u = condensation.solve({forces.data(), static_cast<std::size_t>(forces.size())});
+    const MatrixXd displacement = Eigen::Map<const MatrixXd>(u.data(), sparse.n, 2);
+    // Backward stable: the residual is small whatever the condition.
+    EXPECT_LT((stiffness * displacement - forces).norm(),
+              1e-13 * stiffness.diagonal().maxCoeff() * displacement.norm());
+    const MatrixXd reference = stiffness.llt().solve(forces);
+    EXPECT_LT((displacement - reference).norm(), rounding * reference.norm());
+}
+
+TEST(FemCondensation, ParedOfItsSupportItIsRefused) {
+    const Discretisation layer(distorted_layer(true));
+    auto sparse = layer.assemble().matrix;
+    sparse.value[sparse.column_start[sparse.n / 2]] *= -1;  // a diagonal entry
+    Condensation condensation(std::move(sparse), layer.node_of_unknown(), layer.n_interior());
+    EXPECT_THROW(condensation.factorise(), contact::NotConverged);
+}
+
+TEST(FemCondensedLayer, ComplianceIsSymmetricAndPositiveDefinite) {
+    for (const bool half : {false, true}) {
+        const auto layer = fem::condense(distorted_layer(half));
+        const std::size_t n = layer.points.size();
+        MatrixXd compliance = square(layer.compliance);
+        ASSERT_EQ(static_cast<std::size_t>(compliance.rows()), 3 * n);
+        EXPECT_EQ(compliance, compliance.transpose());
+        for (std::size_t i = 0; i < n; ++i)  // y of the symmetry plane is held
+            if (half && layer.points.y[i] == 0) {
+                EXPECT_EQ(compliance.col(n + i).norm(), 0);
+                compliance(n + i, n + i) = 1;
+            }
+        EXPECT_EQ(compliance.llt().info(), Eigen::Success);
+        EXPECT_LT(layer.reaction_error(), 1e-8);
+        EXPECT_GT(layer.reaction_error(), 0);  // measured, not promised
+    }
+}
+
+TEST(FemCondensedLayer, BulkModulusOfIncompressibleMaterialHardlyMatters) {
+    auto problem = test::small_layer(true);
+    const MatrixXd at_1e6 = square(fem::condense(problem).compliance);
+    problem.largest_bulk_ratio = 1e5;
+    const MatrixXd at_1e5 = square(fem::condense(problem).compliance);
+    const double change = (at_1e5 - at_1e6).norm() / at_1e6.norm();
+    EXPECT_LT(change, 1e-5);
+    EXPECT_GT(change, 1e-8);  // the ratio does arrive
+}
+
+// Symmetric loads of the whole body are those of its half, antisymmetric y included.
+TEST(FemCondensedLayer, HalfModelIsTheWhole) {
+    const auto half = fem::condense(test::small_layer(true));
+    const auto whole = fem::condense(test::small_layer(false));
+    const int n = static_cast<int>(half.points.size()), m = static_cast<int>(whole.points.size());
+    ASSERT_EQ(m, 2 * n - half.points.n_x);
+    // Force f on a half's point is f on both mirror images, half of it on each of the plane's.
+    MatrixXd spread = MatrixXd::Zero(3 * m, 3 * n);
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < m; ++k) {
+            const bool same_x = std::abs(half.points.x[i] - whole.points.x[k]) < 1e-9;
+            const bool same_y = std::abs(half.points.y[i] - std::abs(whole.points.y[k])) < 1e-9;
+            if (!same_x || !same_y) continue;
+            const bool on_plane = half.points.y[i] == 0;
+            spread(k, i) = spread(2 * m + k, 2 * n + i) = on_plane ? 2 : 1;
+            spread(m + k, n + i) = on_plane ? 0 : whole.points.y[k] > 0 ? 1 : -1;
+        }
+    const MatrixXd energy = spread.transpose() * square(whole.compliance) * spread / 2;
+    const MatrixXd expected = square(half.compliance);
+    EXPECT_LT((energy - expected).norm(), 1e-9 * expected.norm());  // rounding
+}
+
+TEST(FemCondensedLayer, SameBitsAgain) {
+    const auto problem = distorted_layer(true);
+    EXPECT_EQ(fem::condense(problem).compliance, fem::condense(problem).compliance);
+}
+
+}  // namespace
+}  // namespace tricontact

@@ -1,0 +1,88 @@
+// The example of each key, as the reference of case files has it, is accepted by a case.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "io/case/case_keys.h"
+#include "io/case/case_reader.h"
+#include "tests/unit/io/sphere_case.h"
+
+namespace tricontact::io {
+namespace {
+
+const std::string rolling_case = loaded_sphere + "[rolling]\namplitude_ratio = 0.24\n";
+
+bool relaxes(const Key& key) {
+    return key.section() == "substrate.relaxation" || key.needs == "substrate.relaxation";
+}
+
+// The key, what it needs, and what its section needs unless the case has that section anyway.
+std::vector<const Key*> with_companions(const Key& key) {
+    std::vector<const Key*> keys{&key};
+    const auto add = [&](const Key* one) {
+        if (std::find(keys.begin(), keys.end(), one) == keys.end()) keys.push_back(one);
+    };
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (const Key* needed = find_key(keys[i]->needs)) add(needed);
+        const bool said = key.alternative > 0 || find_key(key.needs);
+        if (relaxes(*keys[i]) && !said) add(find_key("substrate.relaxation.G2"));
+        if (relaxes(*keys[i])) add(find_key("rolling.speed"));
+        for (const Key& other : case_keys())
+            for (const std::string_view section : {"lower_layer", "ground"})
+                if (other.required && other.section() == section && keys[i]->section() == section)
+                    add(&other);
+    }
+    return keys;
+}
+
+/// The case whose body or motion has keys that others have not; empty: any will do.
+std::string case_of(std::string_view path) {
+    static const std::map<std::string_view, std::string> cases = {
+        {"indenter.length", "rig_cylinder"},
+        {"indenter.chamfer", "rig_cylinder_roller"},
+        {"indenter.radius_y", "body_ellipsoid"},
+        {"indenter.angle", "body_cone"},
+        {"indenter.exponent", "body_power_law"},
+        {"indenter.flat_radius", "body_rounded_punch"},
+        {"indenter.roughness", "rough_plane"},
+        {"tractive_rolling", "rolling_spin"},
+        {"tractive_rolling.speed", "rolling_relaxing"},
+        {"output.volume_depth", "rig_sphere_inside"}};
+    for (const std::string_view key : {path, section_of(path)})
+        if (const auto found = cases.find(key); found != cases.end()) return found->second;
+    return {};
+}
+
+TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
+    for (const Key& key : case_keys()) {
+        EXPECT_FALSE(key.text.empty()) << key.path;
+        if (key.path == "substrate.relaxation.dma") continue;  // a file: io_relaxation.cc
+        if (key.path == "bem.influence") continue;             // a file: cli/influence.sh
+        if (key.path == "indenter.file" || key.path == "indenter.spacing" ||
+            key.path == "indenter.unit")
+            continue;  // files: cli/bodies.sh, cli/rough.sh
+        if (const std::string name = case_of(key.path); !name.empty()) {
+            const std::string example = std::string(key.path) + '=' + std::string(key.example);
+            EXPECT_NO_THROW(
+                read_case(TRICONTACT_SOURCE_DIR "/examples/cases/" + name + ".toml", {example}));
+            continue;
+        }
+        std::vector<std::string> overrides;
+        for (const Key* one : with_companions(key))
+            overrides.push_back(std::string(one->path) + "=" +
+                                std::string(key.section() == "ground" && one != &key &&
+                                                    one->path == "substrate.base"
+                                                ? R"("half-space")"
+                                                : one->example));
+        if (key.path == "bem.period") {
+            overrides.emplace_back(R"(models=["bem-layer"])");
+            overrides.emplace_back(R"(substrate.thickness="8 mm")");
+        }
+        EXPECT_NO_THROW(parse_case(rolling_case, "rolling.toml", overrides)) << key.path;
+    }
+}
+
+}  // namespace
+}  // namespace tricontact::io

@@ -1,0 +1,199 @@
+// Written files are read back with VTK's own readers.
+
+#include "io/results/vtk_series.h"
+
+#include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "contact/error.h"
+#include "tests/unit/io/results/vtk_files.h"
+
+namespace tricontact::io {
+namespace {
+
+namespace fs = std::filesystem;
+using contact::ContactState;
+using contact::Surface;
+
+// Every number of every field is different, none is short in binary or decimal.
+Surface surface_of(Surface::Layout layout, int n_x, int n_y) {
+    Surface s;
+    s.layout = layout;
+    s.n_x = n_x;
+    s.n_y = n_y;
+    s.first = {-0.003, -0.002};
+    s.spacing = {2e-4, 3e-4};
+    s.offset = {0.0011, -0.0007};
+    int field = 0;
+    auto fill = [&](std::vector<double>& values) {
+        ++field;
+        values.resize(s.size());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = field + static_cast<double>(i) / 7;
+    };
+    for (auto* values :
+         {&s.normal_traction, &s.tangential_traction_x, &s.tangential_traction_y, &s.friction_bound,
+          &s.displacement_x, &s.displacement_y, &s.displacement_z, &s.gap, &s.slip_x, &s.slip_y,
+          &s.dissipation, &s.slip_path, &s.friction_work})
+        fill(*values);
+    if (layout == Surface::Layout::line)
+        for (auto* values : {&s.normal_line_load, &s.tangential_line_load}) fill(*values);
+    for (std::size_t i = 0; i < s.size(); ++i)
+        s.contact_state.push_back(static_cast<ContactState>(i % 3));
+    return s;
+}
+
+using Vtk = VtkFiles;
+
+void expect_fields(vtkFieldData* data, const Surface& s) {
+    expect_scalar(data, "normal_traction_Pa", s.normal_traction);
+    expect_vector(data, "tangential_traction_Pa", s.tangential_traction_x, s.tangential_traction_y,
+                  {}, 1);
+    expect_scalar(data, "friction_bound_Pa", s.friction_bound);
+    expect_vector(data, "displacement_m", s.displacement_x, s.displacement_y, s.displacement_z, -1);
+    expect_scalar(data, "gap_m", s.gap);
+    expect_vector(data, "slip_m", s.slip_x, s.slip_y, {}, 1);
+    expect_scalar(data, "dissipation_J_per_m2", s.dissipation);
+    expect_scalar(data, "slip_path_m", s.slip_path);
+    expect_scalar(data, "friction_work_J_per_m2", s.friction_work);
+    vtkDataArray* states = data->GetArray("contact_state");
+    ASSERT_TRUE(states);
+    EXPECT_EQ(states->GetDataType(), VTK_UNSIGNED_CHAR);
+    for (std::size_t i = 0; i < s.size(); ++i)
+        ASSERT_EQ(states->GetTuple1(static_cast<vtkIdType>(i)), static_cast<double>(i % 3));
+}
+
+void expect_provenance(vtkFieldData* data, double phase, const Surface& s) {
+    expect_numbers(data, "TimeValue", {phase});
+    expect_numbers(data, "indenter_position_m", {s.offset[0], s.offset[1], 0});
+    expect_origin(data);
+}
+
+TEST_F(Vtk, AGridReadsBackExactlyAsCellData) {
+    const Surface s = surface_of(Surface::Layout::grid, 31, 20);
+    VtkSeries out = series("surface");
+    out.add(1. / 3, s);
+
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(at("surface_000000.vti").c_str());
+    reader->Update();
+    vtkImageData* image = reader->GetOutput();
+    ASSERT_EQ(image->GetNumberOfCells(), 31 * 20);
+    expect_fields(image->GetCellData(), s);
+    EXPECT_EQ(image->GetPointData()->GetNumberOfArrays(), 0);
+    expect_provenance(image->GetFieldData(), 1. / 3, s);
+    // Cell k = i + 31 j is centred on point (i, j): 12 digits, origins are written in decimal.
+    for (const auto& [i, j] : {std::pair(0, 0), std::pair(30, 0), std::pair(4, 19)}) {
+        double bounds[6];
+        image->GetCellBounds(i + 31 * j, bounds);
+        EXPECT_NEAR((bounds[0] + bounds[1]) / 2, s.x(i), 1e-12 * 31 * s.spacing[0]);
+        EXPECT_NEAR((bounds[2] + bounds[3]) / 2, s.y(j), 1e-12 * 31 * s.spacing[1]);
+        EXPECT_NEAR(bounds[1] - bounds[0], s.spacing[0], 1e-12 * 31 * s.spacing[0]);
+    }
+}
+
+TEST_F(Vtk, ALineReadsBackExactlyAsPointData) {
+    const Surface s = surface_of(Surface::Layout::line, 101, 1);
+    VtkSeries out = series("bed");
+    out.add(2.25, s);
+
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(at("bed_000000.vtp").c_str());
+    reader->Update();
+    vtkPolyData* line = reader->GetOutput();
+    ASSERT_EQ(line->GetNumberOfPoints(), 101);
+    EXPECT_EQ(line->GetNumberOfVerts(), 101);
+    EXPECT_EQ(line->GetNumberOfLines(), 1);
+    expect_fields(line->GetPointData(), s);
+    expect_scalar(line->GetPointData(), "normal_line_load_N_per_m", s.normal_line_load);
+    expect_scalar(line->GetPointData(), "tangential_line_load_N_per_m", s.tangential_line_load);
+    expect_provenance(line->GetFieldData(), 2.25, s);
+    for (const int i : {0, 50, 100}) {
+        EXPECT_EQ(line->GetPoint(i)[0], s.x(i));
+        EXPECT_EQ(line->GetPoint(i)[1], s.first[1]);
+    }
+}
+
+TEST_F(Vtk, FieldsThatAModelLacksAreLeftOutOrZero) {
+    Surface s = surface_of(Surface::Layout::line, 10, 1);
+    s.gap.clear();
+    s.slip_y.clear();
+    VtkSeries out = series("bed");
+    out.add(0, s);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(at("bed_000000.vtp").c_str());
+    reader->Update();
+    vtkPointData* data = reader->GetOutput()->GetPointData();
+    EXPECT_FALSE(data->GetArray("gap_m"));
+    expect_vector(data, "slip_m", s.slip_x, std::vector<double>(10, 0.), {}, 1);
+}
+
+TEST_F(Vtk, InfiniteGapsOutsideTheIndenterSurvive) {
+    Surface s = surface_of(Surface::Layout::grid, 4, 4);
+    s.gap[5] = std::numeric_limits<double>::infinity();
+    VtkSeries out = series("surface");
+    out.add(0, s);
+    vtkNew<vtkXMLImageDataReader> reader;
+    reader->SetFileName(at("surface_000000.vti").c_str());
+    reader->Update();
+    expect_scalar(reader->GetOutput()->GetCellData(), "gap_m", s.gap);
+}
+
+TEST_F(Vtk, TheSameSurfaceGivesTheSameBytes) {
+    const Surface s = surface_of(Surface::Layout::grid, 64, 48);
+    VtkSeries first = series("first"), second = series("second");
+    for (auto* out : {&first, &second}) {
+        out->add(0.5, s);
+        out->add(0.75, s);
+    }
+    EXPECT_EQ(content("first_000000.vti"), content("second_000000.vti"));
+    EXPECT_NE(content("first_000000.vti"), content("first_000001.vti"));
+    EXPECT_LT(content("first_000000.vti").size(), 64U * 48 * (11 * 8 + 1)) << "not compressed";
+}
+
+TEST_F(Vtk, TheCollectionListsFilesByPhase) {
+    VtkSeries out = series("a&b");
+    const Surface s = surface_of(Surface::Layout::line, 5, 1);
+    out.add(0, s);
+    out.add(0.25, s);
+    out.finish();
+    EXPECT_EQ(content("a&b.pvd"),
+              "<?xml version=\"1.0\"?>\n"
+              "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+              "  <Collection>\n"
+              "    <DataSet timestep=\"0\" group=\"\" part=\"0\" file=\"a&amp;b_000000.vtp\"/>\n"
+              "    <DataSet timestep=\"0.25\" group=\"\" part=\"0\" file=\"a&amp;b_000001.vtp\"/>\n"
+              "  </Collection>\n"
+              "</VTKFile>\n");
+}
+
+TEST_F(Vtk, FieldsOfAWrongSizeAreRefused) {
+    Surface s = surface_of(Surface::Layout::grid, 5, 4);
+    s.gap.pop_back();
+    VtkSeries out = series("surface");
+    EXPECT_THROW(out.add(0, s), std::invalid_argument);
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(Vtk, AFolderThatVanishedIsAnInputError) {
+    fs::remove_all(folder_);
+    VtkSeries out = series("surface");
+    EXPECT_THROW(out.add(0, surface_of(Surface::Layout::grid, 5, 4)), contact::InputError);
+    EXPECT_THROW(out.finish(), contact::InputError);
+}
+
+}  // namespace
+}  // namespace tricontact::io

@@ -1,0 +1,82 @@
+#include "report/gnuplot.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace tricontact::report {
+namespace {
+
+/// The message of the error that `script` causes.
+std::string message_of(const std::string& script, const std::string& program = "gnuplot") {
+    try {
+        run_gnuplot(script, program);
+    } catch (const GnuplotError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Gnuplot, WritesWhatTheScriptPrints) {
+    EXPECT_EQ(run_gnuplot("set print '-'\nprint 6*7\n"), "42\n");
+}
+
+TEST(Gnuplot, StopsAtTheFirstErrorAndSaysIt) {
+    const std::string message = message_of("plot nonsense(x)\nset print '-'\nprint 1\n");
+    EXPECT_NE(message.find("undefined function: nonsense"), std::string::npos) << message;
+    EXPECT_NE(message.find("line 1"), std::string::npos) << message;
+}
+
+TEST(Gnuplot, MissingProgramNamesThePackage) {
+    const std::string message = message_of("", "/nonexistent/gnuplot");
+    EXPECT_NE(message.find("cannot start '/nonexistent/gnuplot'"), std::string::npos) << message;
+    EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
+}
+
+TEST(Gnuplot, AProgramThatReadsNothingIsAnErrorNotASignal) {
+    // More than any pipe holds: writing to a dead reader must not end this program.
+    const std::string message = message_of(std::string(1 << 21, '#'), "/bin/false");
+    EXPECT_NE(message.find("gnuplot failed"), std::string::npos) << message;
+}
+
+TEST(Gnuplot, LongDataPassBothWays) {
+    // 300 kB out while 600 kB still come in: with plain pipes both sides would wait for ever.
+    std::string script = "set print '-'\n";
+    for (int i = 0; i < 50000; ++i) script += "print 12345\n";
+    EXPECT_EQ(run_gnuplot(script).size(), 50000u * 6);
+}
+
+TEST(Gnuplot, EnvironmentDoesNotChangeTheNumbers) {
+    const std::string script = "set print '-'\nprint sprintf('%.2f %s', 0.5, GPVAL_TERM)\n";
+    setenv("GNUTERM", "dumb", 1);
+    setenv("LC_NUMERIC", "de_DE.UTF-8", 1);
+    const std::string text = run_gnuplot(script);
+    unsetenv("GNUTERM");
+    unsetenv("LC_NUMERIC");
+    EXPECT_TRUE(text.starts_with("0.50 ")) << text;
+    EXPECT_EQ(text.find("dumb"), std::string::npos) << text;
+}
+
+TEST(Gnuplot, DrawsBothFormats) {
+    const Picture picture{320, 200, "plot x notitle"};
+    const std::string svg = draw(picture, ImageFormat::svg);
+    EXPECT_TRUE(svg.starts_with("<?xml"));
+    EXPECT_NE(svg.find("width=\"320\" height=\"200\""), std::string::npos);
+    const std::string png = draw(picture, ImageFormat::png);
+    EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n"));
+    // IHDR: big-endian width and height, twice the CSS pixels.
+    EXPECT_EQ(png.substr(16, 8), std::string("\0\0\x02\x80\0\0\x01\x90", 8));
+}
+
+TEST(Gnuplot, AScriptThatDrawsNothingIsAnError) {
+    EXPECT_THROW(draw({320, 200, "a = 1"}, ImageFormat::png), GnuplotError);
+}
+
+TEST(Gnuplot, SamePictureSameBytes) {
+    const Picture picture{320, 200, "plot sin(x) with linespoints"};
+    for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png})
+        EXPECT_EQ(draw(picture, format), draw(picture, format));
+}
+
+}  // namespace
+}  // namespace tricontact::report

@@ -1,0 +1,40 @@
+// The documents hold what `tricontact keys` prints.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "comparisons/quantities/glossary.h"
+#include "io/case/case_keys.h"
+#include "io/keys/key_reference.h"
+#include "walking/input/walk_keys.h"
+
+namespace tricontact::walking {
+namespace {
+
+class CaseReference : public testing::TestWithParam<const io::KeyList*> {};
+
+void expect_held(const std::string& name, const std::string& reference) {
+    std::ifstream file(TRICONTACT_SOURCE_DIR "/" + name);
+    std::stringstream document;
+    document << file.rdbuf();
+    EXPECT_NE(document.str().find(reference), std::string::npos)
+        << name << ": scripts/key_reference.sh writes it anew; it should hold this:\n"
+        << reference;
+}
+
+TEST_P(CaseReference, DocumentNamesEveryKeyAsDeclared) {
+    expect_held(std::string(GetParam()->reference()), io::key_reference(*GetParam()));
+}
+
+TEST(ResultReference, DocumentsNameEveryQuantityAsDeclared) {
+    expect_held("docs/quantities.md", comparisons::glossary());
+    expect_held("README.md", comparisons::summary_keys());
+}
+
+INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,
+                         testing::Values(&io::case_key_list(), &walk_key_list()));
+
+}  // namespace
+}  // namespace tricontact::walking

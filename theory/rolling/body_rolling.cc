@@ -1,0 +1,181 @@
+#include "theory/rolling/body_rolling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "contact/bodies/pressure_shape.h"
+#include "theory/body_pressure.h"
+#include "theory/bracketed_root.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::theory {
+
+namespace {
+
+using contact::Case;
+
+void check_unit_interval(const char* name, double value) {
+    if (!(value >= 0 && value <= 1))
+        throw std::domain_error("rolling of a body: " + std::string(name) + " must lie in [0, 1]");
+}
+
+bool is_ellipsoid(const Case& c) {
+    return c.indenter.shape == Case::Shape::ellipsoid;
+}
+
+constexpr int root_bits = 40;
+
+/// A body of revolution in its contact on the half-space, E* = 1.
+class Pressed {
+  public:
+    explicit Pressed(const Case& c)
+        : body_(c.make_axisymmetric_indenter()),
+          radius_(contact::half_space_scales(c).contact_radius),
+          depth_(body_->plane_profile(radius_)),
+          force_(body_->pressed_area(radius_)) {}
+
+    /// g and P at x = rho a over d and F_N.
+    double depth_ratio(double rho) const { return body_->plane_profile(rho * radius_) / depth_; }
+    double force_ratio(double rho) const {
+        return rho == 0 ? 0 : body_->pressed_area(rho * radius_) / force_;
+    }
+    /// Of a bed over F_N: all its springs as deep as the middle one, 2 E* a d.
+    double full_ratio() const { return 2 * radius_ * depth_ / force_; }
+    double radius() const { return radius_; }
+
+    double limit(double w) const {
+        return 1 - force_ratio(w) - full_ratio() * w * (1 - depth_ratio(w));
+    }
+
+  private:
+    std::unique_ptr<contact::AxisymmetricIndenter> body_;
+    double radius_, depth_, force_;
+};
+
+/// Pressure over its mean at equal distances of r/a, linear in between.
+template <typename Pressure>
+std::vector<double> tabulated(Pressure pressure, int n) {
+    std::vector<double> table;
+    for (int i = 0; i <= n; ++i) table.push_back(pressure(static_cast<double>(i) / n));
+    table.push_back(0);
+    return table;
+}
+
+/// What the limit lacks of the bed's where the pressure is less in the middle of the path than at
+/// its end farthest from the axis: 1/F_N ∫ (p_end - p_near)_+ dA, p rising to a ring and falling
+/// beyond. Midpoint rule.
+template <typename Pressure>
+double deficit(Pressure pressure, double w) {
+    constexpr int n = 500;  // the integrand has creases: error about n^-2
+    const std::vector<double> table = tabulated(pressure, 2 * n);
+    auto p = [&](double rho) {
+        const double place = std::min(1., rho) * 2 * n;
+        const int i = static_cast<int>(place);
+        return std::lerp(table[i], table[i + 1], place - i);
+    };
+    double sum = 0;
+    for (double x = .5 / n; x < 1 - w; x += 1. / n)
+        for (double y = .5 / n; std::hypot(x + w, y) < 1; y += 1. / n)
+            sum += std::max(0., p(std::hypot(x + w, y)) - p(std::hypot(std::max(0., x - w), y)));
+    return 4 * sum / std::numbers::pi / n / n;
+}
+
+/// 0 where the pressure falls with r; empty where it is not known.
+std::optional<double> deficit_of(const Case& c, const Pressed& pressed, double w) {
+    if (contact::pressure_falls(c)) return 0;
+    switch (c.indenter.shape) {
+        case Case::Shape::power_law:
+            return deficit(
+                [n = c.indenter.exponent](double rho) { return power_law_pressure(n, rho); }, w);
+        case Case::Shape::rounded_punch:
+            return deficit([flat = c.indenter.flat_radius / pressed.radius()](
+                               double rho) { return rounded_punch_pressure(flat, rho); },
+                           w);
+        default:
+            return {};
+    }
+}
+
+/// W over an ellipse's half axis in the direction of rolling: contacts that differ by a stretch of
+/// the plane have the same shares of the load.
+double stretched_amplitude(const Case& c, double w) {
+    const contact::HalfSpaceScales s = contact::half_space_scales(c);
+    const double angle = c.rolling ? c.rolling->angle : 0;
+    return w * s.contact_radius *
+           std::hypot(std::cos(angle) / s.half_widths[0], std::sin(angle) / s.half_widths[1]);
+}
+
+}  // namespace
+
+bool has_body_theory(const Case& c) {
+    if (c.indenter.roughness) return false;
+    switch (c.indenter.shape) {
+        case Case::Shape::cylinder:
+        case Case::Shape::roller:
+        case Case::Shape::flat:
+        case Case::Shape::height_map:
+            return false;
+        default:
+            return true;
+    }
+}
+
+double static_shift_ratio(const Case& c, double f) {
+    check_unit_interval("f = F_T/(mu F_N)", f);
+    if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
+    const Pressed pressed(c);
+    const double stick =
+        bracketed_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, 0., 1.,
+                       f - 1, f, root_bits);
+    return 1 - pressed.depth_ratio(stick);
+}
+
+std::optional<double> shakedown_limit(const Case& c, double w) {
+    check_unit_interval("w = W/a", w);
+    if (contact::is_hertz_round(c)) return shakedown_limit(w);
+    if (is_ellipsoid(c)) return shakedown_limit(std::min(1., stretched_amplitude(c, w)));
+    const Pressed pressed(c);
+    const auto less = deficit_of(c, pressed, w);
+    if (!less) return {};
+    return pressed.limit(w) - *less;
+}
+
+std::optional<double> amplitude_limit(const Case& c, double f) {
+    check_unit_interval("f = F_T/(mu F_N)", f);
+    if (contact::is_hertz_round(c)) return amplitude_limit(f);
+    if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
+    if (!shakedown_limit(c, 0)) return {};
+    return bracketed_root([&](double w) { return *shakedown_limit(c, w) - f; }, 0., 1., 1 - f, -f,
+                          root_bits);
+}
+
+std::optional<double> bed_limit(const Case& c, double w) {
+    check_unit_interval("w = W/a", w);
+    if (is_ellipsoid(c)) return {};
+    if (contact::is_hertz_round(c)) return shakedown_limit(w);
+    return Pressed(c).limit(w);
+}
+
+std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f) {
+    check_unit_interval("w = W/a", w);
+    check_unit_interval("f = F_T/(mu F_N)", f);
+    if (is_ellipsoid(c)) return {};
+    if (contact::is_hertz_round(c)) return settled_shift_ratio(w, f);
+    const Pressed pressed(c);
+    auto force = [&](double rho) {  // that rests with the stick zone rho - w, falls with rho
+        return 1 - pressed.force_ratio(rho) -
+               pressed.full_ratio() * w * (1 - pressed.depth_ratio(rho));
+    };
+    if (f > force(w)) return {};
+    auto excess = [&](double part) { return f - force(std::lerp(w, 1., part)); };
+    const double rho = std::lerp(w, 1., bracketed_root(excess, 0., 1., f - force(w), f, root_bits));
+    return 1 - pressed.depth_ratio(rho);
+}
+
+}  // namespace tricontact::theory

@@ -1,0 +1,26 @@
+#include "walking/kernels/kernel.h"
+
+namespace tricontact::walking {
+
+std::string_view word_of(Kernel kernel) {
+    constexpr std::string_view words[] = {"plain", "sse2", "avx2", "avx512"};
+    return words[static_cast<int>(kernel)];
+}
+
+std::vector<Kernel> available_kernels() {
+    std::vector<Kernel> kernels{Kernel::plain};
+#ifdef __x86_64__
+    kernels.push_back(Kernel::sse2);  // every processor of this architecture
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+        kernels.push_back(Kernel::avx2);
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+        kernels.push_back(Kernel::avx512);
+#endif
+    return kernels;
+}
+
+Kernel best_kernel() {
+    return available_kernels().back();
+}
+
+}  // namespace tricontact::walking

@@ -1,0 +1,149 @@
+#include "walking/kernels/lane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "walking/machine/forces.h"
+
+namespace tricontact::walking {
+
+using namespace kernels;
+
+namespace {
+
+using Model = Machine::Model;
+
+constexpr double slope = 1 / std::numbers::sqrt2;  // of a flank at 45 degrees
+
+/// Why a lane cannot carry the machine; nothing: it can.
+const char* obstacle(const Machine& machine) {
+    if (machine.model == Model::spots) return "a lane carries two spots, not Model::spots";
+    if (machine.bed) return "a lane has no springs in its spots";
+    if (!machine.mechanisms.coupling) return "a lane couples friction to the normal force";
+    if (machine.excitation.frequency > 0) return "a lane has no excitation";
+    if (!(machine.kappas.kappa1 > 0) || !(machine.kappas.kappa5 > 0))
+        return "a lane needs kappa1 > 0 and mu > 0: it scales by them";
+    return nullptr;
+}
+
+void check(const Machine& machine, const Motion& start) {
+    if (const char* reason = obstacle(machine)) throw std::invalid_argument(reason);
+    if (start.spots.size() != 2)
+        throw std::invalid_argument("the start has another number of spots than the machine");
+}
+
+}  // namespace
+
+bool fits_lane(const Machine& machine) {
+    return !obstacle(machine);
+}
+
+Lane::Lane(const Machine& machine, const Motion& start, double step)
+    : machine_(machine), step_(step), start_time_(start.time), start_base_(start.base) {
+    check(machine, start);
+    set_constants();
+    set_start(start);
+}
+
+double Lane::bound_per_height() const {
+    const double c = machine_.kappas.kappa5 * machine_.kappas.kappa2;
+    return machine_.model == Model::prism ? slope * c : c;
+}
+
+void Lane::set_constants() {
+    const auto& [kappa1, kappa2, kappa3, kappa4, mu, kappa6, kappa7, kappa8] = machine_.kappas;
+    const double c = bound_per_height(), dt2 = step_ * step_, reach = kappa3 * kappa3;
+    fields_[lever] = c * kappa3;
+    fields_[spring] = kappa1;
+    fields_[spring_lever] = kappa1 * kappa8 * reach;
+    fields_[base_increment] = kappa1 * kappa6 * step_;
+    fields_[rotation_reach] = reach;
+    fields_[weight] = machine_.mechanisms.vertical ? dt2 * c * kappa4 : 0;
+    fields_[lift] = machine_.mechanisms.vertical ? dt2 * c / mu : 0;
+    fields_[pull] = dt2;
+    fields_[turn] = machine_.mechanisms.rotation ? dt2 / kappa7 : 0;
+    fields_[normal_moment] = 1 / (mu * kappa3);
+    fields_[tilted_moment] = kappa3 / mu;
+    fields_[spring_height] = kappa8;
+    fields_[flank_reach] = 1 / (mu * kappa2);
+    fields_[flank_force] = std::numbers::sqrt2 * mu;
+}
+
+void Lane::set_start(const Motion& start) {
+    const Kappas& k = machine_.kappas;
+    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3, half = step_ / 2;
+    const auto [ax, az, aphi] = acceleration(machine_, spots_of(machine_), start);
+    fields_[rotation] = start.phi / reach;
+    fields_[rotation_increment] = step_ * (start.phi_velocity + half * aphi) / reach;
+    fields_[height] = c * start.z;
+    fields_[height_increment] = c * step_ * (start.z_velocity + half * az);
+    fields_[extension] = k.kappa1 * (start.base - start.x);
+    fields_[x_increment] = step_ * (start.x_velocity + half * ax);
+    for (int i = 0; i < 2; ++i) {
+        const SpotDeflection& spot = start.spots[static_cast<std::size_t>(i)];
+        fields_[deflection_1 + i] = spot.tangential;
+        fields_[flank_1 + i] = spot.flank;
+    }
+}
+
+void Lane::set_state(const std::array<double, n_state>& state, std::int64_t n_steps) {
+    std::copy(state.begin(), state.end(), fields_.begin() + n_constants);
+    n_steps_ += n_steps;
+}
+
+Motion Lane::motion() const {
+    const Kappas& k = machine_.kappas;
+    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3, half = step_ / 2;
+    const double elapsed = step_ * static_cast<double>(n_steps_);
+    Motion motion{.time = start_time_ + elapsed, .base = start_base_ + k.kappa6 * elapsed};
+    motion.x = motion.base - fields_[extension] / k.kappa1;
+    motion.z = fields_[height] / c;
+    motion.phi = fields_[rotation] * reach;
+    const double scale = c / (k.kappa5 * k.kappa2);  // 1, or the slope of a flank
+    for (int i = 0; i < 2; ++i) {
+        const double lifted = (i == 0 ? 1 : -1) * motion.phi / k.kappa3;
+        motion.spots.push_back({.normal = std::max(0., scale * (motion.z + lifted)),
+                                .tangential = fields_[deflection_1 + i],
+                                .flank = fields_[flank_1 + i]});
+    }
+    // Increments run half a step ahead.
+    const auto [ax, az, aphi] = acceleration(machine_, spots_of(machine_), motion);
+    motion.x_velocity = fields_[x_increment] / step_ - half * ax;
+    motion.z_velocity = fields_[height_increment] / (c * step_) - half * az;
+    motion.phi_velocity = fields_[rotation_increment] * reach / step_ - half * aphi;
+    return motion;
+}
+
+StretchSums Lane::sums(const std::array<double, n_sums>& sums, std::int64_t n_steps,
+                       bool everything) const {
+    const auto of = [&](int field) { return sums[static_cast<std::size_t>(field - end_of_state)]; };
+    const Kappas& k = machine_.kappas;
+    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3;
+    StretchSums result{.steps = n_steps,
+                       .spring_force = of(sum_force),
+                       .z_min = of(min_height) / c,
+                       .z_max = of(max_height) / c,
+                       .phi_min = of(min_rotation) * reach,
+                       .phi_max = of(max_rotation) * reach,
+                       .spots = {}};
+    if (!everything) return result;
+    // phi = kappa3^2 p: kappa7/kappa3^2 phi'^2 = kappa7 kappa3^2 p'^2
+    result.kinetic_energy = (of(sum_x_squared) + of(sum_height_squared) / (c * c) +
+                             k.kappa7 * reach * of(sum_rotation_squared)) /
+                            (8 * step_ * step_);
+    // Sums of squared increments are those of two steps. Sums of bounds are mu kappa2 times those
+    // of the deflections, those of slip 2 dt times those of the velocity.
+    const double bound = k.kappa5 * k.kappa2, slip = 2 * step_;
+    for (int i = 0; i < 2; ++i)
+        result.spots.push_back({.sticking = static_cast<std::int64_t>(of(sum_sticking_1 + i)),
+                                .velocity = of(sum_slip_1 + i) / slip,
+                                .velocity_squared = of(sum_slip_squared_1 + i) / (slip * slip),
+                                .normal = of(sum_bound_1 + i) / bound,
+                                .normal_squared = of(sum_bound_squared_1 + i) / (bound * bound),
+                                .normal_velocity = of(sum_bound_slip_1 + i) / (bound * slip)});
+    return result;
+}
+
+}  // namespace tricontact::walking

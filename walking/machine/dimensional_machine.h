@@ -1,0 +1,36 @@
+#pragma once
+
+#include "walking/machine/machine.h"
+
+namespace tricontact::walking {
+
+/// A micro-walking machine in SI units. Wetter (2016), section 4.1.1.
+struct DimensionalMachine {
+    double mass = 0;                  ///< m [kg]
+    double half_height = 0;           ///< a [m]
+    double half_width = 0;            ///< b [m]
+    double moment_of_inertia = 0;     ///< Theta [kg m^2], about the centre of gravity
+    double spring_stiffness = 0;      ///< k_s [N/m]
+    double normal_stiffness = 0;      ///< k_z [N/m], of a contact spot
+    double tangential_stiffness = 0;  ///< k_x [N/m], of a contact spot
+    double friction_coefficient = 0;  ///< mu
+    double base_velocity = 0;         ///< v_0 [m/s]
+    double lever_arm = 0;             ///< h [m], of the spring above the centre of gravity
+    double gravity = 9.81;            ///< g [m/s^2]
+};
+
+/// sqrt(m/k_x) [s], the unit of time.
+double characteristic_time(const DimensionalMachine& machine);
+
+/// k_x b [N], the unit of forces.
+double force_unit(const DimensionalMachine& machine);
+
+/// Dimensionless parameters of a machine: Wetter (2016), table 4.1.1.
+Kappas kappas_of(const DimensionalMachine& machine);
+
+/// The machine of these parameters that has this mass [kg], half width [m] and gravity [m/s^2]:
+/// the other way round.
+DimensionalMachine with_dimensions(const Kappas& kappas, double mass, double half_width,
+                                   double gravity = 9.81);
+
+}  // namespace tricontact::walking

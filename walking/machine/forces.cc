@@ -1,0 +1,46 @@
+#include "walking/machine/forces.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace tricontact::walking {
+
+using std::numbers::sqrt2;
+
+double spring_force(const Machine& machine, const Motion& motion) {
+    const Kappas& k = machine.kappas;
+    return k.kappa1 * (motion.base - motion.x + k.kappa8 * motion.phi);
+}
+
+SpotForce spot_force(const Machine& machine, const Spot& spot, const SpotDeflection& deflection) {
+    const double kappa2 = machine.kappas.kappa2;
+    const auto& [normal, tangential, flank] = deflection;
+    if (machine.model == Machine::Model::prism)  // two contacts a side: eqs. 5.2.20, 5.2.21
+        return {sqrt2 * (kappa2 * normal + flank), 2 * tangential};
+    return {spot.stiffness * kappa2 * normal, spot.stiffness * tangential};
+}
+
+Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
+                          const Motion& motion) {
+    const auto& [kappa1, kappa2, kappa3, kappa4, kappa5, kappa6, kappa7, kappa8] = machine.kappas;
+    const auto& [moment_amplitude, force_amplitude, frequency] = machine.excitation;
+    const double phi = motion.phi, pull = spring_force(machine, motion);
+    const double rotation = phi / kappa3;
+    double x = pull, z = kappa4, moment = -pull * (kappa3 * kappa3 * kappa8 + phi);
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+        const auto [normal, tangential] = spot_force(machine, springs[i], motion.spots[i]);
+        x -= tangential;
+        z -= normal;
+        moment += kappa3 * normal * (normal_lever(springs[i], rotation) + phi) -
+                  tangential * (kappa3 * kappa3 - springs[i].position * phi);
+    }
+    if (frequency > 0) {
+        const double phase = std::sin(frequency * motion.time);
+        z += force_amplitude * phase;
+        moment += kappa3 * moment_amplitude * phase;
+    }
+    return {x, machine.mechanisms.vertical ? z : 0,
+            machine.mechanisms.rotation ? moment / kappa7 : 0};
+}
+
+}  // namespace tricontact::walking

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "walking/machine/machine.h"
+#include "walking/machine/motion.h"
+
+namespace tricontact::walking {
+
+/// Derivatives of x'', z'' and phi'' with respect to x, z and phi while every spot in contact slips
+/// forwards, u = mu kappa2 n; row by row. Friction makes it unsymmetric.
+/// `motion`: a sliding_motion.
+std::array<std::array<double, 3>, 3> sliding_jacobian(const Machine& machine, const Motion& motion);
+
+/// Eigenvalues [sqrt(k_x/m)] of small disturbances of `motion`, a sliding_motion; a disturbance
+/// grows as exp(Re t) and turns with Im. Two for each way the body may move; in the prism one more
+/// for each spot in contact: the slip turns back into the direction of motion.
+std::vector<std::complex<double>> sliding_eigenvalues(const Machine& machine, const Motion& motion);
+
+/// The eigenvalue of the fastest growth, Im >= 0. Re above zero: flutter where Im is not zero,
+/// divergence where it is. Without friction to damp them vibrations persist, Re = 0.
+std::complex<double> leading_eigenvalue(const Machine& machine, const Motion& motion);
+
+/// Least friction coefficient up to `highest` with which steady sliding flutters; none if it does
+/// not, or tilts first. Found in steps of highest/200, then by bisection: ranges of flutter that
+/// are narrower may be missed. kappa5 of the machine is not looked at.
+std::optional<double> flutter_friction(Machine machine, double highest);
+
+}  // namespace tricontact::walking

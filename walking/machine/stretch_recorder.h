@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "walking/machine/contact_element.h"
+#include "walking/machine/machine.h"
+#include "walking/machine/motion.h"
+
+namespace tricontact::walking {
+
+/// Sums over the steps of a stretch of time of one contact spot. Its velocity is s', of
+/// s = x + phi - u, by central differences: Wetter (2016), eqs. 4.2.15 and 4.2.16.
+struct SpotSums {
+    std::int64_t sticking = 0;                  ///< steps
+    double velocity = 0, velocity_squared = 0;  ///< s', in units of b sqrt(k_x/m)
+    double normal = 0, normal_squared = 0;      ///< deflection n, in units of b
+    double normal_velocity = 0;                 ///< n s'
+};
+
+/// Sums over the steps of a stretch of time; stretches add up, so that statistics of any number of
+/// them follow from their sums.
+struct StretchSums {
+    std::int64_t steps = 0;
+    double spring_force = 0;    ///< f_s
+    double kinetic_energy = 0;  ///< (x'^2 + z'^2 + kappa7/kappa3^2 phi'^2)/2
+    double z_min = std::numeric_limits<double>::infinity();
+    double z_max = -std::numeric_limits<double>::infinity();
+    double phi_min = std::numeric_limits<double>::infinity();
+    double phi_max = -std::numeric_limits<double>::infinity();
+    std::vector<SpotSums> spots;  ///< in the order of spots_of; empty where they were left out
+
+    /// Throws std::invalid_argument if the other has another number of spots.
+    void add(const StretchSums& other);
+};
+
+/// Pearson's r of velocity and normal deflection; NaN if one of them does not vary. Wetter (2016),
+/// appendix A.1.4.
+double correlation(const SpotSums& spot, std::int64_t steps);
+
+/// Sums up the steps of a run, stretch by stretch. The velocities of the spots, central
+/// differences, are known a step later: what depends on them lags one step behind the rest.
+class StretchRecorder {
+  public:
+    /// `start`: the machine is taken to be at rest before. `step` > 0: between two motions.
+    StretchRecorder(const Machine& machine, const Motion& start, double step);
+
+    /// Next step of the run; `spot_steps` are what the spots did in it.
+    void add(const Motion& motion, const std::vector<SpotStep>& spot_steps);
+
+    std::int64_t steps() const { return sums_.steps; }
+    /// Sums since the start or the last take.
+    const StretchSums& sums() const { return sums_; }
+    /// The same, to start anew.
+    StretchSums take();
+
+  private:
+    struct SpotPath {
+        double before = 0, now = 0;  // s at the last two steps
+        double normal = 0;           // n at the last step
+    };
+
+    Machine machine_;
+    double step_;
+    double rotational_;  // kappa7/kappa3^2
+    std::vector<SpotPath> paths_;
+    StretchSums sums_;
+};
+
+}  // namespace tricontact::walking

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "walking/machine/dimensional_machine.h"
+#include "walking/machine/machine.h"
+#include "walking/machine/motion.h"
+#include "walking/machine/spot_contact.h"
+
+namespace tricontact::walking {
+
+/// Where a run begins. Displacements in units of the static displacement, velocities in units of
+/// that of the base (kappa6); the springs of the spots have no tangential deflection.
+struct Start {
+    double x = 0, z = 1, phi = 0, base = 0;
+    double x_velocity = 0, z_velocity = 0, phi_velocity = 0;
+
+    bool operator==(const Start&) const = default;
+};
+
+/// What a case of the micro-walking machine says. Times in units of sqrt(m/k_x).
+struct WalkCase {
+    struct Time {
+        double step = 1e-3;
+        double end = 20000;
+
+        bool operator==(const Time&) const = default;
+    };
+
+    /// What the case states in place of numbers that follow from it.
+    struct Input {
+        std::optional<double> height_ratio;  ///< h/a of a dimensional machine: its lever arm
+        std::optional<SpotContact> contact;  ///< of a dimensional machine: its stiffnesses
+        std::optional<double> duration;      ///< [s] of a dimensional machine: Time::end
+        /// Of Model::spots, position by position; heights empty: 0, stiffnesses empty: 1.
+        std::vector<double> positions, heights, stiffnesses;
+    };
+
+    struct Output {
+        int frames = 100;  ///< of the animation
+
+        bool operator==(const Output&) const = default;
+    };
+
+    std::string title;
+    Machine machine;
+    std::optional<DimensionalMachine> dimensional;  ///< what the kappas follow from, if given
+    Start start;
+    Time time;
+    Input input;
+    Output output;
+};
+
+/// Motion at the start; by default at rest on the ground: Wetter (2016), eq. 4.1.21.
+Motion motion_at_start(const Machine& machine, const Start& start = {});
+
+}  // namespace tricontact::walking

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/format.h"
+#include "walking/report/motion_series.h"
+#include "walking/report/spot_statistics.h"
+#include "walking/report/walk_document.h"
+
+namespace tricontact::walking {
+
+namespace {
+
+const std::string time_label = "time t* = t - t_0 [√(m/k_x)]";
+
+report::Figure motion_figure(const WalkReport& report) {
+    const MotionSeries series = motion_series(report.walk_case.machine, last_swings(report.walk));
+    return {.id = "motion",
+            .title = "Motion",
+            .caption =
+                "Δx = (x - x_s)/(μ κ_4), height z over z_stat (downwards: negative is in the "
+                "air), φ/(μ κ_3 κ_4) and spring force f_s over that of steady sliding. "
+                "Wetter (2016), figures 4.5 and 4.6.",
+            .x = {time_label},
+            .y = {"dynamic quantities [-]"},
+            .curves = {{.name = "Δx", .x = series.time, .y = series.displacement},
+                       {.name = "z", .x = series.time, .y = series.z},
+                       {.name = "φ", .x = series.time, .y = series.phi},
+                       {.name = "f_s", .x = series.time, .y = series.force}}};
+}
+
+/// Snapshots of the period that has the phases, from a little before its first one.
+std::span<const Snapshot> period_of(const Walk& walk, const WalkPhases& phases) {
+    const double begin = std::fmin(phases.sticking, phases.turning_point) - 0.1 * phases.period;
+    const auto before = [](const Snapshot& snapshot, double time) {
+        return snapshot.motion.time < time;
+    };
+    const auto first = std::lower_bound(walk.tail.begin(), walk.tail.end(), begin, before);
+    const auto last = std::lower_bound(first, walk.tail.end(), begin + phases.period, before);
+    return {first, last};
+}
+
+/// A point on the curve of z where a phase begins; none if it does not.
+void mark(report::Figure& figure, const std::string& name, double time, double begin) {
+    const report::Curve& z = figure.curves[1];
+    const auto at = std::lower_bound(z.x.begin(), z.x.end(), time - begin - 1e-9);
+    if (!std::isfinite(time) || at == z.x.end()) return;
+    const double height = z.y[static_cast<std::size_t>(at - z.x.begin())];
+    figure.curves.push_back(
+        {.name = name, .x = {*at}, .y = {height}, .kind = report::Curve::Kind::points});
+}
+
+report::Figure period_figure(const WalkReport& report, const WalkPhases& phases) {
+    const Machine& machine = report.walk_case.machine;
+    const auto snapshots = period_of(report.walk, phases);
+    const MotionSeries series = motion_series(machine, snapshots);
+    const double load = machine.kappas.kappa5 * machine.kappas.kappa4;
+    report::Figure figure{
+        .id = "period",
+        .title = "One period",
+        .caption =
+            "Way Δx = (x(t) - x(t_0))/(μ κ_4), z/z_stat, φ/(μ κ_3 κ_4), deflections of the "
+            "spots n_i/(μ κ_4) and the phases of the motion: sticking spots going down (1), "
+            "deepest and most energy stored (2), going up and forwards until the spots let "
+            "go (3), in the air and fast forwards (4). Wetter (2016), figures 4.18 and 4.19.",
+        .x = {time_label},
+        .y = {"dynamic quantities [-]"}};
+    report::Curve way{.name = "Δx", .x = series.time};
+    for (const Snapshot& snapshot : snapshots)
+        way.y.push_back((snapshot.motion.x - snapshots.front().motion.x) / load);
+    figure.curves = {way,
+                     {.name = "z", .x = series.time, .y = series.z},
+                     {.name = "φ", .x = series.time, .y = series.phi}};
+    const std::size_t n_spots = spots_of(machine).size();
+    for (std::size_t i = 0; i < n_spots && n_spots <= most_spots; ++i) {
+        report::Curve spot{.name = fmt::format("n_{}", i + 1), .x = series.time};
+        for (const Snapshot& snapshot : snapshots)
+            spot.y.push_back(snapshot.motion.spots[i].normal / load);
+        figure.curves.push_back(spot);
+    }
+    const double begin = snapshots.front().motion.time;
+    mark(figure, "(1) sticking begins", phases.sticking, begin);
+    mark(figure, "(2) turning point", phases.turning_point, begin);
+    mark(figure, "(3) sticking ends", phases.release, begin);
+    mark(figure, "(4) jump", phases.jump, begin);
+    return figure;
+}
+
+report::Curve orbit(const Machine& machine, std::span<const Snapshot> snapshots,
+                    const std::string& name, int colour) {
+    report::Curve curve{.name = name, .x = motion_series(machine, snapshots).displacement};
+    curve.colour = colour;
+    for (const Snapshot& snapshot : snapshots)
+        curve.y.push_back(snapshot.motion.x_velocity / machine.kappas.kappa6);
+    return curve;
+}
+
+report::Figure phase_plane(const WalkReport& report) {
+    const Walk& walk = report.walk;
+    const Machine& machine = report.walk_case.machine;
+    report::Figure figure{.id = "phase_plane",
+                          .title = "Phase plane",
+                          .caption =
+                              "Velocity of the body over that of the base, over its displacement "
+                              "from the base. Wetter (2016), figure 4.17.",
+                          .x = {"(x - x_s)/(μ κ_4) [-]"},
+                          .y = {"x'/κ_6 [-]"}};
+    if (!walk.start.empty()) {
+        figure.caption += fmt::format(" The run begins below it, until t = {}.",
+                                      report::significant(walk.start.back().motion.time, 3));
+        figure.curves.push_back(orbit(machine, walk.start, "beginning", 4));
+    }
+    const bool cycle = walk.result.regime == Regime::limit_cycle;
+    figure.curves.push_back(
+        orbit(machine, last_swings(walk), cycle ? "limit cycle" : "end of the run", 0));
+    return figure;
+}
+
+report::DocumentTable phase_table(const WalkPhases& phases) {
+    const double begin = std::fmin(phases.sticking, phases.turning_point);
+    const auto share = [&](double time) { return (time - begin) / phases.period; };
+    return {.id = "phases",
+            .title = "Phases of the period",
+            .note =
+                "Shares of the period from the first sticking on, to the interval between two "
+                "recorded states.",
+            .columns = {{"phase"}, {"begins at [period]", 3}},
+            .rows = {{"(1) first spot sticks", share(phases.sticking)},
+                     {"(2) deepest", share(phases.turning_point)},
+                     {"(3) last spot lets go", share(phases.release)},
+                     {"(4) jump: no spot touches", share(phases.jump)},
+                     {"landing", share(phases.landing)}}};
+}
+
+}  // namespace
+
+report::DocumentSection motion_section(const WalkReport& report) {
+    report::DocumentSection section{.id = "motion_section", .heading = "Motion"};
+    section.figures.push_back(motion_figure(report));
+    if (report.walk.phases) {
+        section.figures.push_back(period_figure(report, *report.walk.phases));
+        section.tables.push_back(phase_table(*report.walk.phases));
+    }
+    section.figures.push_back(phase_plane(report));
+    return section;
+}
+
+}  // namespace tricontact::walking

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/format.h"
+#include "report/format_share.h"
+#include "statistics/regression.h"
+#include "walking/report/walk_sections.h"
+#include "walking/study/walk_factorial.h"
+
+namespace tricontact::walking {
+
+namespace {
+
+constexpr double confidence = 0.95;
+
+/// When runs reached their limit cycle, and how long the others were waited for.
+struct Arrivals {
+    std::vector<double> times;    ///< sorted
+    std::vector<double> waiting;  ///< of runs that reached none
+    std::size_t n() const { return times.size() + waiting.size(); }
+
+    report::WithError share_by(double time) const {
+        const auto arrived = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+        const double p = static_cast<double>(arrived) / static_cast<double>(n());
+        return {p, statistics::normal_quantile(confidence) *
+                       std::sqrt(p * (1 - p) / static_cast<double>(n()))};
+    }
+    /// Mean life of what ends at a constant rate, by maximum likelihood: all time waited over the
+    /// number of ends.
+    report::WithError mean_life() const {
+        double sum = 0;
+        for (const double time : times) sum += time;
+        for (const double time : waiting) sum += time;
+        const auto n_ends = static_cast<double>(times.size());
+        return {sum / n_ends,
+                statistics::normal_quantile(confidence) * sum / n_ends / std::sqrt(n_ends)};
+    }
+};
+
+Arrivals arrivals_of(const WalkSweep& sweep) {
+    Arrivals arrivals;
+    for (const WalkSweep::Point& point : sweep.points) {
+        if (!point.outcome) continue;
+        const WalkResult& result = point.outcome->result;
+        if (result.regime == Regime::limit_cycle)
+            arrivals.times.push_back(result.transient);
+        else
+            arrivals.waiting.push_back(result.transient + result.observed);
+    }
+    std::sort(arrivals.times.begin(), arrivals.times.end());
+    return arrivals;
+}
+
+report::DocumentTable arrival_table(const Arrivals& arrivals) {
+    report::DocumentTable table{.id = "arrivals",
+                                .title = "Runs on their limit cycle",
+                                .note = "Errors: 95 %, of a share among so many runs.",
+                                .columns = {{"by the time"}, {"runs"}, {"share [%]"}}};
+    for (const double time : {500., 1000., 2000., 4000., 6000., 8000., 10000., 15000., 20000.}) {
+        const report::WithError share = arrivals.share_by(time);
+        std::vector<report::Cell>& row = table.rows.emplace_back();
+        row.emplace_back(time);
+        row.emplace_back(std::rint(share.value * static_cast<double>(arrivals.n())));
+        row.emplace_back(report::WithError{100 * share.value, 100 * share.error});
+    }
+    return table;
+}
+
+report::Figure arrival_figure(const Arrivals& arrivals) {
+    report::Figure figure{
+        .id = "arrivals_over_time",
+        .title = "Runs on their limit cycle",
+        .caption =
+            "Share of the runs that have reached their limit cycle. Dashed: chaos "
+            "that ends at a constant rate, of the mean life found.",
+        .x = {"t"},
+        .y = {"share"}};
+    report::Curve found{.name = "runs", .x = {0}, .y = {0}};
+    report::Curve decay{.name = "constant rate", .x = {0}, .y = {0}, .theory = true};
+    constexpr int n = 100;
+    const double life = arrivals.mean_life().value, end = arrivals.times.back();
+    for (int i = 1; i <= n; ++i) {
+        const double time = end * i / n;
+        found.add(time, arrivals.share_by(time).value);
+        decay.add(time, 1 - std::exp(-time / life));
+    }
+    figure.curves = {found, decay};
+    return figure;
+}
+
+/// Least and largest of the limit cycles.
+struct Span {
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    double middle() const { return (least + largest) / 2; }
+    double half() const { return (largest - least) / 2; }
+};
+Span span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
+    Span span;
+    for (const WalkSweep::Point& point : sweep.points) {
+        if (!point.outcome || point.outcome->result.regime != Regime::limit_cycle) continue;
+        span.least = std::min(span.least, value(*point.outcome));
+        span.largest = std::max(span.largest, value(*point.outcome));
+    }
+    return span;
+}
+
+void add_arrivals(const WalkSweep& sweep, WalkSection& result) {
+    const Arrivals arrivals = arrivals_of(sweep);
+    if (arrivals.times.empty()) return;
+    const Span period = span_of(sweep, [](const WalkOutcome& o) { return *o.result.period; });
+    const Span friction = span_of(sweep, [](const WalkOutcome& o) { return o.result.mu_e; });
+    const report::WithError life = arrivals.mean_life();
+    result.verdicts.push_back(
+        {report::Verdict::Standing::finding,
+         fmt::format("{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e "
+                     "within {} ± {}. The mean life of the transient is {}.",
+                     arrivals.times.size(), arrivals.n(), report::significant(period.middle(), 6),
+                     report::significant(period.half(), 2), report::significant(friction.middle()),
+                     report::significant(friction.half(), 2),
+                     report::with_error(life.value, life.error))});
+    result.section.figures.push_back(arrival_figure(arrivals));
+    result.section.tables.push_back(arrival_table(arrivals));
+}
+
+std::vector<WalkGroup> points_alone(const WalkSweep& sweep) {
+    std::vector<WalkGroup> groups;
+    for (const WalkSweep::Point& point : sweep.points)
+        if (point.outcome) groups.push_back({{}, {&point}});
+    return groups;
+}
+
+void add_effects(const WalkSweep& sweep, WalkSection& result) {
+    std::vector<std::size_t> axes;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i) axes.push_back(i);
+    const std::vector<WalkGroup> runs = points_alone(sweep);
+    const auto factorial = factorial_of(sweep, runs, axes);
+    if (!factorial) return;
+    const ExclusionRule& all = exclusion_rules().back();
+    const FactorialDesign kinetic =
+        factorial->design(runs, all, [](const WalkOutcome& o) { return o.result.kinetic_energy; });
+    double largest = 0;
+    for (const MainEffect& effect : main_effects(kinetic)) {
+        const auto [low, high] =
+            std::minmax_element(effect.means.begin(), effect.means.end(),
+                                [](const report::WithError& a, const report::WithError& b) {
+                                    return a.value < b.value;
+                                });
+        largest = std::max(largest, high->value / low->value - 1);
+    }
+    result.verdicts.push_back(
+        {report::Verdict::Standing::finding,
+         fmt::format("The start changes the mean kinetic energy by at most {} (main effects).",
+                     report::share(largest))});
+    result.section.figures.push_back(main_effects_figure(
+        "effects_on_kinetic_energy", "Kinetic energy at the end", "e_kin", kinetic));
+    result.section.figures.push_back(main_effects_figure(
+        "effects_on_initial_energy", "Mechanical energy at the start", "e_m(0)",
+        factorial->design(runs, all, [](const WalkOutcome& o) { return o.initial_energy; })));
+}
+
+}  // namespace
+
+std::optional<WalkSection> starts_section(const WalkSweep& sweep) {
+    if (!machine_axes(sweep).empty() || sweep.axes.empty()) return {};
+    WalkSection result{.section = {.id = "starts", .heading = "Starts"}};
+    add_arrivals(sweep, result);
+    add_effects(sweep, result);
+    return result;
+}
+
+}  // namespace tricontact::walking

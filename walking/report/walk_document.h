@@ -1,0 +1,93 @@
+#pragma once
+
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/document.h"
+#include "walking/machine/energy.h"
+#include "walking/machine/walk_case.h"
+#include "walking/machine/walk_record.h"
+#include "walking/report/vibration.h"
+#include "walking/report/walk_report.h"
+
+// The report of a run, and its sections.
+namespace tricontact::walking {
+
+/// What a machine does after its transient: verdicts, the motion and forces of figures 4.5, 4.6 and
+/// 4.17 to 4.19 of Wetter (2016), the whole run, its section, spectrum and running variance.
+report::Document walk_document(const WalkReport& report);
+
+/// What a case says, as name and value: kappas, what follows from them, dimensions, mechanisms that
+/// are switched off, time and start.
+std::vector<std::pair<std::string, std::string>> walk_settings(const WalkCase& walk_case);
+
+/// What a run came to, whether it was long enough, whether the body jumps and its spots move where
+/// they press little.
+std::vector<report::Verdict> walk_verdicts(const WalkReport& report,
+                                           const std::optional<Vibration>& vibration);
+
+/// Displacement, height, rotation and spring force over some periods, one period with its phases,
+/// and the phase plane: Wetter (2016), figures 4.5, 4.6, 4.17 and 4.18.
+report::DocumentSection motion_section(const WalkReport& report);
+
+/// Forces of the contact spots over some periods with what the spots do; of many spots how many
+/// stick, slip and are released.
+report::DocumentSection contact_section(const WalkReport& report);
+
+/// The whole run: means and extremes over windows of time with the end of the transient, and its
+/// Poincare section as a return map.
+report::DocumentSection course_section(const WalkReport& report);
+
+/// Spectrum of the spring force with its characteristic frequency beside that of free flight, and
+/// its running variance: Wetter (2016), figures 5.24, 5.25 and 4.22.
+report::DocumentSection vibration_section(const WalkReport& report, const Vibration& vibration);
+
+/// Energy balance of the motion that a run ends in.
+struct EnergyStretch {
+    EnergyBalance balance;
+    double length = 0;  ///< time, a period of a limit cycle
+    double scale = 0;   ///< greatest of works and changes, > 0
+};
+
+/// From the end of the run on, a period of its limit cycle or some swings further; none for a
+/// machine that fell over or does not move.
+std::optional<EnergyStretch> energy_of(const WalkReport& report);
+
+/// Whether work of the base is dissipation plus change of stored energy.
+report::Verdict energy_verdict(const WalkReport& report, const EnergyStretch& energy);
+
+report::DocumentSection energy_section(const EnergyStretch& energy);
+
+/// Linear stability of steady sliding, from which vibration may or may not start by itself.
+struct SlidingStability {
+    bool exists = false;  ///< else the body tilts
+    std::vector<std::complex<double>>
+        eigenvalues;  ///< [sqrt(k_x/m)], Im >= 0, fastest growth first
+};
+
+SlidingStability sliding_stability(const Machine& machine);
+/// Small disturbances neither grow nor decay.
+bool is_neutral(const SlidingStability& stability);
+
+report::Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability);
+
+report::DocumentSection stability_section(const SlidingStability& stability);
+
+/// A line for each window of the run: its means and extremes. Ratios as in WalkResult.
+std::string windows_csv(const WalkCase& walk_case, const Walk& walk);
+
+/// A line for each recorded state of the end of the run: motion, spring force and, spot by spot,
+/// forces and state (0 released, 1 stick, 2 slip). Lengths in units of b, times of sqrt(m/k_x),
+/// forces of k_x b; of a machine with dimensions also the time in s and the spring force in N.
+std::string motion_csv(const WalkCase& walk_case, const Walk& walk);
+
+/// The numbers of a run, dimensionless as walking/run/walk_result.h has them; "dimensional" holds
+/// those in SI units, null for a machine without dimensions. Undefined numbers are null. Spots are
+/// numbered from 1, left to right: stick_time_1, correlation_1 ...
+nlohmann::ordered_json walk_json(const WalkCase& walk_case, const Walk& walk);
+
+}  // namespace tricontact::walking

@@ -1,0 +1,159 @@
+#include "walking/run/drive_load.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statistics/stationarity.h"
+#include "walking/machine/forces.h"
+
+namespace tricontact::walking {
+namespace {
+
+// Over the force of sliding: rounding of the integration, and what is told of a mean at most.
+constexpr double rounding = 1e-9, resolution = 1e-7;
+
+double duration(const WalkWindow& window) {
+    return window.end - window.begin;
+}
+
+struct MeanForce {
+    double force, time;
+};
+
+MeanForce mean_of(std::span<const WalkWindow> windows) {
+    double impulse = 0, time = 0;
+    for (const WalkWindow& window : windows) {
+        impulse += mean_force(window) * duration(window);
+        time += duration(window);
+    }
+    return {impulse / time, time};
+}
+
+/// Greatest change of the momentum that friction and the weight do not account for, |x'| and
+/// mu |z'| at both ends: a velocity is at most twice the root of its mean square in a swing of two
+/// frequencies.
+double momentum_bound(const Machine& machine, std::span<const WalkWindow> windows) {
+    double energy = 0, steps = 0;
+    for (const WalkWindow& window : windows) {
+        energy += window.sums.kinetic_energy;
+        steps += static_cast<double>(window.sums.steps);
+    }
+    const double base = machine.kappas.kappa6;
+    const double mean_square = std::max(2 * energy / steps - base * base, 0.);
+    return 2 * 2 * std::hypot(1, machine.kappas.kappa5) * std::sqrt(mean_square);
+}
+
+/// Range of the integral of the force about its mean, over the time.
+double swing_error(std::span<const WalkWindow> windows) {
+    // A window's own deviation would not do: about a period long, it averages over the swing, and
+    // what is left adds up over many.
+    const MeanForce mean = mean_of(windows);
+    double integral = 0, least = 0, greatest = 0;
+    for (const WalkWindow& window : windows) {
+        integral += (mean_force(window) - mean.force) * duration(window);
+        least = std::min(least, integral);
+        greatest = std::max(greatest, integral);
+    }
+    return (greatest - least) / mean.time;
+}
+
+/// What sticking takes from the force of sliding. The spots carry the weight together, and those
+/// that slip do so with friction mu times their part of it: all that is missing of the force of
+/// sliding is missing where a spot sticks. In the prism slip turns on the flanks, and in a bed
+/// springs stick while others slip, so that this does not tell.
+double lost_to_sticking(const Machine& machine, double mean) {
+    return machine.model == Machine::Model::prism || machine.bed
+               ? std::numeric_limits<double>::infinity()
+               : std::abs(sliding_force(machine) - mean);
+}
+
+/// Whether first and last third have the same mean force but for swings: those of their windows,
+/// and what the momentum of the body can make of the difference.
+bool thirds_agree(const Machine& machine, std::span<const WalkWindow> windows) {
+    const statistics::Thirds<WalkWindow> thirds(windows);
+    if (thirds.first.empty()) return false;
+    const MeanForce first = mean_of(thirds.first), last = mean_of(thirds.last);
+    const double swings = swing_error(thirds.first) + swing_error(thirds.last) +
+                          momentum_bound(machine, thirds.first) / first.time +
+                          momentum_bound(machine, thirds.last) / last.time;
+    return std::abs(last.force - first.force) <= swings + rounding * sliding_force(machine);
+}
+
+/// Velocity of a spot over that of the base, less 1.
+double lead_of(const Machine& machine, const StretchSums& sums, std::size_t spot) {
+    return sums.spots[spot].velocity / static_cast<double>(sums.steps) / machine.kappas.kappa6 - 1;
+}
+
+}  // namespace
+
+double mean_force(const WalkWindow& window) {
+    return window.sums.spring_force / static_cast<double>(window.sums.steps);
+}
+
+bool only_sticks(std::span<const WalkWindow> windows) {
+    return std::ranges::all_of(windows, [](const WalkWindow& window) {
+        return std::ranges::all_of(window.sums.spots, [&](const SpotSums& spot) {
+            return spot.sticking == window.sums.steps;
+        });
+    });
+}
+
+std::size_t first_loaded(const Machine& machine, std::span<const WalkWindow> windows) {
+    const double slack = rounding * sliding_force(machine);
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    std::size_t first = windows.size();
+    for (std::size_t i = windows.size(); i-- > 0;) {
+        const double force = mean_force(windows[i]);
+        if (force >= least - slack && force <= greatest + slack) first = i;
+        least = std::min(least, force);
+        greatest = std::max(greatest, force);
+    }
+    return first;
+}
+
+double mean_error(const Machine& machine, std::span<const WalkWindow> windows) {
+    const double swings = std::max(swing_error(windows), resolution * sliding_force(machine));
+    const statistics::Thirds<WalkWindow> thirds(windows);
+    if (thirds.last.empty()) return swings;
+    const double mean = mean_of(windows).force, end = mean_of(thirds.last).force,
+                 before = mean_of(thirds.second).force;
+    const double to_come = std::abs(end - mean) + 2 * std::abs(end - before);
+    return std::max(swings, std::min(to_come, lost_to_sticking(machine, mean)));
+}
+
+bool is_evenly_pulled(const Machine& machine, std::span<const WalkWindow> windows) {
+    const std::size_t half = windows.size() / 2;
+    return thirds_agree(machine, windows) && thirds_agree(machine, windows.subspan(half));
+}
+
+bool moves_with_base(const Machine& machine, std::span<const WalkWindow> windows) {
+    if (!(machine.kappas.kappa6 > 0)) return true;
+    const double time = mean_of(windows).time;
+    const double least = std::max(rounding, resolution * loading_time(machine) / time);
+    for (std::size_t spot = 0; spot < windows.front().sums.spots.size(); ++spot) {
+        const auto lead = [&](const WalkWindow& window) {
+            return lead_of(machine, window.sums, spot) * duration(window) / time;
+        };
+        double all = 0, passed = 0, sum = 0, deviation = 0;
+        for (const WalkWindow& window : windows) all += lead(window);
+        for (const WalkWindow& window : windows) {
+            passed += duration(window) / time;
+            sum += lead(window);
+            deviation = std::max(deviation, std::abs(sum - passed * all));
+        }
+        const double error = 2 * deviation;
+        if (std::abs(all) > error + least || 1 + all <= error) return false;
+    }
+    return true;
+}
+
+double loading_time(const Machine& machine) {
+    double stiffness = 0;
+    for (const Spot& spot : spots_of(machine))
+        stiffness += spot_force(machine, spot, {.tangential = 1}).tangential;
+    const double way = sliding_force(machine) * (1 / machine.kappas.kappa1 + 1 / stiffness);
+    return way / machine.kappas.kappa6;
+}
+
+}  // namespace tricontact::walking
