@@ -31,14 +31,14 @@ constexpr int last_row = 3;
 constexpr double most_over_least = 3, most_at_least = 1;
 // Places on a curve of shifts over the force, in s = (1 - f_T)^(1/3), Cattaneo's stick radius, in
 // which it is smooth up to sliding. The last grid cells that stick make it rough.
-constexpr int n_curve_points = 9;
+constexpr int n_sampled_points = 9;
 constexpr double least_stick_radius = 0.25;
 constexpr int curve_order = 5;
 
 std::vector<double> curve_points() {
     std::vector<double> s;  // Chebyshev's, increasing
-    for (int j = n_curve_points - 1; j >= 0; --j) {
-        const double t = std::cos((2 * j + 1) * std::numbers::pi / (2 * n_curve_points));
+    for (int j = n_sampled_points - 1; j >= 0; --j) {
+        const double t = std::cos((2 * j + 1) * std::numbers::pi / (2 * n_sampled_points));
         s.push_back((1 + least_stick_radius) / 2 + (1 - least_stick_radius) / 2 * t);
     }
     return s;

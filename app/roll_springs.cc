@@ -9,6 +9,7 @@
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
+#include "contact/special_values.h"
 
 namespace tricontact::app {
 
@@ -21,7 +22,6 @@ using rolling::drive_sign;
 using rolling::RollingRun;
 using rolling::RollingState;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A bed of springs under a profile that rolls on from one end, a spring a step.
 class RollingBed {
@@ -165,7 +165,7 @@ RollingState steady_state_at(const Case& c, double creepage) {
     return steady_state(bed, creepage, rolling::creepage_unit(c));
 }
 
-double sliding_creepage(const Case& c) {
+double spring_sliding_creepage(const Case& c) {
     const contact::MaterialPair materials = c.materials();
     return 2 * materials.effective_modulus() / materials.effective_shear_modulus() *
            rolling::creepage_unit(c);
@@ -200,11 +200,11 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
         runs.tell(step, n_steps);
     }
     run.history.steady = steady_state(bed, given.longitudinal_creepage, rolling::creepage_unit(c));
-    run.history.steady.distance = infinite;
+    run.history.steady.distance = contact::infinity;
     run.history.surface = bed.model().surface();
-    keep(infinite, infinite);
+    keep(contact::infinity, contact::infinity);
     for (const double creepage :
-         curve_creepages(drive_sign(c) * sliding_creepage(c), runs.points)) {
+         curve_creepages(drive_sign(c) * spring_sliding_creepage(c), runs.points)) {
         run.creep_curve.push_back(steady_state_at(c, creepage));
         runs.tell(n_steps + run.creep_curve.size(), n_steps);
     }

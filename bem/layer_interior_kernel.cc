@@ -18,7 +18,6 @@ namespace {
 using theory::InteriorWaves;
 using theory::LayerStack;
 
-constexpr double table_step = 1. / 60;  // of asinh(r/b): b/60 near the force
 constexpr int lagrange_points = 6;
 
 /// Radial functions: of pressure, then of a force along x, theta = 0.

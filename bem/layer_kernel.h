@@ -6,6 +6,9 @@
 
 namespace tricontact::bem {
 
+/// Of tables over asinh(r/b): b/60 near the force.
+inline constexpr double table_step = 1. / 60;
+
 /// Surface displacements under a point force on a layered body less those on a half-space of its
 /// top layer [m/N], at the distance r. With D = C_layers - C_half-space (see layer_compliance.h):
 ///   normal     g_z =  1/(2 pi) ∫ k D33 J0(kr) dk              u_z by a normal force,

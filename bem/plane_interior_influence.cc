@@ -19,7 +19,7 @@ using theory::InteriorWaves;
 using theory::LayerStack;
 using Amplitudes = PlaneInteriorInfluence::Amplitudes;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Where an amplitude belongs: component of displacement or stress, direction of the load, and
 /// whether it goes with cos(k s), else sin(k s).

@@ -18,6 +18,7 @@ function(tricontact_sources_digest target header function)
         DEPENDS ${sources} ${list} ${script}
         COMMENT "Digest of the sources for ${function}" VERBATIM)
     target_sources(${target} PRIVATE ${unit})
+    set_source_files_properties(${unit} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # tricontact_sources_of(variable folder...): all sources of these folders, without their subfolders.

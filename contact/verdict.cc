@@ -7,11 +7,12 @@
 #include <limits>
 #include <numeric>
 
+#include "contact/special_values.h"
+
 namespace tricontact::contact {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double settled_shift = 1e-7;  // per period, over U_max
 constexpr double settled_work = 1e-6;   // per period, over mu F_N U_max
 constexpr double exact_steps = 1e-11;   // of MDR: slips below it are rounding (SpringBed)

@@ -59,4 +59,15 @@ class NormalBed {
     std::vector<double> heights_;  // one per spring
 };
 
+/// Of forces and energies, whatever the number of springs: some seventy contact::sum_rounding.
+inline constexpr double rounding = 1e-12;
+
+/// The values of the springs of a window.
+inline std::span<double> part(std::vector<double>& values, const Window& window) {
+    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
+}
+inline std::span<const double> part(const std::vector<double>& values, const Window& window) {
+    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
+}
+
 }  // namespace tricontact::mdr

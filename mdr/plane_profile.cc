@@ -11,12 +11,12 @@
 #include "contact/error.h"
 #include "contact/solvers/increasing_root.h"
 #include "mdr/tabulated_profile.h"
+#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Half width a in (0, range] at which an increasing function of it vanishes.
 template <typename Function>
@@ -66,7 +66,7 @@ void PowerLawProfile::sample(double first, double spacing, std::span<double> hei
 }
 
 double PowerLawProfile::range() const {
-    return infinity;
+    return contact::infinity;
 }
 
 double PowerLawProfile::integral(double a) const {
@@ -74,7 +74,7 @@ double PowerLawProfile::integral(double a) const {
 }
 
 double PowerLawProfile::centre_integral(double a) const {
-    if (exponent_ <= 1) return infinity;
+    if (exponent_ <= 1) return contact::infinity;
     return exponent_ / (exponent_ - 1) * value(a) / a;
 }
 

@@ -25,10 +25,6 @@ const contact::Relaxation& relaxation_of(const BedData& data) {
     return *data.relaxation;
 }
 
-std::span<double> part(std::vector<double>& values, const Window& window) {
-    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
-}
-
 Window hull(const Window& a, const Window& b) {
     if (a.size() == 0) return b;
     if (b.size() == 0) return a;

@@ -18,9 +18,6 @@ using contact::TangentialControl;
 
 namespace {
 
-// Of forces and energies, whatever the number of springs: some seventy contact::sum_rounding.
-constexpr double rounding = 1e-12;
-
 /// What the springs' work misses to be stored or dissipated in them, over the magnitudes of all
 /// that is added up: each of the sums is right to contact::sum_rounding of its own.
 double imbalance(const SpringMemory::Sums& sums, double stored_before) {

@@ -17,17 +17,6 @@ using contact::TangentialControl;
 
 namespace {
 
-// Of forces and energies, whatever the number of springs: some seventy contact::sum_rounding.
-constexpr double rounding = 1e-12;
-
-std::span<double> part(std::vector<double>& values, const Window& window) {
-    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
-}
-
-std::span<const double> part(const std::vector<double>& values, const Window& window) {
-    return {values.data() + window.first, static_cast<std::size_t>(window.size())};
-}
-
 }  // namespace
 
 SpringBed::SpringBed(BedData data)

@@ -11,12 +11,12 @@
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double narrowest_panel = 1e-12;  // of the range
 
 }  // namespace
@@ -104,7 +104,7 @@ const TabulatedProfile::Panel& TabulatedProfile::panel_at(double distance) const
 
 double TabulatedProfile::value(double x) const {
     const double distance = std::abs(x);
-    if (!(distance <= range_)) return infinity;
+    if (!(distance <= range_)) return contact::infinity;
     return distance * panel_at(distance).mean_slope(distance);
 }
 
@@ -113,7 +113,7 @@ void TabulatedProfile::sample(double first, double spacing, std::span<double> he
     auto distance = [=](int i) { return std::abs(first + i * spacing); };
     for (int i = 0; i < n;) {
         if (!(distance(i) <= range_)) {
-            heights[i++] = infinity;
+            heights[i++] = contact::infinity;
             continue;
         }
         // Neighbours on one panel go through the vector unit together.
@@ -141,7 +141,7 @@ double TabulatedProfile::integral(double a) const {
 
 // By parts: g(a)/a + ∫_0^a g/x^2 dx = s(a) + ∫_0^a s/x dx with the mean slope s = g/x.
 double TabulatedProfile::centre_integral(double a) const {
-    if (conical_) return infinity;
+    if (conical_) return contact::infinity;
     double sum = value(a) / a;
     for (const Panel& panel : panels_) {
         if (panel.begin >= a) break;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "meshes/messages.h"
+#include "meshes/mesh_format.h"
 
 namespace tricontact::meshes {
 
@@ -15,7 +16,6 @@ namespace {
 
 using Tag = std::size_t;
 
-constexpr int hexahedron = 5, quadrilateral = 3;  // gmsh's element types
 
 // An element as gmsh knows it; `what` is its name.
 template <std::size_t n, class What>

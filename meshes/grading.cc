@@ -8,8 +8,8 @@ namespace tricontact::meshes {
 
 namespace {
 
-// Lengths this near to each other (relative) are equal: decimal input is not exact in binary.
-constexpr double equal = 1e-9;
+// Lengths this near to each other (relative) are same_size: decimal input is not exact in binary.
+constexpr double same_size = 1e-9;
 
 // 1 + r + ... + r^(n-1), without the cancellation of (r^n - 1)/(r - 1) near r = 1.
 double geometric_sum(int n, double r) {
@@ -31,7 +31,7 @@ double ratio_for(int n, double total, double growth) {
 }  // namespace
 
 double graded_count(double length, double first, double growth) {
-    const double total = length / first * (1 - equal);
+    const double total = length / first * (1 - same_size);
     if (!(length > 0)) return 0;
     if (total <= 1 || total <= std::min(growth, 1 + 1 / growth)) return 1;
     const double excess = growth - 1;

@@ -32,4 +32,7 @@ MeshFormat mesh_format(std::string_view bytes);
 /// binary file that has the bytes of numbers in another order than this machine.
 bool has_sound_numbers(std::string_view bytes, const MeshFormat& format);
 
+/// gmsh's types of elements.
+inline constexpr int hexahedron = 5, quadrilateral = 3;
+
 }  // namespace tricontact::meshes

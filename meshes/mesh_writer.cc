@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Tag = std::size_t;
 
-constexpr int hexahedron = 5, quadrilateral = 3;  // gmsh's element types
 
 // An entity for the elements of a name, its tag that of the physical group.
 template <class Name>

@@ -8,17 +8,17 @@
 #include "meshes/hex_geometry.h"
 #include "meshes/mesh_checks.h"
 #include "meshes/messages.h"
+#include "contact/special_values.h"
 
 namespace tricontact::meshes {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Smallest and largest coordinates of the contact's nodes, and its shortest edge [m].
 struct ContactExtent {
-    Point low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-    double size = infinity;
+    Point low{contact::infinity, contact::infinity, contact::infinity}, high{-contact::infinity, -contact::infinity, -contact::infinity};
+    double size = contact::infinity;
 };
 
 ContactExtent contact_extent(const HexMesh& mesh) {

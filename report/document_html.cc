@@ -126,7 +126,7 @@ data table(const DocumentTable& content) {
     return result;
 }
 
-data figure(const Figure& content) {
+data figure_data(const Figure& content) {
     data result{data::type::object};
     result.set("id", content.id);
     result.set("title", typeset(content.title));
@@ -140,7 +140,7 @@ data figure(const Figure& content) {
 data section(const DocumentSection& content) {
     data paragraphs{data::type::list}, figures{data::type::list}, tables{data::type::list};
     for (const std::string& text : content.paragraphs) paragraphs << data{"text", typeset(text)};
-    for (const Figure& each : content.figures) figures << figure(each);
+    for (const Figure& each : content.figures) figures << figure_data(each);
     for (const DocumentTable& each : content.tables) tables << table(each);
     data result{data::type::object};
     result.set("id", content.id);

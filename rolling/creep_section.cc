@@ -11,7 +11,7 @@ namespace tricontact::rolling {
 
 namespace {
 
-constexpr int theory_points = 200;
+constexpr int curve_points = 200;
 
 report::Figure creep_figure(const RollingReport& report) {
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
@@ -43,8 +43,8 @@ report::Figure creep_figure(const RollingReport& report) {
     for (const CreepTheory& theory : creep_theories(report.c)) {
         report::Curve curve{
             .name = theory.name, .theory = true, .colour = static_cast<int>(figure.curves.size())};
-        for (int i = 0; i <= theory_points; ++i) {
-            const double creepage = farthest * i / theory_points;
+        for (int i = 0; i <= curve_points; ++i) {
+            const double creepage = farthest * i / curve_points;
             curve.add(creepage, theory.force_ratio(creepage * unit));
         }
         figure.curves.push_back(std::move(curve));

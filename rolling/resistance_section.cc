@@ -3,12 +3,12 @@
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_sections.h"
+#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 report::DocumentTable model_table(const RollingReport& report) {
     report::DocumentTable table{
@@ -16,7 +16,7 @@ report::DocumentTable model_table(const RollingReport& report) {
         .title = "Rolling resistance",
         .note =
             "The pressure leans forward and resists, W per rolled way; the lead is its moment "
-            "about the body's lowest point over F_N, undefined of springs, which have no "
+            "about the body's lowest point over F_N, contact::undefined of springs, which have no "
             "pressure. The material dissipates what resistance and friction's traction work "
             "on it.",
         .columns = {{"model"},
@@ -33,7 +33,7 @@ report::DocumentTable model_table(const RollingReport& report) {
     return table;
 }
 
-report::DocumentTable theory_table(const RollingReport& report) {
+report::DocumentTable resistance_theory_table(const RollingReport& report) {
     report::DocumentTable table{
         .id = "resistance_theories",
         .title = "Closed forms of the resistance",
@@ -48,7 +48,7 @@ report::DocumentTable theory_table(const RollingReport& report) {
         std::vector<report::Cell> row{theory.name, theory.ratio};
         for (const RollingRun& run : report.runs) {
             const auto& s = run.history.steady;
-            row.emplace_back(s.resistance == 0 ? undefined
+            row.emplace_back(s.resistance == 0 ? contact::undefined
                                                : theory.ratio * s.normal_force / s.resistance);
         }
         table.rows.push_back(std::move(row));
@@ -63,7 +63,7 @@ report::DocumentSection resistance_section(const RollingReport& report) {
                                     .heading = "Resistance of the relaxing substrate"};
     if (!report.c.relaxation) return section;
     section.tables.push_back(model_table(report));
-    report::DocumentTable theories = theory_table(report);
+    report::DocumentTable theories = resistance_theory_table(report);
     if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
     return section;
 }

@@ -7,12 +7,12 @@
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
 #include "rolling/rolling_sections.h"
+#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 report::DocumentTable steady_table(const RollingReport& report) {
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
@@ -46,7 +46,7 @@ report::DocumentTable steady_table(const RollingReport& report) {
                               s.spin_moment / limit / s.half_length, s.half_length * 1e3,
                               s.half_width * 1e3, s.peak_pressure * 1e-6,
                               s.stick_area / s.contact_area, s.dissipation,
-                              energy_error(s, mu).value_or(undefined), s.residual});
+                              energy_error(s, mu).value_or(contact::undefined), s.residual});
     }
     return table;
 }

@@ -11,12 +11,12 @@
 #include "rolling/rolling_sections.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/carter.h"
+#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr int theory_points = 400;
 
 const std::string way_label = "rolled way over the half length a of the contact [-]";
@@ -55,7 +55,7 @@ report::Figure way_figure(const RollingReport& report) {
         for (const RollingState& s : run.history.transient) {
             curve.x.push_back(s.distance / a);
             // At rest nothing is rolled yet: no creepage.
-            curve.y.push_back(s.distance > 0 || forces ? value(s) : undefined);
+            curve.y.push_back(s.distance > 0 || forces ? value(s) : contact::undefined);
         }
         const double end = curve.x.empty() ? 0 : curve.x.back();
         figure.curves.push_back(std::move(curve));

@@ -6,6 +6,7 @@
 
 #include "report/format.h"
 #include "rolling/rolling_sections.h"
+#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
@@ -17,7 +18,6 @@ using contact::Surface;
 constexpr int most_points = 64;       // along a side of the map
 constexpr int most_arrows = 20;       // likewise
 constexpr double arrow_length = .09;  // of the largest slip, over a
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// Every n-th cell so that a side has at most so many.
 int stride(const Surface& s, int most) {
@@ -54,7 +54,7 @@ report::Curve slip_strokes(const Surface& s, double a) {
         for (const double end : {0., arrow_length / largest}) {
             curve.add(x / a + end * s.slip_x[i], y / a + end * s.slip_y[i]);
         }
-        curve.add(undefined, undefined);
+        curve.add(contact::undefined, contact::undefined);
     });
     return curve;
 }

@@ -13,12 +13,13 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "contact/special_values.h"
+
 namespace tricontact::statistics {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using std::numbers::pi;
 
 /// Transform of real values, which are overwritten.
 std::vector<std::complex<double>> transform(std::vector<double>& values) {
@@ -77,7 +78,7 @@ Spectrum mean_spectrum(std::span<const double> values, double interval, int n_pa
 double peak_frequency(const Spectrum& spectrum) {
     const std::vector<double>& a = spectrum.amplitudes;
     const auto peak = std::max_element(a.begin(), a.end());
-    if (*peak == 0 || std::isnan(*peak)) return nan;
+    if (*peak == 0 || std::isnan(*peak)) return contact::undefined;
     // A sine between two lines shows in both; the greater neighbour tells where.
     const auto i = std::clamp<std::ptrdiff_t>(peak - a.begin(), 1, std::ssize(a) - 2);
     const double side = a[i + 1] > a[i - 1] ? 1 : -1;

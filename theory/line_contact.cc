@@ -16,7 +16,7 @@ namespace tricontact::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Functions of x = cos theta that are even in x: modes cos(2m theta), orthonormal on the points
 /// theta_i = (2i + 1) pi/(4n) of a quarter turn.

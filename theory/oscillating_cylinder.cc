@@ -15,7 +15,7 @@ namespace tricontact::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void check_between(const char* name, double value, double low, double high) {
     if (!(value >= low && value <= high))

@@ -18,7 +18,7 @@ namespace tricontact::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A traction whose Hankel transform of its order (0 and 2: t_0, t_2; 1: p_1) is j_n(k a). In
 /// Fourier space it acts along the wave vector, across it and normally, with these factors.

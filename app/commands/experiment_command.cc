@@ -21,7 +21,7 @@ using experiments::CaseQuantity;
 using experiments::Experiment;
 using experiments::ExperimentEvaluation;
 
-constexpr int enough_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
+constexpr int enough_limit_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
 
 /// What ratios of a case stand for: its own F_N [N] and W [m].
 struct Loads {
@@ -178,7 +178,7 @@ class Predictions {
         experiments::PredictedLimit limit{name, {}};
         for (const auto& stage : evaluation_.runs.front().stages) {
             say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
-            const Case c = case_with(stage.amplitude, stage.period, enough_periods, false);
+            const Case c = case_with(stage.amplitude, stage.period, enough_limit_periods, false);
             limit.states.push_back(run(name, c).verdict.state);
         }
         evaluation_.model_limits.push_back(std::move(limit));

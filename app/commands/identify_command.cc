@@ -124,7 +124,7 @@ class Identifier {
 };
 
 struct Labels {
-    experiments::MeasuredQuantity given, observed;
+    experiments::QuantityOfAxis given, observed;
 };
 
 Labels labels_of(Measurement measurement) {

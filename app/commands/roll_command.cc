@@ -30,7 +30,7 @@ using contact::Case;
 using rolling::RollingReport;
 using rolling::RollingRun;
 
-const std::string command = std::string("tricontact roll ") + resolved_case_name;
+const std::string roll_again = std::string("tricontact roll ") + resolved_case_name;
 
 Case read(const RollOptions& options) {
     Case c = io::read_case(options.case_file, options.overrides, options.models);
@@ -38,7 +38,7 @@ Case read(const RollOptions& options) {
     return c;
 }
 
-io::OutputNames names_of(const std::vector<std::string>& models) {
+io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
                           {io::paraview_macro_name}};
     for (const std::string& model : models)
@@ -50,7 +50,7 @@ io::OutputNames names_of(const std::vector<std::string>& models) {
 RollingRun roll_model(const std::string& model, const Case& c, const RollOptions& options) {
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
-    const io::Provenance provenance{files::version, command};
+    const io::Provenance provenance{files::version, roll_again};
     std::optional<io::VtkSeries> surfaces, steady;
     const auto begin = [&] {
         surfaces.emplace(folder, "surface", provenance);
@@ -129,7 +129,7 @@ void roll_models(const Case& c, const RollOptions& options) {
     const std::string resolved = io::write_case(c);
     io::write_file(options.output + "/" + resolved_case_name, resolved);
     RollingReport report{
-        .c = c, .runs = {}, .files = files_of(c), .command = command, .version = files::version};
+        .c = c, .runs = {}, .files = files_of(c), .command = roll_again, .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
     std::cout << table_of(report);
@@ -156,7 +156,7 @@ void roll_command(const RollOptions& given) {
     const Case c = read(options);
     bem::check_influence_file(c);  // before anything is written
     options.output = io::output_folder(options.output, options.case_file);
-    io::OutputFolder folder(options.output, names_of(c.models));
+    io::OutputFolder folder(options.output, roll_outputs(c.models));
     folder.fill([&] { roll_models(c, options); });
     if (!options.quiet)
         std::cerr << "results in " << options.output

@@ -19,7 +19,7 @@ namespace tricontact::app {
 
 namespace {
 
-io::OutputNames names_of(const std::vector<std::string>& models) {
+io::OutputNames run_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "report.html"},
                           {io::paraview_macro_name, "plots/"}};
     for (const std::string& model : models)
@@ -57,7 +57,7 @@ void run_command(const RunOptions& given) {
     refuse_rolling_on(c, options.case_file);
     bem::check_influence_file(c);  // before anything is written
     options.output = io::output_folder(options.output, options.case_file);
-    io::OutputFolder folder(options.output, names_of(c.models));
+    io::OutputFolder folder(options.output, run_outputs(c.models));
     std::optional<CaseRun> done;
     folder.fill([&] { done.emplace(compute(c, options)); });
     const CaseRun& run = *done;

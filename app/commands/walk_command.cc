@@ -24,7 +24,7 @@ using walking::Walk;
 using walking::WalkCase;
 using walking::WalkReport;
 
-const std::string command = std::string("tricontact walk ") + resolved_case_name;
+const std::string walk_again = std::string("tricontact walk ") + resolved_case_name;
 
 /// The last period of a limit cycle, else some swings of the spring: not more than `most` states,
 /// at equal intervals.
@@ -46,7 +46,7 @@ void write_animation(const std::string& output, const WalkCase& walk_case, const
     if (frames.empty()) return;
     const std::string folder = output + "/animation";
     io::make_output_folder(folder);
-    walking::write_walk_animation(folder, walk_case, frames, {files::version, command});
+    walking::write_walk_animation(folder, walk_case, frames, {files::version, walk_again});
 }
 
 void write_report(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
@@ -56,7 +56,7 @@ void write_report(const std::string& output, const WalkCase& walk_case, const Wa
                                 {"means of the run, window by window", "windows.csv"},
                                 {"motion and forces at its end", "motion.csv"},
                                 {"the case, resolved", resolved_case_name}},
-                      .command = command,
+                      .command = walk_again,
                       .version = files::version};
     if (walk_case.output.frames > 0)
         report.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");

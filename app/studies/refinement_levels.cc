@@ -33,11 +33,11 @@ struct Start {
     double size;  // [m]
 };
 
-/// Block and element size of our own mesh of the case [m].
-struct Block {
+/// KeyBlock and element size of our own mesh of the case [m].
+struct KeyBlock {
     double size, width, depth;
 };
-Block block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+KeyBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
 #ifdef TRICONTACT_WITH_FEM
     const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
     return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
@@ -97,7 +97,7 @@ Overrides resolution(const Case& c, const std::string& key, double size, int k) 
 }
 
 Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
-    const Block block = block_of(level.c, say);
+    const KeyBlock block = block_of(level.c, say);
     Overrides sides{"substrate.width=" + length(factor * block.width)};
     // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
     if (!level.c.is_cylindrical())

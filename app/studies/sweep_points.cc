@@ -20,7 +20,7 @@ namespace {
 using contact::Case;
 using io::Study;
 
-std::string metres(double value) {
+std::string metres_text(double value) {
     return fmt::format("\"{} m\"", value);
 }
 
@@ -33,14 +33,14 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     if (model == "mdr") return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
     if (model.starts_with("bem"))
         return {c.bem.spacing
-                    ? "bem.spacing=" + metres(*c.bem.spacing / factor)
+                    ? "bem.spacing=" + metres_text(*c.bem.spacing / factor)
                     : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
     if (!c.fem.size)
         throw contact::InputError(
             "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
     constexpr double least_growth = 1.05;  // that a case file may ask for
     const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
-    return {"fem.size=" + metres(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
+    return {"fem.size=" + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
 }
 
 std::string key_of(const Case& c) {

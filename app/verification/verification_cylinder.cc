@@ -13,7 +13,7 @@ namespace {
 using comparisons::Verification;
 using contact::Case;
 
-constexpr double amplitude = 0.26, force = 0.5;
+constexpr double cylinder_amplitude = 0.26, cylinder_force = 0.5;
 
 /// The rig with a cylinder a hundred times as long under the same load per length, so that (a/L)^2
 /// of the strip is nothing; no coupling, which the closed forms leave out.
@@ -26,9 +26,9 @@ Case cylinder_case() {
     c.friction_coefficient = 0.79;
     c.contact.coupling = false;
     c.load.normal_force = 3230;
-    c.load.tangential_ratio = force;
+    c.load.tangential_ratio = cylinder_force;
     c.rolling.emplace();
-    c.rolling->amplitude_ratio = amplitude;
+    c.rolling->amplitude_ratio = cylinder_amplitude;
     c.rolling->steps = Case::Steps::turning_points;
     c.rolling->periods = 200;
     return c;
@@ -43,7 +43,7 @@ void add_half_space(const Levels& levels, const LineTolerances& allowed, Verific
     const contact::HalfSpaceScales hertz = contact::half_space_scales(c);
     const double length_ratio = c.indenter.length / hertz.contact_radius;
     const double lambda = contact::line_shift_factor(c.materials(), length_ratio);
-    const double stick = theory::line_stick_half_width(amplitude, force).value();
+    const double stick = theory::line_stick_half_width(cylinder_amplitude, cylinder_force).value();
     const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.43 to 4.45 (Hertz)";
     const char* const strip = "Boussinesq (1885), Cerruti (1882) over a strip of the length L";
     const char* const punches = "flat punches superposed (theory/oscillating_cylinder.h)";
@@ -55,11 +55,11 @@ void add_half_space(const Levels& levels, const LineTolerances& allowed, Verific
     rows.add(problem, "d, mm", strip, hertz.indentation * 1e3, allowed.others, indentation_mm);
     rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, allowed.others, unit_shift_mm);
     rows.add(problem, "u_stat", "Cattaneo (1938), two ellipses over the strip",
-             theory::line_static_shift_ratio(force, lambda), allowed.others, static_ratio);
-    rows.add(problem, "u_sd", punches, theory::line_settled_shift_ratio(amplitude, stick, lambda),
+             theory::line_static_shift_ratio(cylinder_force, lambda), allowed.others, static_ratio);
+    rows.add(problem, "u_sd", punches, theory::line_settled_shift_ratio(cylinder_amplitude, stick, lambda),
              allowed.others, settled_ratio);
     rows.add(problem, "f_T,lim", "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
-             theory::line_shakedown_limit(amplitude), allowed.others, limit);
+             theory::line_shakedown_limit(cylinder_amplitude), allowed.others, limit);
 }
 
 void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowed,
@@ -68,7 +68,7 @@ void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowe
         {c.substrate, *c.layer.thickness, theory::LayerBase::bonded}, c.indenter.radius,
         {theory::LineControl::Kind::load, *c.load.normal_force / c.indenter.length});
     const char* const source = "singular integral equation of the bonded layer in plane strain";
-    const double path = amplitude * contact::half_space_scales(c).contact_radius;
+    const double path = cylinder_amplitude * contact::half_space_scales(c).contact_radius;
     const std::string problem = "Line contact, layer b = 2.6 a";
     Rows rows(levels, all);
     rows.add(problem, "a, mm", source, exact.half_width * 1e3, allowed.width, radius_mm);
@@ -79,7 +79,7 @@ void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowe
              limit);
 }
 
-Case layer_case() {
+Case line_layer_case() {
     Case c = cylinder_case();
     c.layer.thickness = 5e-3;
     return c;
@@ -88,7 +88,7 @@ Case layer_case() {
 }  // namespace
 
 void verify_fem_line(const Say& say, Verification& all) {
-    Case c = layer_case();
+    Case c = line_layer_case();
     c.fem.cache = "none";
     const double hertz_width = contact::half_space_scales(c).contact_radius;
     const Levels levels = run_levels(
@@ -106,7 +106,7 @@ void verify_cylinder(bool brief, const Say& say, Verification& all) {
     const Size size = [](const Case& c) { return 1 / *c.bem.cells_per_radius; };
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
-    const Case c = layer_case();
+    const Case c = line_layer_case();
     add_half_space(run_levels("bem", cylinder_case(), set_cells, size, say), allowed, all);
     add_layer(run_levels("bem-layer", c, set_cells, size, say), c, allowed, all);
 }

@@ -25,10 +25,10 @@ using comparisons::Verification;
 using comparisons::VerificationRow;
 using contact::Case;
 
-constexpr double force = .56;
+constexpr double rolling_force = .56;
 
 Case rolling_on(double nu) {
-    Case c = rig_sphere(nu, force);
+    Case c = rig_sphere(nu, rolling_force);
     c.tractive_rolling.emplace().distance = .01;
     return c;
 }
@@ -65,7 +65,7 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
         row.sizes.push_back(7. / c.mdr.springs);
         row.values.push_back(roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal);
         for (const auto& theory : rolling::creep_theories(c))
-            if (theory.key == "mdr_closed_form") row.reference = theory.creepage(force);
+            if (theory.key == "mdr_closed_form") row.reference = theory.creepage(rolling_force);
     }
     all.rows.push_back(std::move(row));
 }
@@ -77,11 +77,11 @@ void verify_carter(bool brief, const Say& say, Verification& all) {
                              .source =
                                  "Carter (1926); Johnson, Contact Mechanics (1985), eq. 8.48; "
                                  "extrapolated from this and twice the size of cells",
-                             .reference = theory::carter_creepage_ratio(force),
+                             .reference = theory::carter_creepage_ratio(rolling_force),
                              .tolerance = brief ? 2e-2 : 3e-3};
     VerificationRow stick = creepage;
     stick.quantity = "c/a, f_T = 0.56";
-    stick.reference = theory::carter_stick_ratio(force);
+    stick.reference = theory::carter_stick_ratio(rolling_force);
     stick.source = "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick";
     stick.tolerance = brief ? .05 : 3e-3;
     std::vector<double> creepages, sticks;

@@ -8,6 +8,7 @@
 #include "comparisons/half_space/deviation_rows.h"
 #include "comparisons/quantities/quantities.h"
 #include "report/format.h"
+#include "contact/special_values.h"
 
 namespace tricontact::comparisons {
 
@@ -15,10 +16,9 @@ namespace {
 
 using theory::LayerBase;
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 report::Cell percent_cell(const std::optional<RolledRatio>& ratio, bool computed) {
-    if (!ratio) return undefined;
+    if (!ratio) return contact::undefined;
     if (!computed) return 100 * (ratio->value - 1);
     return report::WithError{100 * (ratio->value - 1), 100 * ratio->error};
 }
@@ -27,7 +27,7 @@ void add_needed(std::vector<report::Cell>& row, const std::optional<NeededThickn
                 double thinnest) {
     for (std::size_t i = 0; i < deviation_tolerances.size(); ++i)
         row.push_back(needed ? report::Cell(needed_text(needed->at(i), thinnest))
-                             : report::Cell(undefined));
+                             : report::Cell(contact::undefined));
 }
 
 report::DocumentTable here_table(const HalfSpaceDeviation& deviation) {

@@ -11,7 +11,7 @@ using Kind = RolledRun::Kind;
 using Value = std::optional<double>;
 using Values = std::array<Value, n_rolled_quantities>;
 
-const std::array<const Quantity*, n_rolled_quantities> descriptions{
+const std::array<const Quantity*, n_rolled_quantities> rolled_descriptions{
     &quantities::static_shift,
     &quantities::static_shift_ratio,
     &quantities::settled_shift,
@@ -82,7 +82,7 @@ std::optional<RolledRatio> ratio_of(std::size_t q, const BodyValues& layer,
 }  // namespace
 
 const Quantity& describe(RolledQuantity q) {
-    return *descriptions.at(index(q));
+    return *rolled_descriptions.at(index(q));
 }
 
 const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities() {

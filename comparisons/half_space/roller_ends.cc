@@ -24,30 +24,30 @@ double y_of(const Surface& s, int i) {
 }
 
 /// Points of one row, x increasing.
-using Row = std::vector<int>;
+using Cells = std::vector<int>;
 
 /// Rows with y >= 0 up to the end, y decreasing.
-std::vector<Row> rows_from_end(const Surface& s, double length) {
+std::vector<Cells> rows_from_end(const Surface& s, double length) {
     const double tolerance = same_row * length;
     std::vector<int> points;
     for (int i = 0; i < static_cast<int>(s.size()); ++i)
         if (y_of(s, i) >= -tolerance && y_of(s, i) <= length / 2 + tolerance) points.push_back(i);
     std::stable_sort(points.begin(), points.end(),
                      [&](int i, int j) { return y_of(s, i) > y_of(s, j); });
-    std::vector<Row> rows;
+    std::vector<Cells> rows;
     for (const int i : points) {
         if (rows.empty() || y_of(s, rows.back().front()) - y_of(s, i) > tolerance)
             rows.push_back({});
         rows.back().push_back(i);
     }
-    for (Row& row : rows)
+    for (Cells& row : rows)
         std::sort(row.begin(), row.end(), [&](int i, int j) { return x_of(s, i) < x_of(s, j); });
     return rows;
 }
 
 /// Where the contact of a row ends on one side [m]; `last` and `next` walk outwards from its last
 /// point. Next to an edge the gap grows with the power 3/2 of the distance (Johnson 1985, 5.1).
-double edge(const Surface& s, const Row& row, int last, int side) {
+double edge(const Surface& s, const Cells& row, int last, int side) {
     const auto at = [&](int k) { return x_of(s, row[k]); };
     const int first = last + side, second = first + side;
     if (first < 0 || first >= static_cast<int>(row.size())) return at(last);
@@ -60,7 +60,7 @@ double edge(const Surface& s, const Row& row, int last, int side) {
     return std::clamp(position, std::min(at(last), at(first)), std::max(at(last), at(first)));
 }
 
-std::optional<RollerSection> section(const Surface& s, const Row& row, double length) {
+std::optional<RollerSection> section(const Surface& s, const Cells& row, double length) {
     const auto touches = [&](int i) { return s.contact_state[i] != ContactState::open; };
     const auto first = std::find_if(row.begin(), row.end(), touches);
     if (first == row.end()) return {};
@@ -96,7 +96,7 @@ double distance_of_difference(const std::vector<RollerSection>& sections, bool w
 
 std::vector<RollerSection> roller_sections(const Surface& surface, double length) {
     std::vector<RollerSection> sections;
-    for (const Row& row : rows_from_end(surface, length))
+    for (const Cells& row : rows_from_end(surface, length))
         if (const auto found = section(surface, row, length)) sections.push_back(*found);
     return sections;
 }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "contact/special_values.h"
+
 namespace tricontact::comparisons {
 
 namespace {
@@ -12,8 +14,7 @@ namespace {
 using contact::Surface;
 using contact::Vector2;
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr int most_points = 400;  // in each direction: more than a picture shows
+constexpr int most_grid_points = 400;  // in each direction: more than a picture shows
 
 /// Corners, then edges, then the centre (VTK's biquadratic quadrilateral).
 constexpr std::array<std::array<int, 4>, 4> quarters{
@@ -106,7 +107,7 @@ Resampling::Resampling(const Surface& s) {
     const auto [left, right] = std::minmax_element(s.node_x.begin(), s.node_x.end());
     const auto [low, high] = std::minmax_element(s.node_y.begin(), s.node_y.end());
     const double extent = std::max(*right - *left, *high - *low);
-    const double spacing = std::max(typical_spacing(s), extent / most_points);
+    const double spacing = std::max(typical_spacing(s), extent / most_grid_points);
     const Lines x = lines_over(*left, *right, spacing), y = lines_over(*low, *high, spacing);
     frame_.layout = Surface::Layout::grid;
     frame_.n_x = x.n;
@@ -165,7 +166,7 @@ Surface Resampling::operator()(const Surface& s) const {
         grid.*field = sampled(s.*field, 0);
     for (auto field : {&Surface::displacement_x, &Surface::displacement_y, &Surface::displacement_z,
                        &Surface::gap})
-        grid.*field = sampled(s.*field, undefined);
+        grid.*field = sampled(s.*field, contact::undefined);
     grid.contact_state.assign(sources_.size(), contact::ContactState::open);
     for (std::size_t i = 0; i < sources_.size(); ++i)
         if (sources_[i].covered) grid.contact_state[i] = s.contact_state[sources_[i].nearest];

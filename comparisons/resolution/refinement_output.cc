@@ -12,6 +12,7 @@
 #include "report/format.h"
 #include "report/format_share.h"
 #include "report/json_number.h"
+#include "comparisons/resolution/refinement_report.h"
 
 namespace tricontact::comparisons {
 
@@ -36,10 +37,6 @@ std::string padded(const std::string& text, int width) {
         return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a continuation in UTF-8
     });
     return std::string(std::max(0, width - static_cast<int>(characters)), ' ') + text;
-}
-
-std::string relative(double error, double value) {
-    return value == 0 ? report::significant({}) : report::share(error / std::abs(value));
 }
 
 std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {

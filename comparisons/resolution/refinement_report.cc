@@ -15,10 +15,6 @@ namespace {
 
 using Value = std::optional<double>;
 
-std::string relative(double error, double value) {
-    return value == 0 ? report::significant({}) : report::share(error / std::abs(value));
-}
-
 bool has_exact(const Refinement& r) {
     return std::any_of(r.quantities.begin(), r.quantities.end(),
                        [](const auto& q) { return q.exact.has_value(); });
@@ -109,6 +105,10 @@ Table::Row table_row(const Refinement& r, const RefinedQuantity& q) {
 }
 
 }  // namespace
+
+std::string relative(double error, double value) {
+    return value == 0 ? report::significant({}) : report::share(error / std::abs(value));
+}
 
 std::vector<std::string> refinement_sentences(const Refinement& r) {
     std::vector<std::string> result{fmt::format(

@@ -16,13 +16,13 @@ namespace {
 
 using contact::History;
 
-constexpr std::size_t most_points = 3000;  // of a thin line: more than the picture has pixels
+constexpr std::size_t most_steps_drawn = 3000;  // of a thin line: more than the picture has pixels
 constexpr std::size_t most_markers = 60;   // beyond, markers merge into a band
 
 /// Every step as (phase, U/unit).
 std::string step_data(const std::string& name, const History& history, double unit) {
     std::vector<std::vector<double>> columns(2);
-    for (const std::size_t i : report::thinned(history.steps.size(), most_points)) {
+    for (const std::size_t i : report::thinned(history.steps.size(), most_steps_drawn)) {
         columns[0].push_back(history.steps[i].phase);
         columns[1].push_back(history.steps[i].shift[0] / unit);
     }

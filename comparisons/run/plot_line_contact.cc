@@ -17,8 +17,8 @@ namespace {
 
 using contact::Surface;
 
-constexpr std::size_t most_points = 400;  // per curve: more than the picture resolves
-constexpr int theory_points = 200;
+constexpr std::size_t most_line_points = 400;  // per curve: more than the picture resolves
+constexpr int exact_points = 200;
 constexpr double margin = 1.12;  // of the plot beside the path
 
 /// Half width of the plot, over a: all that the contact passes.
@@ -32,7 +32,7 @@ double view(const Histories& histories) {
 std::string row_data(const std::string& name, const Surface& s, const std::vector<double>& values,
                      double a, double unit, double half_view) {
     std::vector<std::vector<double>> columns(2);
-    for (const std::size_t i : report::thinned(s.size(), most_points)) {
+    for (const std::size_t i : report::thinned(s.size(), most_line_points)) {
         const double x = s.x(static_cast<int>(i)) / a;
         if (std::abs(x) > half_view) continue;
         columns[0].push_back(x);
@@ -44,8 +44,8 @@ std::string row_data(const std::string& name, const Surface& s, const std::vecto
 template <class F>
 std::string function_data(const std::string& name, double half_view, const F& function) {
     std::vector<std::vector<double>> columns(2);
-    for (int i = 0; i <= theory_points; ++i) {
-        const double x = half_view * (2.0 * i / theory_points - 1);
+    for (int i = 0; i <= exact_points; ++i) {
+        const double x = half_view * (2.0 * i / exact_points - 1);
         columns[0].push_back(x);
         columns[1].push_back(function(x));
     }

@@ -17,7 +17,7 @@ namespace {
 using contact::Case;
 using contact::History;
 
-constexpr std::size_t most_points = 600;  // of the spectrum
+constexpr std::size_t most_spectrum_points = 600;  // of the spectrum
 
 std::string logarithmic() {
     return "set logscale xy\nset format '10^{%T}'\nset mxtics 10\nset mytics 10\n";
@@ -26,7 +26,7 @@ std::string logarithmic() {
 Plot spectrum_plot(const Case& c) {
     const contact::HeightSpectrum whole = surface_spectrum(c);
     std::vector<double> q, measured;
-    for (const std::size_t i : report::thinned(whole.wave_number.size(), most_points))
+    for (const std::size_t i : report::thinned(whole.wave_number.size(), most_spectrum_points))
         if (whole.density[i] > 0) {
             q.push_back(whole.wave_number[i]);
             measured.push_back(whole.density[i]);

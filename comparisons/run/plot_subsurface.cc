@@ -19,10 +19,10 @@ using contact::Case;
 using contact::History;
 using contact::Subsurface;
 
-constexpr double half_width = 2;               // of the map, over a
+constexpr double map_half_width = 2;               // of the map, over a
 constexpr double deepest = 3;                  // over a
 constexpr int margins = 130, map_width = 400;  // of the map, above, below and across [pixels]
-constexpr int theory_points = 120;
+constexpr int axis_points = 120;
 constexpr double first_depth = 1e-3;  // of the theory's curve, over a
 
 bool has_section(const History& history) {
@@ -37,7 +37,7 @@ std::string section_data(const Subsurface& s, double a, double p0) {
     for (std::size_t k = 0; k < s.z.size(); ++k) {
         if (s.z[k] < -deepest * a * (1 + 1e-9)) continue;
         for (std::size_t i = 0; i < s.x.size(); ++i)
-            if (std::abs(s.x[i]) <= half_width * a)
+            if (std::abs(s.x[i]) <= map_half_width * a)
                 fmt::format_to(out, "{:.5g} {:.5g} {:.5g}\n", s.x[i] / a, s.z[k] / a,
                                contact::von_mises(s.at(i, k)) / p0);
         fmt::format_to(out, "\n");
@@ -64,14 +64,14 @@ Plot section_plot(const History& history) {
             "set label 1 '' at {3:.5g},{4:.5g},0 point pointtype 1 pointsize 1.4 linecolor rgb "
             "'#000000' front\n"
             "splot $section using 1:2:3 with pm3d\n",
-            half_width, bottom, -bottom / (2 * half_width), x, z);
+            map_half_width, bottom, -bottom / (2 * map_half_width), x, z);
     return {"von_mises_" + history.model,
             "Von Mises' stress below the contact, " + report::display_name(history.model),
             fmt::format("Section through the middle of the contact, the load along x. Largest at "
                         "the cross: {} p_0 at x = {} a, z = {} a.",
                         report::significant(s.peak_von_mises / p0, 3), report::significant(x, 2),
                         report::significant(z, 2)),
-            {600, margins + static_cast<int>(map_width * -bottom / (2 * half_width)), script},
+            {600, margins + static_cast<int>(map_width * -bottom / (2 * map_half_width)), script},
             report::ImageFormat::png};
 }
 
@@ -100,8 +100,8 @@ AxisCurve hertz_curve(const Case& c) {
         return std::numbers::pi / 2 * hertz.peak_pressure * (a - t) * (a + t) / a;
     };
     AxisCurve curve(3);
-    for (int i = 0; i <= theory_points; ++i) {
-        const double z = first_depth + (deepest - first_depth) * i / theory_points;
+    for (int i = 0; i <= axis_points; ++i) {
+        const double z = first_depth + (deepest - first_depth) * i / axis_points;
         const auto response = theory::axisymmetric_interior(c.substrate, line_load, a, 0, 0, z * a);
         std::array<double, 6> stress{};
         for (int k = 0; k < 6; ++k) stress[k] = response.stress[k][2];

@@ -18,12 +18,12 @@ using contact::History;
 using contact::Surface;
 
 constexpr int most_lines = 60;  // of the mesh in each direction: more merge into a smear
-constexpr double half_width = 1.15;
+constexpr double drawn_half_width = 1.15;
 
 /// Indices of the points within the plot along one direction, thinned and symmetric to the centre.
 std::vector<int> visible(int n, double first, double spacing, double a) {
     const int middle = std::clamp(static_cast<int>(std::lround(-first / spacing)), 0, n - 1);
-    const int reach = static_cast<int>(std::ceil(half_width * a / spacing));
+    const int reach = static_cast<int>(std::ceil(drawn_half_width * a / spacing));
     const int stride = std::max(1, (2 * reach + most_lines - 1) / most_lines);
     std::vector<int> indices;
     for (int i = middle - reach / stride * stride; i <= middle + reach; i += stride)
@@ -74,7 +74,7 @@ report::Picture surface_picture(const Surface& s, const std::vector<double>& val
             "set colorbox user origin 0.87,0.25 size 0.025,0.5\n"
             "set pm3d depthorder border linewidth 0.35 linecolor rgb '#222222'\n"
             "splot $mesh using 1:2:3 with pm3d\n",
-            half_width, 1.04 * top, label, 1.04 * bottom);
+            drawn_half_width, 1.04 * top, label, 1.04 * bottom);
     return {600, 430, script};
 }
 

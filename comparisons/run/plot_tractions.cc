@@ -22,12 +22,12 @@ using contact::History;
 
 constexpr std::size_t most_points = 400;  // per curve: more than the picture resolves
 constexpr int theory_points = 400;
-constexpr double half_width = 1.12;  // of the plot, over a
+constexpr double plot_half_width = 1.12;  // of the plot, over a
 
 std::string curve_data(const std::string& name, const CentreLine& line) {
     std::vector<std::vector<double>> columns(3);
     for (const std::size_t i : report::thinned(line.position.size(), most_points)) {
-        if (std::abs(line.position[i]) > half_width) continue;
+        if (std::abs(line.position[i]) > plot_half_width) continue;
         columns[0].push_back(line.position[i]);
         columns[1].push_back(line.traction[i]);
         columns[2].push_back(line.bound[i]);
@@ -40,7 +40,7 @@ template <class F>
 std::string function_data(const std::string& name, const F& function) {
     std::vector<std::vector<double>> columns(2);
     for (int i = 0; i <= theory_points; ++i) {
-        const double x = half_width * (2.0 * i / theory_points - 1);
+        const double x = plot_half_width * (2.0 * i / theory_points - 1);
         columns[0].push_back(x);
         columns[1].push_back(function(std::abs(x)));
     }
@@ -230,7 +230,7 @@ std::vector<Plot> traction_plot(const contact::Case& c, const Histories& histori
             "set xtics 0.5\nset ytics 0,0.2\n"
             "set key outside top center horizontal maxcols 3 samplen 1.6 width -3\n"
             "set lmargin 9\nplot {3}\n",
-            letter, half_width, parts.bottom, parts.curves, strips_share / 2);
+            letter, plot_half_width, parts.bottom, parts.curves, strips_share / 2);
     return {{fmt::format("traction_{}", letter),
              fmt::format("Traction on the centre line along {}", letter),
              "The last upright state. Strips: what each point does during the last period. Black, "

@@ -9,15 +9,15 @@
 #include <numbers>
 
 #include "report/csv.h"
+#include "contact/special_values.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double value_of(const Sweep::Point& point, const Quantity& quantity) {
-    return point.results.told(quantity).value_or(nan);
+    return point.results.told(quantity).value_or(contact::undefined);
 }
 
 /// "Settled shift u_sd".
@@ -75,8 +75,8 @@ std::vector<report::Curve> curves_over(const Sweep& sweep, std::size_t axis,
         for (const auto& [rest, line] : lines[name]) {
             if (line.size() > 1) curve.kind = report::Curve::Kind::line_and_points;
             if (!curve.x.empty()) {
-                curve.x.push_back(nan);
-                curve.y.push_back(nan);
+                curve.x.push_back(contact::undefined);
+                curve.y.push_back(contact::undefined);
             }
             for (const auto& [x, y] : line) {
                 curve.x.push_back(x);

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "report/format.h"
+#include "contact/special_values.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* load_label = "f_T/f_T,lim";
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
@@ -54,9 +54,9 @@ using Profile = std::map<double, double>;
 
 double interpolated(const Profile& profile, double x) {
     const auto above = profile.lower_bound(x);
-    if (above == profile.end()) return nan;
+    if (above == profile.end()) return contact::undefined;
     if (above->first == x) return above->second;
-    if (above == profile.begin()) return nan;
+    if (above == profile.begin()) return contact::undefined;
     const auto below = std::prev(above);
     return std::lerp(below->second, above->second,
                      (x - below->first) / (above->first - below->first));

@@ -36,9 +36,9 @@ Case with_value(Case c, LimitVariable variable, double value) {
 }
 
 /// One model of a case, at one value after another.
-class Search {
+class Bisection {
   public:
-    Search(const Case& c, const std::string& name, const ModelMaker& make,
+    Bisection(const Case& c, const std::string& name, const ModelMaker& make,
            const LimitQuestion& question, const SayLimit& say)
         : case_(c),
           make_(make),
@@ -173,7 +173,7 @@ double default_limit_tolerance(const std::string& model) {
 
 ModelLimit search_limit(const Case& c, const std::string& model, const ModelMaker& make,
                         const LimitQuestion& question, const SayLimit& say) {
-    return Search(c, model, make, question, say).go();
+    return Bisection(c, model, make, question, say).go();
 }
 
 }  // namespace tricontact::comparisons

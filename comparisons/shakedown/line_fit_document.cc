@@ -18,7 +18,7 @@ namespace tricontact::comparisons {
 namespace {
 
 /// Loads from which a settled point counts as near its limit.
-constexpr double near_limit = 0.97;
+constexpr double near_line_limit = 0.97;
 
 double same(double x) {
     return x;
@@ -127,7 +127,7 @@ class LineFigures {
             .title = "Shift at the limit (as figure 3.45 of the thesis)",
             .caption = fmt::format("Points: settled shifts at {} of the model's limit or more. "
                                    "Thesis: its fit u_lim = f^0.87 (3.5.29).",
-                                   near_limit),
+                                   near_line_limit),
             .x = {"f_T,lim"},
             .y = {"u_lim [U_max]"}};
         f.curves.push_back(closed_form(
@@ -136,7 +136,7 @@ class LineFigures {
             exact_colour()));
         f.curves.push_back(closed_form("thesis (3.5.29)", 0, 1, same,
                                        theory::thesis_line_limit_shift_ratio, thesis_colour()));
-        add_points(f, settled_near_limit(near_limit));
+        add_points(f, settled_near_limit(near_line_limit));
         return f;
     }
 

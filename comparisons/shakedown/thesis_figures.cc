@@ -17,7 +17,7 @@ namespace tricontact::comparisons {
 namespace {
 
 /// Loads from which a settled point counts as near its limit.
-constexpr double near_limit = 0.9;
+constexpr double drawn_near_limit = 0.9;
 
 /// The figures of one group, all its models in each.
 class GroupFigures {
@@ -100,7 +100,7 @@ class GroupFigures {
                    fmt::format("Points: settled shifts at {} of the model's limit or more, "
                                "which lie below that at the limit itself. MDR: 1 − w² at its "
                                "own limit.",
-                               near_limit),
+                               drawn_near_limit),
                    "f_T,lim", "u_lim [U_max]");
         const auto shift = [](double w) { return 1 - w * w; };
         f.curves.push_back(closed_form(
@@ -109,7 +109,7 @@ class GroupFigures {
         f.curves.push_back(closed_form(
             "MDR at the exact limit", 0, 1, [](double w) { return theory::shakedown_limit(w); },
             shift, exact_colour()));
-        add_points(f, settled_near_limit(near_limit));
+        add_points(f, settled_near_limit(drawn_near_limit));
         return f;
     }
 

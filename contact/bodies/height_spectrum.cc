@@ -14,7 +14,7 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double mean(const std::vector<double>& values) {
     double sum = 0;
@@ -53,14 +53,14 @@ void taper(HeightMap& map) {
                 window(i, map.n_x) * window(j, map.n_y);
 }
 
-struct Free {
+struct FreePlan {
     void operator()(void* p) const { fftw_free(p); }
 };
 
 /// |h_m|^2 [m^2] of the waves with m_x >= 0, fastest in m_x.
 std::vector<double> squared_coefficients(HeightMap map) {
     const std::size_t n = static_cast<std::size_t>(map.n_x / 2 + 1) * map.n_y;
-    const std::unique_ptr<fftw_complex[], Free> waves(fftw_alloc_complex(n));
+    const std::unique_ptr<fftw_complex[], FreePlan> waves(fftw_alloc_complex(n));
     if (!waves) throw std::bad_alloc();
     fftw_plan plan =
         fftw_plan_dft_r2c_2d(map.n_y, map.n_x, map.height.data(), waves.get(), FFTW_ESTIMATE);

@@ -5,11 +5,11 @@
 
 #include "contact/bodies/profile_transform.h"
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double checked_radius(double radius) {
     if (!(radius > 0) || !std::isfinite(radius))

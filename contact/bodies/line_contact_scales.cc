@@ -13,7 +13,7 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double widest = 0.1;  // a/L of what is still a line contact
 
 /// -ln|x|, averaged over Hertz' pressure of a = 1, and ln(L/a).

@@ -16,7 +16,7 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of quotients of wavelengths
+constexpr double quotient_rounding = 1e-9;  // of quotients of wavelengths
 constexpr int most_waves = 8192;   // along a side: lattices of 16384 nodes and more
 
 struct Wave {
@@ -24,7 +24,7 @@ struct Wave {
 };
 
 int shortest_wave(const Roughness& r) {
-    return static_cast<int>(std::floor(r.long_wavelength / r.short_wavelength * (1 + rounding)));
+    return static_cast<int>(std::floor(r.long_wavelength / r.short_wavelength * (1 + quotient_rounding)));
 }
 
 void check(const Roughness& r) {
@@ -45,7 +45,7 @@ void check(const Roughness& r) {
 /// of the q plane.
 double amplitude(const Roughness& r, double wave) {
     const double roll_off = r.long_wavelength / r.roll_off;
-    if (wave < 1 - rounding || wave * r.short_wavelength > r.long_wavelength * (1 + rounding))
+    if (wave < 1 - quotient_rounding || wave * r.short_wavelength > r.long_wavelength * (1 + quotient_rounding))
         return 0;
     return wave <= roll_off ? 1 : std::pow(wave / roll_off, -(1 + r.hurst));
 }
@@ -93,7 +93,7 @@ double random_phase(std::mt19937_64& bits) {
     return 2 * std::numbers::pi * std::ldexp(static_cast<double>(bits() >> 11), -53);
 }
 
-struct Free {
+struct FreeBuffer {
     void operator()(void* p) const { fftw_free(p); }
 };
 
@@ -131,7 +131,7 @@ class Spectrum {
     }
 
     int n_, columns_;
-    std::unique_ptr<fftw_complex[], Free> values_;
+    std::unique_ptr<fftw_complex[], FreeBuffer> values_;
 };
 
 }  // namespace

@@ -91,12 +91,12 @@ int derivatives(const gsl_vector* p, void* data, gsl_matrix* jacobian) {
     return GSL_SUCCESS;
 }
 
-struct Free {
+struct FreeWorkspace {
     void operator()(gsl_multifit_nlinear_workspace* w) const { gsl_multifit_nlinear_free(w); }
     void operator()(gsl_vector* v) const { gsl_vector_free(v); }
 };
 template <class T>
-using Owned = std::unique_ptr<T, Free>;
+using Owned = std::unique_ptr<T, FreeWorkspace>;
 
 }  // namespace
 

@@ -46,7 +46,7 @@ constexpr ComparedQuantity line_quantities[] = {
     {"indentation", "d", "2 F_N/(pi E* L) [(1 + ln 4)/2 + ln(L/a)]", "(3.5.3)", "m",
      thesis_indentation, layer_indentation}};
 
-Calculation thickness_ratio(const RollingRig& rig) {
+Calculation line_thickness_ratio(const RollingRig& rig) {
     return calculate("thickness_ratio", "b/D_c", "b/(2 a)", "(5.1.13)", "1",
                      {{"b", rig.substrate.thickness, "m"}, {"a", {half_size(rig)}, "m"}},
                      [](const auto& x) { return x[0] / (2 * x[1]); });
@@ -177,7 +177,7 @@ constexpr Sentence<EndsSubject> ends_sentences[] = {
 
 Assumption half_space_of_line(const RollingRig& rig) {
     return half_space_assumption(
-        rig, thickness_ratio(rig), line_quantities,
+        rig, line_thickness_ratio(rig), line_quantities,
         {"singular integral equation", "exact plane contact with a bonded layer"},
         told(line_sentences, LineSubject{rig}));
 }

@@ -10,12 +10,12 @@
 
 #include "contact/error.h"
 #include "statistics/regression.h"
+#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // Of q: so that a minimum between two of them is the only one there (sums of squares of forces and
 // shifts have one or, at an end, none).
 constexpr int n_friction_values = 24;
@@ -50,14 +50,14 @@ double BestSumOfSquares::at(const Properties& properties) const {
     try {
         values = task_.model(properties);
     } catch (const contact::InputError&) {
-        return infinity;  // no such contact
+        return contact::infinity;  // no such contact
     }
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double residual = task_.observed[i] - values[i];
         sum += (weights_.empty() ? 1 : weights_[i]) * residual * residual;
     }
-    return std::isfinite(sum) ? sum : infinity;
+    return std::isfinite(sum) ? sum : contact::infinity;
 }
 
 /// Where the model's values need no common factor to be nearest the observed ones: close to the
@@ -113,7 +113,7 @@ LeastSquares BestSumOfSquares::least_along_friction(const Along& along) const {
         return lowest + (1 - lowest) * std::clamp(k, 0, n_friction_values) / n_friction_values;
     };
     int k_best = 0;
-    double least = infinity;
+    double least = contact::infinity;
     for (int k = n_friction_values; k >= 0; --k)
         if (const double sum = sum_at(value(k)); sum < least) {
             least = sum;

@@ -12,12 +12,12 @@
 #include "contact/error.h"
 #include "experiments/identification/best_sum_of_squares.h"
 #include "statistics/regression.h"
+#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 // First step from the best value when an edge of an interval is looked for, and its growth.
 constexpr double first_step = 1e-4, step_growth = 1.6;
 // An edge to 1e-9 of the property: far below any error of it.
@@ -61,7 +61,7 @@ class Likelihood {
         return upwards ? task_.least_friction * largest_friction_ratio : task_.least_friction;
     }
     double open(bool upwards) const {
-        if (upwards) return infinity;
+        if (upwards) return contact::infinity;
         return property_ == Property::young ? 0 : task_.least_friction;
     }
 
@@ -180,7 +180,7 @@ std::vector<double> half_widths(const IdentificationTask& task, const Properties
 
 PropertyEstimate estimate_of(double value, const statistics::Estimate* linear) {
     if (!linear || !(linear->standard_error > 0) || !std::isfinite(linear->standard_error))
-        return {value, infinity, {-infinity, infinity}, {}};
+        return {value, contact::infinity, {-contact::infinity, contact::infinity}, {}};
     return {value, linear->standard_error, {linear->low, linear->high}, {}};
 }
 
@@ -272,7 +272,7 @@ std::vector<double> sums_of_squares(const IdentificationTask& task,
     std::vector<double> sums;
     for (const double mu : friction)
         for (const double modulus : young) {
-            const double sum = mu < task.least_friction ? infinity : squares.at({modulus, mu});
+            const double sum = mu < task.least_friction ? contact::infinity : squares.at({modulus, mu});
             sums.push_back(std::isfinite(sum) ? sum : std::numeric_limits<double>::quiet_NaN());
         }
     return sums;

@@ -11,12 +11,12 @@
 #include "report/format.h"
 #include "report/format_share.h"
 #include "statistics/regression.h"
+#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Numbers over the unit that fits the largest of them.
 struct Scaled {
@@ -139,7 +139,7 @@ std::vector<double> relative(const std::vector<double>& sums, const Identificati
     for (const double sum : sums)
         result.push_back(std::isfinite(sum)
                              ? (sum - found.sum_of_squares) / (level - found.sum_of_squares)
-                             : nan);
+                             : contact::undefined);
     return result;
 }
 
@@ -282,8 +282,8 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
         const Identification& found = model.found;
         table.rows.push_back(
             {model.name, found.sum_of_squares, std::to_string(found.degrees_of_freedom),
-             report::p_number(found.goodness.value_or(nan)), found.r_squared,
-             found.correlation.value_or(nan), model.interpolation_error.value_or(nan)});
+             report::p_number(found.goodness.value_or(contact::undefined)), found.r_squared,
+             found.correlation.value_or(contact::undefined), model.interpolation_error.value_or(contact::undefined)});
     }
     return table;
 }
@@ -303,8 +303,8 @@ std::optional<report::DocumentTable> input_table(const IdentificationStudy& stud
     for (const IdentifiedModel& model : study.models)
         for (const InputContribution& input : model.contributions)
             table.rows.push_back({model.name, input.key, input.standard_error,
-                                  model.found.young ? input.change.young / 1e6 : nan,
-                                  model.found.friction ? input.change.friction : nan});
+                                  model.found.young ? input.change.young / 1e6 : contact::undefined,
+                                  model.found.friction ? input.change.friction : contact::undefined});
     if (table.rows.empty()) return {};
     return table;
 }

@@ -57,7 +57,7 @@ bool describes_rig(const io::Key& key) {
            std::find(load.begin(), load.end(), key.path) != load.end();
 }
 
-bool is_nested_section(std::string_view path) {
+bool is_nested_in_measurement(std::string_view path) {
     return path.starts_with("standard_errors.");
 }
 
@@ -65,7 +65,7 @@ bool is_error(const io::Entry& entry) {
     return entry.path.starts_with("standard_errors.");
 }
 
-void check_known(const io::Document& document) {
+void check_measurement_keys(const io::Document& document) {
     constexpr std::string_view listed = "docs/identify.md lists what it has";
     std::vector<std::string_view> known;
     for (const io::Key& key : own_keys()) known.push_back(key.path);
@@ -75,7 +75,7 @@ void check_known(const io::Document& document) {
     for (const std::string_view path : known)
         if (!io::section_of(path).empty()) sections.push_back(io::section_of(path));
     for (const auto& section : document.sections)
-        if (!is_nested_section(section.name) &&
+        if (!is_nested_in_measurement(section.name) &&
             std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
             io::fail(section.place, "",
                      (io::is_section(section.name) ? "a measurement has no section ["
@@ -205,7 +205,7 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
         return io::section_of(entry.path).empty() || is_error(entry);
     });
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
-        return section.name == errors_section || is_nested_section(section.name);
+        return section.name == errors_section || is_nested_in_measurement(section.name);
     });
     const std::string& place = input.data_file;
     const bool sheared = input.measurement == Measurement::static_shift;
@@ -292,9 +292,9 @@ std::string_view name_of(Measurement measurement) {
 }
 
 Input parse_identification(std::string_view text, const std::string& name) {
-    const io::Document document = io::parse_document(text, name, is_nested_section);
+    const io::Document document = io::parse_document(text, name, is_nested_in_measurement);
     io::require_kind(io::FileKind::measurement, document);
-    check_known(document);
+    check_measurement_keys(document);
     Input input;
     input.name = name;
     if (document.find("title")) read_own(document, "title", input.title);

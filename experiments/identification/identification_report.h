@@ -49,14 +49,14 @@ double input_standard_error(const IdentifiedModel& model, Property property);
 Interval full_interval(const IdentifiedModel& model, Property property);
 
 /// A measured quantity, its name for axes ("tangential force F_T") and its SI unit.
-struct MeasuredQuantity {
+struct QuantityOfAxis {
     std::string name, unit;
 };
 
 /// A measurement, and what all models make of it.
 struct IdentificationStudy {
     std::string title, measurement;
-    MeasuredQuantity given, observed;
+    QuantityOfAxis given, observed;
     std::vector<double> given_values, observed_values, standard_errors;  ///< [SI]
     std::vector<double> curve_points;                                    ///< [SI], increasing
     std::vector<IdentifiedModel> models;

@@ -16,10 +16,6 @@ using Stage = DriveTimeline::Stage;
 
 constexpr double same_amplitude = 0.01;  // relative; stages of the rig differ by 3 % and more
 
-[[noreturn]] void refuse(const Record& record, const std::string& rule, const std::string& remedy) {
-    throw contact::InputError(fmt::format("{}: {}; {}", record.name, rule, remedy));
-}
-
 /// From the roller upright to the roller upright.
 struct Period {
     double begin = 0, end = 0;  // [s]
@@ -31,7 +27,7 @@ class RecordedDrive {
   public:
     explicit RecordedDrive(const Record& record) : time_(record.time), offset_(record.drive) {
         for (const double w : offset_) largest_ = std::max(largest_, std::abs(w));
-        if (largest_ == 0) refuse(record, "the drive does not move", "check the column drive");
+        if (largest_ == 0) refuse_record(record, "the drive does not move", "check the column drive");
         // Rest is where the drive is nearer to upright than a tenth of its largest amplitude.
         const auto first = std::ranges::find_if(
             offset_, [this](double w) { return std::abs(w) > threshold() * largest_; });
@@ -143,7 +139,7 @@ Stage known_stage(const Record& record, const Experiment& experiment) {
     Stage stage{drive.amplitude.value_or(0), {}};
     for (int n = 0; n <= *drive.periods; ++n) stage.upright.push_back(*drive.start + n * period);
     if (stage.upright.front() < record.time.front() || stage.upright.back() > record.time.back())
-        refuse(record,
+        refuse_record(record,
                fmt::format(
                    "{} periods of {:.4g} s from {:.4g} s on do not lie in the record, which "
                    "is from {:.4g} s to {:.4g} s",
@@ -176,16 +172,20 @@ void check_sampling(const Record& record, const DriveTimeline& timeline) {
             const auto from = std::ranges::lower_bound(record.time, stage.upright[k - 1]);
             const auto to = std::ranges::lower_bound(record.time, stage.upright[k]);
             if (to - from < fewest_samples)
-                refuse(
+                refuse_record(
                     record,
                     fmt::format("the period from {:.4g} s to {:.4g} s has {} samples, fewer "
                                 "than {}",
                                 stage.upright[k - 1], stage.upright[k], to - from, fewest_samples),
                     "sample faster");
-        }
+}
 }
 
 }  // namespace
+
+void refuse_record(const Record& record, const std::string& rule, const std::string& remedy) {
+    throw contact::InputError(fmt::format("{}: {}; {}", record.name, rule, remedy));
+}
 
 double DriveTimeline::Stage::period() const {
     return (upright.back() - upright.front()) / periods();
@@ -200,7 +200,7 @@ DriveTimeline drive_timeline(const Record& record, const Experiment& experiment)
         timeline.stages = stages_of(RecordedDrive(record).periods());
         timeline.offset = record.drive;
         if (timeline.stages.empty())
-            refuse(record, "the drive completes no period", "record at least one");
+            refuse_record(record, "the drive completes no period", "record at least one");
     }
     check_sampling(record, timeline);
     return timeline;

@@ -33,4 +33,8 @@ inline constexpr int fewest_samples = 32;
 /// period has too few samples or lies outside of the record.
 DriveTimeline drive_timeline(const Record& record, const Experiment& experiment);
 
+/// Throws contact::InputError "record: rule; remedy".
+[[noreturn]] void refuse_record(const Record& record, const std::string& rule,
+                                const std::string& remedy);
+
 }  // namespace tricontact::experiments

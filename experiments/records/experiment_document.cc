@@ -12,7 +12,6 @@ namespace tricontact::experiments {
 
 namespace {
 
-constexpr double um = 1e6, mm = 1e3;
 constexpr double least_drawn = 1e-3;      // [um] of growth: below what a vibrometer could see
 constexpr std::size_t most_drawn = 1500;  // samples of a curve: more than a screen has columns
 

@@ -52,13 +52,13 @@ const std::vector<io::Key>& keys() {
     return keys;
 }
 
-bool is_nested_section(std::string_view path) {
+bool is_nested_in_experiment(std::string_view path) {
     return path.starts_with("errors.");
 }
 
-void check_known(const io::Document& document) {
+void check_experiment_keys(const io::Document& document) {
     for (const auto& section : document.sections) {
-        if (is_nested_section(section.name) ||
+        if (is_nested_in_experiment(section.name) ||
             std::find(sections.begin(), sections.end(), section.name) != sections.end())
             continue;
         io::fail(section.place, "", "unknown section [" + section.name + "]",
@@ -67,7 +67,7 @@ void check_known(const io::Document& document) {
     std::vector<std::string_view> paths{"runs"};
     for (const io::Key& key : keys()) paths.push_back(key.path);
     for (const io::Entry& entry : document.entries) {
-        if (is_nested_section(entry.path) ||
+        if (is_nested_in_experiment(entry.path) ||
             std::find(paths.begin(), paths.end(), entry.path) != paths.end())
             continue;
         io::fail(entry.key_place, "", "unknown key " + entry.path,
@@ -130,7 +130,7 @@ std::vector<Record> read_records(const io::Document& document) {
 std::vector<ExperimentInput::CaseError> read_errors(const io::Document& document) {
     std::vector<ExperimentInput::CaseError> errors;
     for (const io::Entry& entry : document.entries) {
-        if (!is_nested_section(entry.path)) continue;
+        if (!is_nested_in_experiment(entry.path)) continue;
         const std::string path = entry.path.substr(std::string_view("errors.").size());
         const io::CaseKey* key = io::find_key(path);
         if (!key || (key->kind != io::Key::Kind::quantity && key->kind != io::Key::Kind::number)) {
@@ -188,9 +188,9 @@ void check_drive(const Experiment& e, const io::Document& document) {
 
 ExperimentInput read_experiment(const std::string& path) {
     const io::Document document =
-        io::parse_document(io::read_input_file(path, "experiment file"), path, is_nested_section);
+        io::parse_document(io::read_input_file(path, "experiment file"), path, is_nested_in_experiment);
     io::require_kind(io::FileKind::experiment, document);
-    check_known(document);
+    check_experiment_keys(document);
     ExperimentInput input;
     Experiment& e = input.experiment;
     read(document, "title", &e.title);

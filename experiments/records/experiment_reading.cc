@@ -11,14 +11,9 @@ namespace tricontact::experiments {
 
 namespace {
 
-constexpr double mm = 1e3;
 
 using contact::State;
 using Standing = report::Verdict::Standing;
-
-std::string word(State state) {
-    return state == State::undecided ? "cannot tell" : contact::name_of(state);
-}
 
 // "217.9 ± 0.3 um" with the half width of the interval.
 std::string shift(const statistics::Estimate& e) {
@@ -257,6 +252,10 @@ report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPredict
 }
 
 }  // namespace
+
+std::string word(contact::State state) {
+    return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
+}
 
 std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
     std::vector<report::Verdict> verdicts;

@@ -5,6 +5,7 @@
 
 #include "experiments/records/experiment_evaluation.h"
 #include "report/document.h"
+#include "contact/history.h"
 
 namespace tricontact::experiments {
 
@@ -18,5 +19,11 @@ std::string experiment_json(const std::string& version, const ExperimentEvaluati
 /// The report: verdicts, records, values over the periods with the models, criteria, tables. Title,
 /// command, version and files are left to the caller.
 report::Document experiment_document(const ExperimentEvaluation& e);
+
+/// "shakedown", or "cannot tell".
+std::string word(contact::State state);
+
+/// From metres to the units in which people read shifts and amplitudes.
+inline constexpr double um = 1e6, nm = 1e9, mm = 1e3;
 
 }  // namespace tricontact::experiments

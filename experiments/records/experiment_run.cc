@@ -8,6 +8,7 @@
 #include "contact/error.h"
 #include "contact/verdict.h"
 #include "experiments/records/repeats.h"
+#include "experiments/records/drive_timeline.h"
 
 namespace tricontact::experiments {
 
@@ -19,10 +20,6 @@ constexpr std::size_t fewest_rest_samples = 30;
 constexpr double window = 1. / 16;    // of a period, to both sides of the upright roller
 constexpr double stopping = 1. / 50;  // of a period, until the drive surely stands
 constexpr double drifts_differ = 3;   // standard errors
-
-[[noreturn]] void refuse(const Record& record, const std::string& rule, const std::string& remedy) {
-    throw contact::InputError(fmt::format("{}: {}; {}", record.name, rule, remedy));
-}
 
 /// Successive samples.
 struct Part {
@@ -92,7 +89,7 @@ class Corrections {
         const double from = experiment.loading ? (loading_ + timeline.start()) / 2 : first;
         rest_ = rest(from, timeline.start());
         if (rest_.time.size() < fewest_rest_samples)
-            refuse(record,
+            refuse_record(record,
                    fmt::format("there are {} samples of rest under load before rolling begins at "
                                "{:.4g} s, fewer than {}",
                                rest_.time.size(), timeline.start(), fewest_rest_samples),
@@ -132,7 +129,7 @@ class Corrections {
     void subtract_zero(double first) {
         const Part unloaded = rest(first, loading_);
         if (unloaded.time.size() < 3)
-            refuse(record_, "there are fewer than 3 samples before record.loading",
+            refuse_record(record_, "there are fewer than 3 samples before record.loading",
                    "omit loading if the record begins later");
         const auto weights = mean_weights(unloaded.time.size());
         const double zero = weighted(weights, unloaded.shift);
@@ -199,14 +196,14 @@ statistics::Estimate wobble_of(const DriveTimeline::Stage& stage, const Correcti
 void check_stages(const Record& record, const Experiment& experiment,
                   const DriveTimeline& timeline) {
     if (experiment.kind != Experiment::Kind::limit && timeline.stages.size() > 1)
-        refuse(record,
+        refuse_record(record,
                fmt::format("the amplitude changes from {:.4g} mm to {:.4g} mm at {:.4g} s",
                            1e3 * timeline.stages[0].amplitude, 1e3 * timeline.stages[1].amplitude,
                            timeline.stages[1].upright.front()),
                "evaluate amplitudes that rise in steps as kind = \"limit\"");
     for (const auto& stage : timeline.stages)
         if (stage.periods() < fewest_periods)
-            refuse(record,
+            refuse_record(record,
                    fmt::format("there are {} periods from {:.4g} s on, fewer than {}",
                                stage.periods(), stage.upright.front(), fewest_periods),
                    "record more periods: a transient and a walk are not told apart by fewer");
@@ -232,7 +229,7 @@ statistics::Estimate late_increment(const std::vector<double>& shift, double con
 
 RunEvaluation evaluate_run(const Record& record, const Experiment& experiment) {
     if (record.time.size() < fewest_samples)
-        refuse(record, fmt::format("has {} samples", record.time.size()), "record a whole run");
+        refuse_record(record, fmt::format("has {} samples", record.time.size()), "record a whole run");
     const DriveTimeline timeline = drive_timeline(record, experiment);
     check_stages(record, experiment, timeline);
     RunEvaluation run;

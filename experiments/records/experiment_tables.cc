@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "report/format.h"
+#include "experiments/records/experiment_report.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-constexpr double um = 1e6, nm = 1e9, mm = 1e3;
 
 report::WithError with_half_width(const statistics::Estimate& e, double factor) {
     return {factor * e.value, factor * (e.high - e.low) / 2};
@@ -20,10 +20,6 @@ report::WithError with_half_width(const statistics::Estimate& e, double factor) 
 std::string interval(const statistics::Estimate& e, double factor) {
     return report::significant(factor * e.low, 3) + " to " +
            report::significant(factor * e.high, 3);
-}
-
-std::string word(contact::State state) {
-    return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
 }
 
 // An error of 0 is one that nobody stated.

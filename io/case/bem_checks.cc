@@ -14,7 +14,6 @@ using contact::Case;
 using contact::Material;
 using Base = Case::Base;
 
-constexpr double largest_compliance_ratio = 1e-3;  // of the indenter over the substrate
 constexpr double whole_cells = 1e-6;               // how far the period may be from them, in cells
 constexpr int samples = 200;                       // of the indenter's height, along a side
 

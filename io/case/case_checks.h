@@ -11,6 +11,9 @@
 // contact::InputError that points into the document.
 namespace tricontact::io {
 
+/// Of an indenter over the substrate, up to which layers count it as rigid.
+inline constexpr double largest_compliance_ratio = 1e-3;
+
 /// Whether the model is one of the case's.
 inline bool computes(const contact::Case& c, std::string_view model) {
     return std::ranges::count(c.models, model) > 0;

@@ -12,7 +12,6 @@ namespace {
 using contact::Case;
 using contact::Material;
 
-constexpr double largest_compliance_ratio = 1e-3;  // of the indenter over the substrate
 constexpr double fewest_elements = 2;              // per contact radius
 constexpr double most_unknowns = 60000;            // of the patch: 29 GB for the dense compliance
 constexpr double most_elements = 1e7;              // of the block

@@ -14,7 +14,7 @@ using contact::Case;
 constexpr double widest_ratio = 0.1;   // a/L: what the uniform state leaves out is its square
 constexpr double largest_slope = 0.5;  // a/R, as of a sphere
 
-void check_models(const Case& c, const Document& document) {
+void check_line_models(const Case& c, const Document& document) {
     for (const char* model : {"mdr", "mdr-layer"})
         if (computes(c, model))
             refuse(document, "models",
@@ -47,7 +47,7 @@ void check_size(const Case& c, const Document& document) {
                "check the units of the load and of indenter.radius; no model goes further");
 }
 
-void check_path(const Case& c, const Document& document) {
+void check_line_path(const Case& c, const Document& document) {
     if (!c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12) return;
     refuse(document, "rolling.angle", "a cylinder or roller rolls across its axis, along x, only",
            "omit it, or take a body of revolution");
@@ -71,8 +71,8 @@ void check_options(const Case& c, const Document& document) {
 
 void check_line_contact(const Case& c, const Document& document) {
     if (!c.is_cylindrical()) return;
-    check_models(c, document);
-    check_path(c, document);
+    check_line_models(c, document);
+    check_line_path(c, document);
     check_options(c, document);
     check_size(c, document);
 }

@@ -20,7 +20,7 @@ bool is_rough(const Case& c) {
     return contact::is_nominally_flat(c) || c.indenter.roughness;
 }
 
-void check_models(const Case& c, const Document& document) {
+void check_rough_models(const Case& c, const Document& document) {
     for (const std::string& model : c.models)
         if (model != "bem" && model != "bem-layer")
             refuse(document, "models", model + " knows no rough surfaces",
@@ -108,7 +108,7 @@ void resolve_height_map(Case& c, const Document& document) {
 
 void check_rough_bodies(const Case& c, const Document& document) {
     if (!is_rough(c)) return;
-    check_models(c, document);
+    check_rough_models(c, document);
     if (c.indenter.roughness && c.is_cylindrical())
         refuse(document, "indenter.shape",
                "roughness makes spots of what is taken as a line contact",

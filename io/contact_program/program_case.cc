@@ -8,8 +8,8 @@ namespace tricontact::io {
 
 namespace {
 
-constexpr double mm = 1e-3;            // [m]
-constexpr double per_square_mm = 1e6;  // 1 N/mm^2 in Pa
+constexpr double millimetre = 1e-3;            // [m]
+constexpr double newton_per_square_mm = 1e6;  // 1 N/mm^2 in Pa
 constexpr int module_number = 3;
 constexpr int most_cells_along = 100000;
 
@@ -98,9 +98,9 @@ class CaseReading {
         if (v[3] != 0)
             lines_.refuse(fmt::format("CPHI = {}", v[3]), "no case here is turned", "give 0");
         current_.loads_line = lines_.line();
-        current_.normal = v[0] * (force ? 1 : mm);
+        current_.normal = v[0] * (force ? 1 : millimetre);
         const int forces = current_.digits.force;
-        current_.tangential = {v[1] * (forces >= 1 ? 1 : mm), v[2] * (forces == 2 ? 1 : mm)};
+        current_.tangential = {v[1] * (forces >= 1 ? 1 : millimetre), v[2] * (forces == 2 ? 1 : millimetre)};
     }
 
     void read_friction() {
@@ -121,7 +121,7 @@ class CaseReading {
                               "must be from 0 to 0.5", "correct it", 3 - body);
             demand_positive(v[body + 2], body == 0 ? "GG1" : "GG2", 1 - body, lines_);
             current_.poisson[body] = v[body];
-            current_.shear_modulus[body] = per_square_mm * v[body + 2];
+            current_.shear_modulus[body] = newton_per_square_mm * v[body + 2];
         }
     }
 
@@ -145,7 +145,7 @@ class CaseReading {
         const bool by_corner = way <= 2, by_size = way % 2 == 1;
         const std::array<int, 2> n{current_.n_x, current_.n_y};
         for (const std::size_t axis : {0, 1}) {
-            const double from = mm * v[2 + axis], given = mm * v[4 + axis];
+            const double from = millimetre * v[2 + axis], given = millimetre * v[4 + axis];
             const int parts = by_corner ? n[axis] : std::max(1, n[axis] - 1);
             const double size = by_size ? given : (given - from) / parts;
             demand_positive(size, axis == 0 ? "DX" : "DY", 1 - axis, lines_);
@@ -170,7 +170,7 @@ class CaseReading {
         if (b[1] != 0)
             lines_.refuse(fmt::format("B(2) = {}", b[1]),
                           "the body's axes must be those of x and y", "turn the axes", 4);
-        const double curved[] = {b[0] / mm, b[2] / mm};
+        const double curved[] = {b[0] / millimetre, b[2] / millimetre};
         const double inclined[] = {b[3], b[4]};
         for (const std::size_t axis : {0, 1}) {
             if (curved[axis] < 0 || (curved[axis] == 0 && (axis == 0 || inclined[axis] != 0)))
@@ -179,7 +179,7 @@ class CaseReading {
             current_.curvature[axis] = curved[axis];
             current_.offset[axis] = curved[axis] == 0 ? 0 : -inclined[axis] / (2 * curved[axis]);
         }
-        check_lowest_point(mm * b[5]);
+        check_lowest_point(millimetre * b[5]);
     }
 
     /// The offset's lowest point has the height zero: the depth d is counted from there.
@@ -192,10 +192,10 @@ class CaseReading {
             over_cell += a * std::pow(current_.spacing[axis], 2);
         }
         if (!(std::abs(given - height) <= allowed * over_cell))
-            lines_.refuse(fmt::format("B(6) = {}", given / mm),
+            lines_.refuse(fmt::format("B(6) = {}", given / millimetre),
                           fmt::format("leaves the lowest point beside the height 0, where it would "
                                       "be with {:.6g}",
-                                      height / mm),
+                                      height / millimetre),
                           "correct it");
     }
 

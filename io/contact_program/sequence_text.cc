@@ -26,14 +26,14 @@ constexpr double out_of_reach = 1e6;
 constexpr const char* inner_iterations = "999 999 50";
 constexpr int turns_if_coupled = 50;
 
-constexpr std::size_t most_cells = 2'000'000;  // that CONTACT takes
+constexpr std::size_t most_program_cells = 2'000'000;  // that CONTACT takes
 
 void check_size(const contact::ContactPoints& grid) {
-    if (grid.size() > most_cells)
+    if (grid.size() > most_program_cells)
         throw contact::InputError(
             fmt::format("bem.spacing: {} x {} cells are more than the {} that CONTACT takes; "
                         "enlarge it",
-                        grid.n_x, grid.n_y, most_cells));
+                        grid.n_x, grid.n_y, most_program_cells));
 }
 
 /// Curvatures A, B [1/m] of a body h = A x^2 + B y^2; empty: another one.

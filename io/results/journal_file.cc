@@ -23,7 +23,7 @@ namespace {
 // journal stays where it was written.
 constexpr std::string_view magic = "tricontact journal 1\n";
 
-[[noreturn]] void fail(int error, const std::string& path) {
+[[noreturn]] void fail_by_system(int error, const std::string& path) {
     throw std::system_error(error, std::generic_category(), path);
 }
 
@@ -64,7 +64,7 @@ std::string read_at(int fd, std::uint64_t start, std::uint64_t size, const std::
         const ssize_t n =
             ::pread(fd, bytes.data() + done, size - done, static_cast<off_t>(start + done));
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) fail(errno, path);
+        if (n < 0) fail_by_system(errno, path);
         if (n == 0) break;
         done += static_cast<std::size_t>(n);
     }
@@ -76,7 +76,7 @@ void write_at(int fd, std::uint64_t start, std::string_view bytes, const std::st
     while (!bytes.empty()) {
         const ssize_t n = ::pwrite(fd, bytes.data(), bytes.size(), static_cast<off_t>(start));
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) fail(errno, path);
+        if (n < 0) fail_by_system(errno, path);
         bytes.remove_prefix(static_cast<std::size_t>(n));
         start += static_cast<std::uint64_t>(n);
     }
@@ -84,7 +84,7 @@ void write_at(int fd, std::uint64_t start, std::string_view bytes, const std::st
 
 std::uint64_t size_of(int fd, const std::string& path) {
     struct stat status {};
-    if (::fstat(fd, &status) != 0) fail(errno, path);
+    if (::fstat(fd, &status) != 0) fail_by_system(errno, path);
     return static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -93,9 +93,9 @@ std::uint64_t size_of(int fd, const std::string& path) {
 JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(path) {
     refuse_other_file(path);
     fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    if (fd_ < 0) fail(errno, path_);
+    if (fd_ < 0) fail_by_system(errno, path_);
     try {
-        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail(errno, path_);
+        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail_by_system(errno, path_);
         if (read_header(key))
             find_entries();
         else
@@ -161,7 +161,7 @@ std::string JournalFile::read(std::size_t i) const {
     const std::uint64_t before = i == 0 ? header_checksum_ : entries_[i - 1].checksum;
     std::string content = read_at(fd_, entry.start, entry.size, path_);
     if (checksum(checksum(before, bytes_of(entry.size)), content) != entry.checksum)
-        fail(EIO, path_);
+        fail_by_system(EIO, path_);
     return content;
 }
 
@@ -196,13 +196,13 @@ void JournalFile::append(std::string_view entry) {
 }
 
 void JournalFile::remove() {
-    if (::unlink(path_.c_str()) != 0 && errno != ENOENT) fail(errno, path_);
+    if (::unlink(path_.c_str()) != 0 && errno != ENOENT) fail_by_system(errno, path_);
     ::close(fd_);
     fd_ = -1;
 }
 
 void JournalFile::truncate(std::uint64_t size) {
-    if (::ftruncate(fd_, static_cast<off_t>(size)) != 0) fail(errno, path_);
+    if (::ftruncate(fd_, static_cast<off_t>(size)) != 0) fail_by_system(errno, path_);
 }
 
 }  // namespace tricontact::io

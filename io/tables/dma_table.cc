@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> names{"frequency", "G'", "G''"};
 
-const CsvForm& form() {
+const CsvForm& dma_form() {
     // An analysis has dozens of rows.
     static const CsvForm form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", 1000,
                               "thin it out"};
     return form;
 }
 
-void check_columns(const CsvTable& table) {
+void check_dma_columns(const CsvTable& table) {
     const auto& columns = table.columns();
     for (std::size_t j = 0; j < columns.size() && j < names.size(); ++j)
         if (columns[j].name != names[j])
@@ -47,7 +47,7 @@ std::vector<double> angular_frequencies(const CsvTable& table) {
 }
 
 contact::DmaTable dma_table_in(const CsvTable& table) {
-    check_columns(table);
+    check_dma_columns(table);
     for (std::size_t k = 0; k < table.n_rows(); ++k)
         for (const auto& column : table.columns())
             if (!(column.values[k] > 0))
@@ -66,11 +66,11 @@ contact::DmaTable dma_table_in(const CsvTable& table) {
 }  // namespace
 
 contact::DmaTable parse_dma_table(std::string_view text, const std::string& name) {
-    return dma_table_in(CsvTable(text, name, form()));
+    return dma_table_in(CsvTable(text, name, dma_form()));
 }
 
 contact::DmaTable read_dma_table(const std::string& path) {
-    return dma_table_in(read_csv_table(path, form()));
+    return dma_table_in(read_csv_table(path, dma_form()));
 }
 
 }  // namespace tricontact::io

@@ -17,7 +17,7 @@ std::string place(const std::string& name, std::size_t line) {
 
 /// An empty cell between two commas is a missing value: the divider is one of these alone, blanks
 /// are not counted.
-char divider_of(std::string_view line) {
+char divider_in(std::string_view line) {
     for (const char c : {';', ',', '\t'})
         if (line.find(c) != line.npos) return c;
     return ' ';
@@ -58,7 +58,7 @@ contact::HeightMap parse_height_matrix(std::string_view text, const std::string&
         const std::string_view content = trimmed(text.substr(first, end - first));
         first = end + 1;
         if (content.empty() || content.front() == '#') continue;
-        if (!divider) divider = divider_of(content);
+        if (!divider) divider = divider_in(content);
         const std::vector<double> row = row_in(content, *divider, place(name, line + 1));
         if (map.n_y > 0 && row.size() != static_cast<std::size_t>(map.n_x))
             fail(place(name, line + 1), "",

@@ -19,10 +19,10 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "arrays are read as they stand");
 
-constexpr std::string_view magic = "\x93NUMPY";
-const std::string remedy = "write it by numpy.save";
+constexpr std::string_view npy_magic = "\x93NUMPY";
+const std::string npy_remedy = "write it by numpy.save";
 
-struct Header {
+struct NpyHeader {
     std::size_t item = 0;  // bytes of a number
     bool columns_first = false;
     std::size_t n_rows = 0, n_columns = 0;
@@ -37,19 +37,19 @@ std::size_t little_endian(std::string_view bytes, std::size_t at, std::size_t n)
     return value;
 }
 
-/// The dictionary's text: where it begins, and how long it is, stands behind the magic and version.
-std::string_view dictionary(std::string_view bytes, const std::string& name, Header& header) {
-    if (!bytes.starts_with(magic) || bytes.size() < 12)
-        fail(name, "", "does not begin as a NumPy array does", remedy);
+/// The dictionary's text: where it begins, and how long it is, stands behind the npy_magic and version.
+std::string_view dictionary(std::string_view bytes, const std::string& name, NpyHeader& header) {
+    if (!bytes.starts_with(npy_magic) || bytes.size() < 12)
+        fail(name, "", "does not begin as a NumPy array does", npy_remedy);
     const int version = bytes[6];
     if ((version != 1 && version != 2) || bytes[7] != 0)
         fail(name, "",
              "is of version " + std::to_string(version) + "." + std::to_string(int{bytes[7]}) +
                  " of NumPy's format, not 1.0 or 2.0",
-             remedy);
+             npy_remedy);
     const std::size_t digits = version == 1 ? 2 : 4, first = 8 + digits;
     const std::size_t length = little_endian(bytes, 8, digits);
-    if (length > bytes.size() - first) fail(name, "", "ends within its header", remedy);
+    if (length > bytes.size() - first) fail(name, "", "ends within its header", npy_remedy);
     header.data = first + length;
     return bytes.substr(first, length);
 }
@@ -96,12 +96,12 @@ std::optional<std::size_t> parse_side(std::string_view text) {
     return value;
 }
 
-Header read_header(std::string_view bytes, const std::string& name) {
-    Header header;
+NpyHeader read_header(std::string_view bytes, const std::string& name) {
+    NpyHeader header;
     const std::string_view text = dictionary(bytes, name, header);
     const auto parts = parse_dictionary(text);
     if (!parts)
-        fail(name, toml_string(shortened(text, 80)), "is no header of a plain array", remedy);
+        fail(name, toml_string(shortened(text, 80)), "is no header of a plain array", npy_remedy);
     if (parts->type != "<f8" && parts->type != "<f4")
         fail(name, toml_string(shortened(parts->type, 20)),
              "is not the type of little-endian floating-point numbers, <f8 or <f4",
@@ -120,7 +120,7 @@ Header read_header(std::string_view bytes, const std::string& name) {
     return header;
 }
 
-void check_size(const Header& header, std::size_t n_bytes, const std::string& name) {
+void check_size(const NpyHeader& header, std::size_t n_bytes, const std::string& name) {
     const auto n = static_cast<double>(header.n_rows) * static_cast<double>(header.n_columns);
     const std::string shape =
         std::to_string(header.n_rows) + " x " + std::to_string(header.n_columns);
@@ -132,7 +132,7 @@ void check_size(const Header& header, std::size_t n_bytes, const std::string& na
         fail(name, "",
              "holds " + std::to_string(n_bytes - header.data) + " bytes of data, but " + shape +
                  " numbers take " + std::to_string(expected),
-             remedy);
+             npy_remedy);
 }
 
 double number_at(std::string_view data, std::size_t k, std::size_t item) {
@@ -157,7 +157,7 @@ double number_at(std::string_view data, std::size_t k, std::size_t item) {
 
 contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
                              const HeightMapScale& scale) {
-    const Header header = read_header(bytes, name);
+    const NpyHeader header = read_header(bytes, name);
     check_size(header, bytes.size(), name);
     const std::string_view data = bytes.substr(header.data);
     contact::HeightMap map{static_cast<int>(header.n_columns),

@@ -8,13 +8,13 @@ namespace {
 
 using Point = contact::ProfileCurve::Point;
 
-const CsvForm& form() {
+const CsvForm& profile_form() {
     // The transform of a profile costs the square of its points.
     static const CsvForm form{"profile", "r [mm], h [um]", 1000, "thin it out"};
     return form;
 }
 
-void check_columns(const CsvTable& table) {
+void check_profile_columns(const CsvTable& table) {
     for (const auto& column : table.columns())
         if (column.name != "r" && column.name != "h" && column.name != "kink")
             table.refuse_header("\"" + column.name + "\" is none of r, h and kink");
@@ -40,7 +40,7 @@ void check_points(const CsvTable& table, const std::vector<Point>& points) {
 }
 
 std::vector<Point> points_in(const CsvTable& table) {
-    check_columns(table);
+    check_profile_columns(table);
     const auto radii = table.values("r", Dimension::length);
     const auto heights = table.values("h", Dimension::length);
     if (radii.size() < 2) table.refuse_header("fewer than two rows are no profile");
@@ -59,11 +59,11 @@ std::vector<Point> points_in(const CsvTable& table) {
 }  // namespace
 
 std::vector<Point> parse_profile_table(std::string_view text, const std::string& name) {
-    return points_in(CsvTable(text, name, form()));
+    return points_in(CsvTable(text, name, profile_form()));
 }
 
 std::vector<Point> read_profile_table(const std::string& path) {
-    return points_in(read_csv_table(path, form()));
+    return points_in(read_csv_table(path, profile_form()));
 }
 
 }  // namespace tricontact::io

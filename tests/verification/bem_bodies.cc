@@ -12,7 +12,7 @@
 #include "tests/verification/bodies_cases.h"
 #include "theory/rolling/body_rolling.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::bem_bodies_test {
 namespace {
 
 using contact::Case;
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, BemBodies, testing::ValuesIn(verification::b
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::bem_bodies_test

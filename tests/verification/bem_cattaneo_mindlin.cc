@@ -22,7 +22,7 @@
 #include "tests/verification/bem_rig.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::bem_cattaneo_mindlin_test {
 namespace {
 
 contact::Case equal_bodies(double nu, double f, double cells_per_radius) {
@@ -270,4 +270,4 @@ TEST(BemCattaneoMindlin, LastMillionthOfFriction) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::bem_cattaneo_mindlin_test

@@ -17,7 +17,7 @@
 #include "tests/verification/contact_program_prints.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact {
+namespace tricontact::bem_contact_program_test {
 namespace {
 
 using contact::StepRecord;
@@ -154,4 +154,4 @@ TEST(BemContactProgram, SpencePressing) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_contact_program_test

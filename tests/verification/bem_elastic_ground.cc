@@ -5,7 +5,7 @@
 
 #include "bem/layer_influence.h"
 
-namespace tricontact {
+namespace tricontact::bem_elastic_ground_test {
 namespace {
 
 using bem::LayerInfluence;
@@ -32,4 +32,4 @@ TEST(BemElasticGround, IsSeenFromFarAway) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_elastic_ground_test

@@ -12,7 +12,7 @@
 #include "tests/verification/bem_rig.h"
 #include "theory/hertz.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::bem_hertz_test {
 namespace {
 
 constexpr double across_45 = 22.5;
@@ -222,4 +222,4 @@ TEST(BemHertz, ThreadsDoNotChangeABit) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::bem_hertz_test

@@ -12,7 +12,7 @@
 #include "tests/verification/bem_rig.h"
 #include "theory/axisymmetric_interior.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::bem_interior_test {
 namespace {
 
 using contact::Case;
@@ -167,4 +167,4 @@ TEST(BemInterior, ForcePassesThroughEveryDepthOfALayer) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::bem_interior_test

@@ -13,7 +13,7 @@
 #include "tests/verification/bem_rig.h"
 #include "theory/layer/elastic_layer.h"
 
-namespace tricontact {
+namespace tricontact::bem_layer_test {
 namespace {
 
 using bem::Body;
@@ -147,4 +147,4 @@ TEST(BemLayer, ThickLayerIsTheHalfSpace) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_layer_test

@@ -13,7 +13,7 @@
 #include "theory/oscillating_cylinder.h"
 #include "theory/thesis_cylinder.h"
 
-namespace tricontact {
+namespace tricontact::bem_oscillating_cylinder_test {
 namespace {
 
 using contact::Case;
@@ -192,4 +192,4 @@ TEST(BemOscillatingCylinder, ThickLayerSettlesAsTheHalfSpace) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_oscillating_cylinder_test

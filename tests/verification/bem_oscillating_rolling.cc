@@ -12,7 +12,7 @@
 #include "tests/verification/bem_rig.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::bem_oscillating_rolling_test {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
@@ -181,4 +181,4 @@ TEST(BemSteps, RatchetingIsFirstOrderInTheStep) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::bem_oscillating_rolling_test

@@ -11,7 +11,7 @@
 #include "contact/run.h"
 #include "theory/oscillating_cylinder.h"
 
-namespace tricontact {
+namespace tricontact::bem_ratcheting_cylinder_test {
 namespace {
 
 using contact::Case;
@@ -85,4 +85,4 @@ TEST(BemRatchetingCylinder, ThickLayerRatchetsAsTheHalfSpace) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_ratcheting_cylinder_test

@@ -12,7 +12,7 @@
 #include "bem/model.h"
 #include "contact/run.h"
 
-namespace tricontact {
+namespace tricontact::bem_rim_slip_test {
 namespace {
 
 using contact::Case;
@@ -109,4 +109,4 @@ TEST(BemRimSlip, NeedsCoupling) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_rim_slip_test

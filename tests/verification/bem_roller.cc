@@ -14,7 +14,7 @@
 #include "contact/run.h"
 #include "theory/line_contact.h"
 
-namespace tricontact {
+namespace tricontact::bem_roller_test {
 namespace {
 
 using contact::Case;
@@ -140,4 +140,4 @@ TEST(BemRoller, RollsAsTheLineContactButForItsEnds) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_roller_test

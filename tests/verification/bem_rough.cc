@@ -15,7 +15,7 @@
 #include "contact/run.h"
 #include "contact/solvers/normal_solver.h"
 
-namespace tricontact {
+namespace tricontact::bem_rough_test {
 namespace {
 
 constexpr double length = 1e-4, e_star = 25e6;  // of the contact-mechanics challenge
@@ -139,4 +139,4 @@ TEST(BemRough, ShakesDownBelowTheLimitOfItsPressures) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_rough_test

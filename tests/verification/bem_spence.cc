@@ -10,7 +10,7 @@
 #include "contact/load_path.h"
 #include "theory/friction_pressing.h"
 
-namespace tricontact {
+namespace tricontact::bem_spence_test {
 namespace {
 
 using contact::Case;
@@ -73,4 +73,4 @@ TEST(BemSpence, StiffnessWithoutSlip) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_spence_test

@@ -13,7 +13,7 @@
 #include "contact/substrates/relaxing_case.h"
 #include "tests/verification/bem_rig.h"
 
-namespace tricontact {
+namespace tricontact::bem_viscoelastic_test {
 namespace {
 
 using contact::Case;
@@ -315,4 +315,4 @@ TEST(BemViscoelastic, RigIsElastic) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bem_viscoelastic_test

@@ -9,7 +9,7 @@
 #include "walking/kernels/batch.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::dynamics_batch_test {
 namespace {
 
 constexpr double step = 1e-3;
@@ -153,4 +153,4 @@ TEST(WalkingMap, SharesAreThoseOfTheTableInBothPrecisions) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::dynamics_batch_test

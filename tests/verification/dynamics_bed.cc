@@ -16,7 +16,7 @@
 #include "walking/run/drift.h"
 #include "walking/run/walk_run.h"
 
-namespace tricontact {
+namespace tricontact::dynamics_bed_test {
 namespace {
 
 using namespace walking;
@@ -140,4 +140,4 @@ TEST(DynamicBed, ShakesDownRatchetsAndWalksAsTheMomentGrows) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::dynamics_bed_test

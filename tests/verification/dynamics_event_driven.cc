@@ -10,7 +10,7 @@
 #include "walking/machine/walk_case.h"
 #include "walking/run/reference_cycle.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::dynamics_event_driven_test {
 namespace {
 
 double distance(const Motion& a, const Motion& b) {
@@ -126,4 +126,4 @@ TEST(EventDrivenReference, EndsInTheLimitCycleOfSetB) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::dynamics_event_driven_test

@@ -8,7 +8,7 @@
 #include "walking/machine/walk_case.h"
 #include "walking/run/lyapunov.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::dynamics_lyapunov_test {
 namespace {
 
 struct Sample {
@@ -102,4 +102,4 @@ TEST(Lyapunov, IsZeroOnTheLimitCycle) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::dynamics_lyapunov_test

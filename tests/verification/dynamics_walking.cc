@@ -10,7 +10,7 @@
 #include "walking/kernels/batch.h"
 #include "walking/run/walk_batch.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::dynamics_walking_test {
 namespace {
 
 // Wetter (2016), eqs. 4.1.25 and 4.1.26.
@@ -135,4 +135,4 @@ TEST(Walking, IntervalsOfChaosHoldTheMean) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::dynamics_walking_test

@@ -8,7 +8,7 @@
 #include "contact/run.h"
 #include "tests/verification/fem_rig.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_beside_bem_layer_test {
 namespace {
 
 using contact::Case;
@@ -157,4 +157,4 @@ TEST(FemBesideBemLayer, LayersWhoseShearRelaxesAloneAgree) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_beside_bem_layer_test

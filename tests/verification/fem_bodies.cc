@@ -10,7 +10,7 @@
 #include "tests/verification/bodies_cases.h"
 #include "tests/verification/fem_rig.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_bodies_test {
 namespace {
 
 using contact::Case;
@@ -54,4 +54,4 @@ INSTANTIATE_TEST_SUITE_P(Layer, FemBodies, testing::ValuesIn(tested_bodies()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_bodies_test

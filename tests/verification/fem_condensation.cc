@@ -12,7 +12,7 @@
 #include "tests/unit/fem/box_mesh.h"
 #include "theory/layer/layer_compliance.h"
 
-namespace tricontact {
+namespace tricontact::fem_condensation_test {
 namespace {
 
 using contact::Case;
@@ -236,4 +236,4 @@ TEST(FemCondensation, FarSidesDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::fem_condensation_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/fem_line_rig.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_cylinder_test {
 namespace {
 
 using contact::Case;
@@ -88,4 +88,4 @@ TEST(FemCylinder, UnitOfShiftIsThatOfTheLayersCompliance) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_cylinder_test

@@ -16,7 +16,7 @@
 #include "fem/workshop.h"
 #include "io/case/case_reader.h"
 
-namespace tricontact {
+namespace tricontact::fem_distributed_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -230,4 +230,4 @@ TEST_F(FemDistributed, OnlyTheDistributedCommandTouchesMpi) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::fem_distributed_test

@@ -14,7 +14,7 @@
 #include "tests/verification/fem_rig.h"
 #include "theory/layer/case_layers.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_interior_beside_bem_test {
 namespace {
 
 using contact::Case;
@@ -109,4 +109,4 @@ TEST(FemInterior, BelowTheContactIsThatOfBoundaryElements) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_interior_beside_bem_test

@@ -8,7 +8,7 @@
 #include "tests/verification/fem_rig.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_layer_friction_test {
 namespace {
 
 using contact::Case;
@@ -158,4 +158,4 @@ TEST(FemFriction, DeformedKinematicsAddOneAndAHalfPercent) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_layer_friction_test

@@ -7,7 +7,7 @@
 #include "tests/verification/fem_rig.h"
 #include "theory/hertz.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_layer_normal_test {
 namespace {
 
 using contact::Case;
@@ -135,4 +135,4 @@ TEST(FemLayerNormal, AStifferLayerBelowActsLikeTheGround) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_layer_normal_test

@@ -8,7 +8,7 @@
 #include "bem/model.h"
 #include "tests/verification/fem_line_rig.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_oscillating_cylinder_test {
 namespace {
 
 using contact::Case;
@@ -162,4 +162,4 @@ TEST(FemOscillatingCylinder, GlidingLayersAgreeButForTheirDatum) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_oscillating_cylinder_test

@@ -7,7 +7,7 @@
 
 #include "tests/verification/fem_line_rig.h"
 
-namespace tricontact::fem {
+namespace tricontact::fem::fem_roller_test {
 namespace {
 
 using contact::Case;
@@ -55,4 +55,4 @@ TEST(FemRoller, SharpEndsOnALayerThatGoesOnAreSingular) {
 }
 
 }  // namespace
-}  // namespace tricontact::fem
+}  // namespace tricontact::fem::fem_roller_test

@@ -6,7 +6,7 @@
 #include "contact/run.h"
 #include "io/case/case_reader.h"
 
-namespace tricontact {
+namespace tricontact::hard_contacts_test {
 namespace {
 
 contact::History run(const std::string& text, bem::Body body) {
@@ -100,4 +100,4 @@ cells_per_radius = 6.83607
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::hard_contacts_test

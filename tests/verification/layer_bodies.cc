@@ -16,7 +16,7 @@
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/body_rolling.h"
 
-namespace tricontact {
+namespace tricontact::layer_bodies_test {
 namespace {
 
 using contact::Case;
@@ -137,4 +137,4 @@ TEST(LayerBodies, ThatAreParaboloidsInDisguise) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_bodies_test

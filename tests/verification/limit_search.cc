@@ -12,7 +12,7 @@
 #include "tests/verification/mdr_roller.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact {
+namespace tricontact::limit_search_test {
 namespace {
 
 using comparisons::LimitQuestion;
@@ -88,4 +88,4 @@ TEST(LimitSearch, BemInTheAmplitude) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::limit_search_test

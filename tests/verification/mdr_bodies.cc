@@ -10,7 +10,7 @@
 #include "tests/verification/mdr_roller.h"
 #include "theory/rolling/body_rolling.h"
 
-namespace tricontact {
+namespace tricontact::mdr_bodies_test {
 namespace {
 
 using contact::Case;
@@ -62,4 +62,4 @@ INSTANTIATE_TEST_SUITE_P(HalfSpace, MdrBodies, testing::ValuesIn(of_revolution()
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::mdr_bodies_test

@@ -8,7 +8,7 @@
 #include "mdr/spring_bed.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact {
+namespace tricontact::mdr_cattaneo_mindlin_test {
 namespace {
 
 using std::numbers::pi;
@@ -133,4 +133,4 @@ TEST(MdrCattaneoMindlin, TractionsOfTheSurface) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::mdr_cattaneo_mindlin_test

@@ -14,7 +14,7 @@
 #include "mdr/model.h"
 #include "theory/layer/elastic_layer.h"
 
-namespace tricontact {
+namespace tricontact::mdr_layer_test {
 namespace {
 
 using contact::Case;
@@ -159,4 +159,4 @@ TEST(MdrLayer, ThickLayerIsMdr) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::mdr_layer_test

@@ -9,7 +9,7 @@
 #include "tests/verification/mdr_roller.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact {
+namespace tricontact::mdr_oscillating_rolling_test {
 namespace {
 
 using mdr_test::Roller;
@@ -167,4 +167,4 @@ TEST(MdrOscillatingRolling, LimitUnderOscillatingNormalForceIsThatOfTheLeastPres
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::mdr_oscillating_rolling_test

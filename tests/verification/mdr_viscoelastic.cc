@@ -19,7 +19,7 @@
 #include "mdr/relaxing_bed.h"
 #include "tests/verification/mdr_roller.h"
 
-namespace tricontact {
+namespace tricontact::mdr_viscoelastic_test {
 namespace {
 
 using contact::LoadStep;
@@ -304,4 +304,4 @@ TEST(MdrViscoelastic, OscillatingRolling) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::mdr_viscoelastic_test

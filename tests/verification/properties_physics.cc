@@ -8,7 +8,7 @@
 
 #include "tests/verification/properties_cases.h"
 
-namespace tricontact::properties {
+namespace tricontact::properties::properties_physics_test {
 namespace {
 
 using contact::ContactState;
@@ -203,4 +203,4 @@ TEST(PropertiesPhysics, DissipationIsFirstOrderInTheStep) {
 }
 
 }  // namespace
-}  // namespace tricontact::properties
+}  // namespace tricontact::properties::properties_physics_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/properties_cases.h"
 
-namespace tricontact::properties {
+namespace tricontact::properties::properties_symmetry_test {
 namespace {
 
 using contact::Case;
@@ -183,4 +183,4 @@ RC_GTEST_PROP(PropertiesGrid, WhereTheCellsLieHardlyMatters, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact::properties
+}  // namespace tricontact::properties::properties_symmetry_test

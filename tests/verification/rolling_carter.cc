@@ -10,7 +10,7 @@
 #include "tests/unit/rolling/problems.h"
 #include "theory/rolling/carter.h"
 
-namespace tricontact {
+namespace tricontact::rolling_carter_test {
 namespace {
 
 using rolling_test::Rig;
@@ -114,4 +114,4 @@ TEST(RollingCarter, HoldsForTwoElasticBodiesOfOneMaterial) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_carter_test

@@ -14,7 +14,7 @@
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
 
-namespace tricontact {
+namespace tricontact::rolling_contact_program_test {
 namespace {
 
 using rolling_test::Rig;
@@ -79,4 +79,4 @@ TEST(RollingContactProgram, SpinningSphere) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_contact_program_test

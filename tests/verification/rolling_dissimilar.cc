@@ -13,7 +13,7 @@
 #include "theory/layer/case_layers.h"
 #include "theory/rolling/free_rolling.h"
 
-namespace tricontact {
+namespace tricontact::rolling_dissimilar_test {
 namespace {
 
 using rolling_test::Rig;
@@ -175,4 +175,4 @@ TEST(RollingDissimilar, AThinLayerIsABedOfShearSprings) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_dissimilar_test

@@ -15,7 +15,7 @@
 #include "rolling/steady_rolling.h"
 #include "theory/rolling/kalker.h"
 
-namespace tricontact {
+namespace tricontact::rolling_kalker_test {
 namespace {
 
 /// C11, C22, C23, C32, C33 of half axes a along x and b across, in n x n cells. Lengths by the area
@@ -143,4 +143,4 @@ TEST(RollingKalker, SpinAndLateralCreepageAreReciprocal) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_kalker_test

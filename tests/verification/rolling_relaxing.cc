@@ -15,7 +15,7 @@
 #include "theory/rolling/hunter.h"
 #include "theory/rolling/slow_rolling.h"
 
-namespace tricontact {
+namespace tricontact::rolling_relaxing_test {
 namespace {
 
 using rolling_test::Rig;
@@ -168,4 +168,4 @@ TEST(RollingRelaxing, ABedOfRelaxingSpringsIsExact) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_relaxing_test

@@ -9,7 +9,7 @@
 #include "bem/layer_influence.h"
 #include "theory/sticking_contact.h"
 
-namespace tricontact {
+namespace tricontact::theory_sticking_contact_test {
 namespace {
 
 using bem::InfluenceCoefficients;
@@ -96,4 +96,4 @@ TEST(StickingContact, CouplingAgreesWithBoundaryElements) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::theory_sticking_contact_test

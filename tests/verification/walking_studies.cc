@@ -10,7 +10,7 @@
 #include "walking/study/walk_grid.h"
 #include "walking/study/walk_sweep.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walking_studies_test {
 namespace {
 
 constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
@@ -67,4 +67,4 @@ TEST(WalkingStudies, RegionsOfTheMap) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walking_studies_test

@@ -6,15 +6,13 @@
 #include <limits>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::theory {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// From here on exp(-2x) x^2 is below 1e-31: the half-space to the last digit.
-constexpr double half_space_from = 40;
 
 void check_poisson(double poisson) {
     if (!(poisson > -1 && poisson <= 0.5))
@@ -81,8 +79,8 @@ LayerCompliance at_rest(const ElasticLayer& layer) {
     const double scale = layer.thickness / layer.material.shear_modulus();
     if (layer.base == LayerBase::bonded)
         return {scale * (1 - 2 * nu) / (2 * (1 - nu)), scale, scale, 0};
-    const double coupling = nu == 0 ? 0 : std::copysign(infinity, -nu);
-    return {scale * (1 - nu) / 2, infinity, infinity, coupling};
+    const double coupling = nu == 0 ? 0 : std::copysign(contact::infinity, -nu);
+    return {scale * (1 - nu) / 2, contact::infinity, contact::infinity, coupling};
 }
 
 }  // namespace
@@ -128,7 +126,7 @@ HalfSpaceDeficit half_space_deficit(double poisson, LayerBase base, double x) {
         return {decay * (common + (1 + y) * (1 + y)) / d, decay * (common + (1 - y) * (1 - y)) / d,
                 2 * decay / (1 + decay)};
     }
-    if (x == 0) return {1, -infinity, -infinity};
+    if (x == 0) return {1, -contact::infinity, -contact::infinity};
     const double d = s.sinh + y * decay;
     // D - cosh y +- 1 = y +- 1 - exp(-y)
     return {decay * (y - std::expm1(-y)) / d, decay * (y - 1 - decay) / d,

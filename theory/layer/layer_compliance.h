@@ -4,6 +4,9 @@
 
 namespace tricontact::theory {
 
+/// From here on exp(-2x) x^2 is below 1e-31: the half-space to the last digit.
+inline constexpr double half_space_from = 40;
+
 /// What holds the layer from below: a rigid plane, sticking to the layer or letting it glide.
 enum class LayerBase { bonded, frictionless };
 

@@ -15,7 +15,7 @@ namespace tricontact::theory {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 Eigen::Map<const Eigen::VectorXd> vector(const std::vector<double>& v) {
     return {v.data(), static_cast<Eigen::Index>(v.size())};
 }

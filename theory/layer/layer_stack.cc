@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "theory/layer/interior_waves.h"
+#include "theory/layer/layer_compliance.h"
 
 namespace tricontact::theory {
 
@@ -14,7 +15,6 @@ namespace {
 
 using contact::Material;
 
-constexpr double half_space_from = 40;  // as in layer_compliance.cc
 
 LayerCompliance half_space_compliance(const Material& material, double k) {
     const double scale = 1 / (material.shear_modulus() * k), nu = material.poisson;

@@ -13,17 +13,13 @@
 #include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
+#include "theory/arguments.h"
 
 namespace tricontact::theory {
 
 namespace {
 
 using contact::Case;
-
-void check_unit_interval(const char* name, double value) {
-    if (!(value >= 0 && value <= 1))
-        throw std::domain_error("rolling of a body: " + std::string(name) + " must lie in [0, 1]");
-}
 
 bool is_ellipsoid(const Case& c) {
     return c.indenter.shape == Case::Shape::ellipsoid;
@@ -127,7 +123,7 @@ bool has_body_theory(const Case& c) {
 }
 
 double static_shift_ratio(const Case& c, double f) {
-    check_unit_interval("f = F_T/(mu F_N)", f);
+    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
     if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
     const Pressed pressed(c);
     const double stick =
@@ -137,7 +133,7 @@ double static_shift_ratio(const Case& c, double f) {
 }
 
 std::optional<double> shakedown_limit(const Case& c, double w) {
-    check_unit_interval("w = W/a", w);
+    check_unit_interval("rolling of a body", "w = W/a", w);
     if (contact::is_hertz_round(c)) return shakedown_limit(w);
     if (is_ellipsoid(c)) return shakedown_limit(std::min(1., stretched_amplitude(c, w)));
     const Pressed pressed(c);
@@ -147,7 +143,7 @@ std::optional<double> shakedown_limit(const Case& c, double w) {
 }
 
 std::optional<double> amplitude_limit(const Case& c, double f) {
-    check_unit_interval("f = F_T/(mu F_N)", f);
+    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
     if (contact::is_hertz_round(c)) return amplitude_limit(f);
     if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
     if (!shakedown_limit(c, 0)) return {};
@@ -156,15 +152,15 @@ std::optional<double> amplitude_limit(const Case& c, double f) {
 }
 
 std::optional<double> bed_limit(const Case& c, double w) {
-    check_unit_interval("w = W/a", w);
+    check_unit_interval("rolling of a body", "w = W/a", w);
     if (is_ellipsoid(c)) return {};
     if (contact::is_hertz_round(c)) return shakedown_limit(w);
     return Pressed(c).limit(w);
 }
 
 std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f) {
-    check_unit_interval("w = W/a", w);
-    check_unit_interval("f = F_T/(mu F_N)", f);
+    check_unit_interval("rolling of a body", "w = W/a", w);
+    check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
     if (is_ellipsoid(c)) return {};
     if (contact::is_hertz_round(c)) return settled_shift_ratio(w, f);
     const Pressed pressed(c);

@@ -8,16 +8,11 @@
 
 #include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/arguments.h"
 
 namespace tricontact::theory {
 
 namespace {
-
-void check_unit_interval(const char* name, double value) {
-    if (!(value >= 0 && value <= 1))
-        throw std::domain_error("oscillating rolling: " + std::string(name) +
-                                " must lie in [0, 1]");
-}
 
 void check_mapping(double kappa) {
     if (!(kappa > 0 && kappa <= mdr_mapping))
@@ -31,15 +26,15 @@ double static_force_ratio(double u) {
 
 double thesis_increment(double w, double f, double kappa, double factor) {
     const double excess = w - amplitude_limit(f, kappa);
-    check_unit_interval("w = W/a", w);
+    check_unit_interval("oscillating rolling", "w = W/a", w);
     return excess > 0 ? std::sqrt(factor * static_shift_ratio(f)) * excess : 0;
 }
 
 }  // namespace
 
 std::optional<double> settled_shift_ratio(double w, double f, double kappa) {
-    check_unit_interval("w = W/a", w);
-    check_unit_interval("f = F_T/(mu F_N)", f);
+    check_unit_interval("oscillating rolling", "w = W/a", w);
+    check_unit_interval("oscillating rolling", "f = F_T/(mu F_N)", f);
     check_mapping(kappa);
     if (f > shakedown_limit(w, kappa)) return std::nullopt;
     auto residual = [=](double u) { return static_force_ratio(u) - kappa * w * u - f; };
@@ -50,22 +45,22 @@ std::optional<double> settled_shift_ratio(double w, double f, double kappa) {
 }
 
 double mapping_parameter(double w, double f, double u) {
-    check_unit_interval("w = W/a", w);
-    check_unit_interval("f = F_T/(mu F_N)", f);
-    check_unit_interval("u = U/U_max", u);
+    check_unit_interval("oscillating rolling", "w = W/a", w);
+    check_unit_interval("oscillating rolling", "f = F_T/(mu F_N)", f);
+    check_unit_interval("oscillating rolling", "u = U/U_max", u);
     if (w == 0 || u == 0) throw std::domain_error("mapping_parameter: w and u must not vanish");
     return (static_force_ratio(u) - f) / (w * u);
 }
 
 double shakedown_limit(double w, double kappa) {
-    check_unit_interval("w = W/a", w);
+    check_unit_interval("oscillating rolling", "w = W/a", w);
     check_mapping(kappa);
     // 1 - kappa w (1 - w^2) - w^3, its factor (1 - w) taken out: zero and positive where it should.
     return (1 - w) * (1 + w + w * w - kappa * w * (1 + w));
 }
 
 double amplitude_limit(double f, double kappa) {
-    check_unit_interval("f = F_T/(mu F_N)", f);
+    check_unit_interval("oscillating rolling", "f = F_T/(mu F_N)", f);
     check_mapping(kappa);
     // Monotone for kappa <= 3/2: the derivative, linear in w^2, is negative at 0 and not positive
     // at 1.
@@ -86,8 +81,8 @@ double thesis_increment_perpendicular(double w, double f) {
 }
 
 ShakedownZones shakedown_zones(double w, double u) {
-    check_unit_interval("w = W/a", w);
-    check_unit_interval("u = U/U_max", u);
+    check_unit_interval("oscillating rolling", "w = W/a", w);
+    check_unit_interval("oscillating rolling", "u = U/U_max", u);
     const double stick = std::sqrt(1 - u) - w;
     // u = 1 - w^2 is the limit itself: a rounding error below zero is no error of the caller.
     if (stick < -8 * std::numeric_limits<double>::epsilon())

@@ -8,13 +8,12 @@
 #include "walking/report/motion_series.h"
 #include "walking/report/spot_statistics.h"
 #include "walking/report/walk_document.h"
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const std::string time_label = "time t* = t - t_0 [√(m/k_x)]";
 
 /// The time a spot spends in a state as a strip between two heights.
 report::Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotState state,
@@ -35,15 +34,15 @@ report::Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotSt
         }
         if (!ends) continue;
         band.x.push_back(band.x.back());
-        band.low.push_back(nan);
-        band.high.push_back(nan);
+        band.low.push_back(contact::undefined);
+        band.high.push_back(contact::undefined);
     }
     return band;
 }
 
 /// Greatest friction force of the spot, in units of k_x b; without coupling a constant of its own.
 double friction_bound(const Machine& machine, const Spot& spot, const SpotDeflection& deflection) {
-    if (!machine.mechanisms.coupling) return nan;
+    if (!machine.mechanisms.coupling) return contact::undefined;
     const double contacts = machine.model == Machine::Model::prism ? 2 : spot.stiffness;
     return contacts * machine.kappas.kappa5 * machine.kappas.kappa2 * deflection.normal;
 }

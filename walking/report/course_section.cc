@@ -7,7 +7,7 @@ namespace tricontact::walking {
 
 namespace {
 
-const std::string time_label = "time t [√(m/k_x)]";
+const std::string course_time_label = "time t [√(m/k_x)]";
 
 /// Where the statistics begin; nothing if nothing follows.
 void mark_transient(report::Figure& figure, const WalkResult& result) {
@@ -41,7 +41,7 @@ report::Figure force_figure(const WalkReport& report) {
         .caption =
             "Means of the spring force over windows of equal length, over that of "
             "steady sliding. They ripple where a window is no whole number of periods.",
-        .x = {time_label},
+        .x = {course_time_label},
         .y = {"mean force [-]"},
         .curves = {mean}};
     mark_transient(figure, report.walk.result);
@@ -63,7 +63,7 @@ report::Figure height_figure(const WalkReport& report) {
         .caption =
             "Extremes of z in each window over the static displacement, downwards; "
             "below 0 the body is in the air where it is not turned.",
-        .x = {time_label},
+        .x = {course_time_label},
         .y = {"z/z_stat [-]"},
         .curves = {highest, deepest}};
     mark_transient(figure, report.walk.result);

@@ -41,7 +41,7 @@ double growth_rate(const Machine& machine) {
 }
 
 /// What is drawn over each axis.
-struct Quantity {
+struct CurveQuantity {
     const char* id;
     const char* title;
     const char* label;
@@ -49,7 +49,7 @@ struct Quantity {
     report::WithError (*of)(const WalkGroup& group);
 };
 
-constexpr Quantity quantities[] = {
+constexpr CurveQuantity quantities[] = {
     {"friction", "Effective friction", "μ_e",
      "Bars: 95 %, from the scatter between the starts, else of the run itself. Machines that tilt "
      "are left out.",
@@ -79,7 +79,7 @@ constexpr Quantity quantities[] = {
 
 report::Figure figure_over(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
                            std::size_t over, const std::vector<WalkGroup>& groups,
-                           const Quantity& quantity) {
+                           const CurveQuantity& quantity) {
     report::Figure figure{
         .id = fmt::format("{}_{}", quantity.id, over + 1),
         .title = fmt::format("{} over {}", quantity.title, label_of(sweep, axes[over])),
@@ -101,7 +101,7 @@ report::Figure figure_over(const WalkSweep& sweep, const std::vector<std::size_t
     return figure;
 }
 
-constexpr std::size_t most_rows = 300;
+constexpr std::size_t most_curve_rows = 300;
 
 report::DocumentTable group_table(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
                                   const std::vector<WalkGroup>& groups) {
@@ -137,7 +137,7 @@ std::optional<WalkSection> curves_section(const WalkSweep& sweep,
     WalkSection result{.section = {.id = "curves", .heading = "Friction, vibration, stability"}};
     for (std::size_t over = 0; over < axes.size(); ++over) {
         if (!is_number(groups, over)) continue;
-        for (const Quantity& quantity : quantities) {
+        for (const CurveQuantity& quantity : quantities) {
             const report::Figure figure = figure_over(sweep, axes, over, groups, quantity);
             if (figure.curves.size() > most_curves || figure.curves.front().x.size() < 2)
                 break;  // the others have as many curves
@@ -145,7 +145,7 @@ std::optional<WalkSection> curves_section(const WalkSweep& sweep,
         }
     }
     if (result.section.figures.empty()) return {};
-    if (groups.size() <= most_rows)
+    if (groups.size() <= most_curve_rows)
         result.section.tables.push_back(group_table(sweep, axes, groups));
     return result;
 }

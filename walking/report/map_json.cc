@@ -12,6 +12,7 @@
 #include "report/format.h"
 #include "report/json_number.h"
 #include "walking/study/motion_class.h"
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
@@ -19,28 +20,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// What the ground of the map may show.
-struct Quantity {
+struct MapQuantity {
     std::string name;
     std::vector<double> values;  ///< of the cells
     double least, most;          ///< beyond them colours do not change
 };
 
 template <class Value>
-Quantity quantity(const WalkMap& map, const std::string& name, double least, double most,
+MapQuantity quantity(const WalkMap& map, const std::string& name, double least, double most,
                   Value value) {
-    Quantity result{name, {}, least, most};
+    MapQuantity result{name, {}, least, most};
     for (const WalkMapCell& cell : map.cells)
-        result.values.push_back(cell.result.regime == Regime::tilting ? nan : value(cell.result));
+        result.values.push_back(cell.result.regime == Regime::tilting ? contact::undefined : value(cell.result));
     return result;
 }
 
-std::vector<Quantity> quantities(const WalkMap& map) {
+std::vector<MapQuantity> quantities(const WalkMap& map) {
     // A jump of more than a few static displacements is a high one, however high.
     constexpr double high_jump = -3;
-    std::vector<Quantity> list{
+    std::vector<MapQuantity> list{
         quantity(map, "effective friction", 0, 1, [](const auto& r) { return r.mu_e; }),
         quantity(map, "highest point, z_min over z_stat", high_jump, 1,
                  [](const auto& r) { return r.z_min_ratio; })};
@@ -51,14 +51,14 @@ std::vector<Quantity> quantities(const WalkMap& map) {
         for (std::size_t i = 0; i < n_spots; ++i)
             list.push_back(quantity(
                 map, fmt::format("{} {}", name, i + 1), least, 1,
-                [=](const auto& r) { return i < r.spots.size() ? r.spots[i].*member : nan; }));
+                [=](const auto& r) { return i < r.spots.size() ? r.spots[i].*member : contact::undefined; }));
     };
     of_spots("stick time of spot", 0, &Spot::stick_time);
     of_spots("correlation of velocity and load, spot", -1, &Spot::correlation);
     return list;
 }
 
-Json json(const Quantity& quantity) {
+Json json(const MapQuantity& quantity) {
     double low = quantity.most, high = quantity.least;
     for (const double value : quantity.values) {
         if (!std::isfinite(value)) continue;
@@ -89,7 +89,7 @@ Json limit(const WalkMap& map) {
         const double kappa8 = first + (last - first) * i / (n_points - 1);
         const double friction = critical_friction(map, kappa8);
         x.push_back(kappa8);
-        y.push_back(friction < 2 * map.friction.back() ? friction : nan);
+        y.push_back(friction < 2 * map.friction.back() ? friction : contact::undefined);
     }
     return {{"x", report::numbers(x)}, {"y", report::numbers(y)}};
 }
@@ -118,7 +118,7 @@ Json cells(const WalkMap& map) {
         const double kappa8 = map.kappa8[i % map.kappa8.size()];
         const double friction = map.friction[i / map.kappa8.size()];
         const WalkMapCell& cell = map.cells[i];
-        const double mean = cell.result.regime == Regime::tilting ? nan : cell.result.mu_e;
+        const double mean = cell.result.regime == Regime::tilting ? contact::undefined : cell.result.mu_e;
         list.push_back({{"readings", map_readings(map, kappa8, cell.result)},
                         {"mean", report::number(mean)},
                         {"interval", cell.samples.interval},
@@ -145,8 +145,8 @@ std::size_t best(const WalkMap& map) {
 
 Json map_json(const WalkMap& map) {
     Json ground = Json::array();
-    const std::vector<Quantity> list = quantities(map);
-    for (const Quantity& each : list) ground.push_back(json(each));
+    const std::vector<MapQuantity> list = quantities(map);
+    for (const MapQuantity& each : list) ground.push_back(json(each));
     ground.push_back(motions(map));
     Json curves = Json::array();
     for (const char* name : {"Δx / (μ κ_4)", "z / z_stat", "φ / (μ κ_3 κ_4)", "f_s / (μ κ_4)"})

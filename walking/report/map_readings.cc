@@ -14,14 +14,14 @@ namespace tricontact::walking {
 
 namespace {
 
-const std::string undefined = "–";
+const std::string dash = "–";
 
 /// "0.427, 0.493": of all spots.
 std::string of_spots(const WalkResult& result, double WalkResult::Spot::*member) {
     std::string text;
     for (const WalkResult::Spot& spot : result.spots)
         text += (text.empty() ? "" : ", ") + report::significant(spot.*member, 3);
-    return text.empty() ? undefined : text;
+    return text.empty() ? dash : text;
 }
 
 std::string transient(const WalkResult& result) {
@@ -44,8 +44,8 @@ std::vector<std::string> map_readings(const WalkMap& map, double kappa8, const W
     if (result.regime == Regime::tilting) {
         const std::string when =
             result.tilting_time ? " at t = " + report::significant(*result.tilting_time, 4) : "";
-        return {motion + when, undefined, undefined, undefined,
-                undefined,     undefined, undefined, limit};
+        return {motion + when, dash, dash, dash,
+                dash,     dash, dash, limit};
     }
     return {
         motion,

@@ -11,7 +11,7 @@ namespace tricontact::walking {
 
 namespace {
 
-struct Quantity {
+struct DrawnQuantity {
     const char *id, *title, *label, *caption;
     double (*value)(const WalkOutcome& outcome);
     std::vector<double> levels = {};
@@ -20,8 +20,8 @@ struct Quantity {
 /// Of z_min/z_stat: beside the machines near tilting those that walk would all look alike.
 constexpr double lowest_drawn = -30;
 
-const std::vector<Quantity>& quantities() {
-    static const std::vector<Quantity> all{
+const std::vector<DrawnQuantity>& quantities() {
+    static const std::vector<DrawnQuantity> all{
         {"friction",
          "Effective friction",
          "μ_e",
@@ -86,7 +86,7 @@ std::vector<report::Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& 
     return {tilting, {.name = "flutters", .x = grid.x, .y = flutter, .theory = true, .colour = 3}};
 }
 
-report::Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const Quantity& quantity) {
+report::Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const DrawnQuantity& quantity) {
     return {.id = std::string("map_") + quantity.id,
             .title = quantity.title,
             .caption = std::string(quantity.caption) + " White: the machine tilts.",
@@ -228,7 +228,7 @@ WalkSection map_section(const WalkSweep& sweep, const WalkGrid& grid) {
         result.verdicts.push_back(agreement_verdict(grid));
     if (is_over_friction(sweep, grid)) result.verdicts.push_back(flutter_verdict(grid));
     result.verdicts.push_back(least_friction_verdict(sweep, grid));
-    for (const Quantity& quantity : quantities())
+    for (const DrawnQuantity& quantity : quantities())
         result.section.figures.push_back(map_figure(sweep, grid, quantity));
     if (grid.cells.size() <= most_drawn_cells)
         result.section.figures.push_back(regime_figure(sweep, grid));

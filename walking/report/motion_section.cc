@@ -12,7 +12,6 @@ namespace tricontact::walking {
 
 namespace {
 
-const std::string time_label = "time t* = t - t_0 [√(m/k_x)]";
 
 report::Figure motion_figure(const WalkReport& report) {
     const MotionSeries series = motion_series(report.walk_case.machine, last_swings(report.walk));

@@ -26,4 +26,7 @@ std::span<const Snapshot> last_swings(const Walk& walk);
 /// Time between two snapshots of the end of the run; NaN for fewer than two.
 double sampling_interval(const Walk& walk);
 
+/// Of figures over normalised time.
+inline const std::string time_label = "time t* = t - t_0 [√(m/k_x)]";
+
 }  // namespace tricontact::walking

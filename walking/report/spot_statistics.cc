@@ -4,24 +4,24 @@
 #include <limits>
 
 #include "statistics/initial_sequence.h"
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Of the mean over windows after the transient.
 template <class Value>
 double error_of(const Walk& walk, std::size_t spot, Value value) {
-    if (walk.result.regime == Regime::limit_cycle) return nan;
+    if (walk.result.regime == Regime::limit_cycle) return contact::undefined;
     std::vector<double> values;
     for (const WalkWindow& window : walk.windows) {
         if (window.begin < walk.result.transient || spot >= window.sums.spots.size()) continue;
         const double each = value(window.sums.spots[spot], window.sums.steps);
         if (std::isfinite(each)) values.push_back(each);  // else the spot never touched
     }
-    return values.size() > 1 ? statistics::initial_sequence_mean(values).error : nan;
+    return values.size() > 1 ? statistics::initial_sequence_mean(values).error : contact::undefined;
 }
 
 }  // namespace

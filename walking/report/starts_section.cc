@@ -9,12 +9,12 @@
 #include "statistics/regression.h"
 #include "walking/report/walk_sections.h"
 #include "walking/study/walk_factorial.h"
+#include "walking/study/factorial_effects.h"
 
 namespace tricontact::walking {
 
 namespace {
 
-constexpr double confidence = 0.95;
 
 /// When runs reached their limit cycle, and how long the others were waited for.
 struct Arrivals {

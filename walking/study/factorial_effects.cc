@@ -10,7 +10,6 @@ namespace tricontact::walking {
 
 namespace {
 
-constexpr double confidence = 0.95;
 
 std::size_t n_combinations(const std::vector<Factor>& factors) {
     std::size_t n = 1;

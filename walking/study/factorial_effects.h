@@ -8,6 +8,9 @@
 
 namespace tricontact::walking {
 
+/// Of the intervals of a study of machines.
+inline constexpr double confidence = 0.95;
+
 /// What an experiment varies, and to which values.
 struct Factor {
     std::string name;

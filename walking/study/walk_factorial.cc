@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "report/format.h"
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
 namespace {
 
 constexpr std::size_t most_levels = 4;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 Factor factor_of(const WalkSweep& sweep, std::size_t axis) {
@@ -63,7 +63,7 @@ FactorialDesign WalkFactorial::design(const std::vector<WalkGroup>& groups,
                                       double (*response)(const WalkOutcome& outcome)) const {
     std::size_t n = 1;
     for (const Factor& factor : factors) n *= factor.levels.size();
-    FactorialDesign design{.factors = factors, .response = std::vector<double>(n, undefined)};
+    FactorialDesign design{.factors = factors, .response = std::vector<double>(n, contact::undefined)};
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (!rule.excludes(groups[i])) design.response[places[i]] = groups[i].mean(response);
     return design;

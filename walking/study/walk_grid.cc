@@ -7,13 +7,13 @@
 #include <set>
 
 #include "statistics/regression.h"
+#include "walking/study/factorial_effects.h"
 
 namespace tricontact::walking {
 
 namespace {
 
 constexpr std::size_t fewest_values = 8;
-constexpr double confidence = 0.95;
 constexpr double no_effect = 0.99, reduction = 0.95, strong_reduction = 0.5;
 // Half the vibration over z_stat up to which z counts as constant: that of the judge.
 constexpr double constant_z = 0.01;

@@ -14,6 +14,7 @@
 #include "walking/machine/forces.h"
 #include "walking/machine/machine.h"
 #include "walking/report/vibration.h"
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
@@ -22,10 +23,9 @@ namespace {
 using Drift = WalkResult::Drift;
 using json = nlohmann::ordered_json;
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 WalkOutcome::SecondHalf second_half(const Machine& machine, const Walk& walk) {
-    if (walk.result.tilting_time || walk.windows.empty()) return {undefined, undefined, undefined};
+    if (walk.result.tilting_time || walk.windows.empty()) return {contact::undefined, contact::undefined, contact::undefined};
     StretchSums sums;
     for (std::size_t i = walk.windows.size() / 2; i < walk.windows.size(); ++i)
         sums.add(walk.windows[i].sums);
@@ -45,10 +45,10 @@ double largest_phi(const Walk& walk) {
 
 WalkOutcome::Vibration vibration(const Machine& machine, const Walk& walk) {
     if (walk.result.tilting_time || walk.result.regime == Regime::sticking)
-        return {undefined, undefined, undefined};
-    if (walk.result.regime == Regime::steady) return {undefined, undefined, 0};
+        return {contact::undefined, contact::undefined, contact::undefined};
+    if (walk.result.regime == Regime::steady) return {contact::undefined, contact::undefined, 0};
     const auto found = vibration_of(machine, walk);
-    if (!found) return {undefined, undefined, undefined};
+    if (!found) return {contact::undefined, contact::undefined, contact::undefined};
     return {found->characteristic.frequency, found->characteristic.error, found->instability};
 }
 
@@ -104,7 +104,7 @@ constexpr Number numbers_of_result[] = {
 
 /// Its only spot is both its first and its last.
 void add_spots(WalkOutcome& outcome) {
-    if (outcome.result.spots.empty()) outcome.result.spots.push_back({undefined, undefined});
+    if (outcome.result.spots.empty()) outcome.result.spots.push_back({contact::undefined, contact::undefined});
 }
 
 constexpr std::pair<const char*, std::vector<float> MotionSamples::*> lists_of_samples[] = {
@@ -128,7 +128,7 @@ json samples_json(const MotionSamples& samples) {
 }
 
 double number_in(const json& value) {
-    return value.is_null() ? undefined : value.get<double>();
+    return value.is_null() ? contact::undefined : value.get<double>();
 }
 
 std::optional<double> optional_in(const json& value) {
@@ -180,7 +180,7 @@ json walk_results(const WalkOutcome& outcome) {
     results["section_points"] = outcome.result.section_points;
     results["transient_over"] = outcome.result.transient_over;
     results["tilting_time"] = report::number(outcome.result.tilting_time);
-    const auto drift = outcome.result.drift.value_or(Drift{undefined, undefined, undefined});
+    const auto drift = outcome.result.drift.value_or(Drift{contact::undefined, contact::undefined, contact::undefined});
     results["shift_per_period"] = report::number(drift.per_period);
     results["shift_per_period_error"] = report::number(drift.error);
     results["airborne"] = report::number(drift.airborne);

@@ -9,13 +9,13 @@
 #include "report/csv.h"
 #include "report/format.h"
 #include "statistics/regression.h"
+#include "contact/special_values.h"
+#include "walking/study/factorial_effects.h"
 
 namespace tricontact::walking {
 
 namespace {
 
-constexpr double confidence = 0.95;
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 bool tilted(const WalkSweep::Point* point) {
     return point->outcome->result.regime == Regime::tilting;
@@ -65,19 +65,19 @@ bool WalkGroup::tilts() const {
 }
 
 double WalkGroup::mean(double (*value)(const WalkOutcome& outcome)) const {
-    if (tilts()) return undefined;
+    if (tilts()) return contact::undefined;
     double sum = 0, n = 0;
     for (const WalkSweep::Point* point : points) {
         if (tilted(point)) continue;
         sum += value(*point->outcome);
         ++n;
     }
-    return n > 0 ? sum / n : undefined;
+    return n > 0 ? sum / n : contact::undefined;
 }
 
 report::WithError WalkGroup::mu_e() const {
     const double value = mean([](const WalkOutcome& o) { return o.result.mu_e; });
-    if (std::isnan(value)) return {undefined, undefined};
+    if (std::isnan(value)) return {contact::undefined, contact::undefined};
     double squares = 0;
     int n = 0;
     for (const WalkSweep::Point* point : points) {
@@ -126,7 +126,7 @@ std::string label_of(const WalkSweep& sweep, std::size_t axis) {
 
 double shown_value(const WalkSweep& sweep, std::size_t axis, const report::Cell& value) {
     const auto* number = std::get_if<double>(&value);
-    return number ? *number / unit_of(sweep, axis).factor : undefined;
+    return number ? *number / unit_of(sweep, axis).factor : contact::undefined;
 }
 
 }  // namespace tricontact::walking

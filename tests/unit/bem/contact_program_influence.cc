@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace tricontact::bem {
+namespace tricontact::bem::contact_program_influence_test {
 namespace {
 
 constexpr int n = 4;
@@ -155,4 +155,4 @@ TEST(ContactProgramInfluence, TableOfAnIncompressibleHalfSpaceIsUncoupled) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::contact_program_influence_test

@@ -14,7 +14,7 @@
 #include "mdr/layer_model.h"
 #include "theory/layer/case_layers.h"
 
-namespace tricontact {
+namespace tricontact::elastic_ground_test {
 namespace {
 
 using bem::InfluenceCoefficients;
@@ -191,4 +191,4 @@ TEST(CaseLayers, AreRefusedWithoutThicknessOrGround) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::elastic_ground_test

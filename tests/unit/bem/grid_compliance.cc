@@ -10,7 +10,7 @@
 #include "bem/influence.h"
 #include "bem/layer_influence.h"
 
-namespace tricontact {
+namespace tricontact::grid_compliance_test {
 namespace {
 
 using bem::GridCompliance;
@@ -177,4 +177,4 @@ TEST(GridCompliance, ThreadsDoNotChangeABit) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::grid_compliance_test

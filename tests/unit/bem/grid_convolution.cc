@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::grid_convolution_test {
 namespace {
 
 using bem::GridConvolution;
@@ -148,4 +148,4 @@ TEST(GridConvolution, ThreadsDoNotChangeABit) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::grid_convolution_test

@@ -7,7 +7,7 @@
 
 #include "bem/grid_compliance.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::grid_interior_test {
 namespace {
 
 using contact::ContactPoints;
@@ -137,4 +137,4 @@ TEST(GridInterior, DepthsAreFineInTheContactAndEndWhereTheyShould) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::grid_interior_test

@@ -18,7 +18,7 @@
 #include "tests/unit/io/sphere_case.h"
 #include "tests/unit/memory_probe.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::grid_memory_test {
 namespace {
 
 using test::expect_in_process;
@@ -80,4 +80,4 @@ TEST(Memory, IsRequiredByName) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::grid_memory_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <optional>
 
-namespace tricontact {
+namespace tricontact::influence_test {
 namespace {
 
 using bem::InfluenceCoefficients;
@@ -207,4 +207,4 @@ TEST(Influence, PartsAddUpToTheWhole) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::influence_test

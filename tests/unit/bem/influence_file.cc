@@ -12,7 +12,7 @@
 #include "contact/error.h"
 #include "contact/run.h"
 
-namespace tricontact {
+namespace tricontact::influence_file_test {
 namespace {
 
 using bem::Body;
@@ -222,4 +222,4 @@ TEST_F(InfluenceFile, HoldsForOneStateOfTheMaterial) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::influence_file_test

@@ -10,7 +10,7 @@
 #include "bem/influence.h"
 #include "bem/layer_influence.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::interior_influence_test {
 namespace {
 
 using contact::Material;
@@ -181,4 +181,4 @@ TEST(InteriorInfluence, AThickLayerIsTheHalfSpace) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::interior_influence_test

@@ -11,7 +11,7 @@
 #include "contact/run.h"
 #include "contact/surface_model.h"
 
-namespace tricontact {
+namespace tricontact::larger_grid_test {
 namespace {
 
 using contact::Case;
@@ -136,4 +136,4 @@ TEST(BemLargerGrid, DoublesTheRoomUntilItIsTooMuch) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::larger_grid_test

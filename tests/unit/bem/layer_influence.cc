@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::layer_influence_test {
 namespace {
 
 using bem::InfluenceCoefficients;
@@ -150,4 +150,4 @@ TEST(BemLayerInfluence, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_influence_test

@@ -13,7 +13,7 @@
 #include "contact/load_path.h"
 #include "contact/solvers/contact_radius.h"
 
-namespace tricontact {
+namespace tricontact::line_contact_test {
 namespace {
 
 using contact::Case;
@@ -143,4 +143,4 @@ TEST(BemLineContact, HasNoTableOfSquareCells) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::line_contact_test

@@ -12,7 +12,7 @@
 #include "contact/run.h"
 #include "contact/surface_model.h"
 
-namespace tricontact {
+namespace tricontact::model_test {
 namespace {
 
 using contact::Case;
@@ -273,4 +273,4 @@ TEST(SurfaceModel, ShiftControlReachesTheShift) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::model_test

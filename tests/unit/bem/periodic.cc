@@ -19,7 +19,7 @@
 #include "contact/placement.h"
 #include "contact/solvers/normal_solver.h"
 
-namespace tricontact {
+namespace tricontact::periodic_test {
 namespace {
 
 using bem::Body;
@@ -369,4 +369,4 @@ TEST(BemPeriodic, RefusesWhatHasNoMeanOrNoRoom) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::periodic_test

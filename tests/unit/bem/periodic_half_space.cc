@@ -19,7 +19,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
 
-namespace tricontact {
+namespace tricontact::periodic_half_space_test {
 namespace {
 
 using bem::PeriodicCompliance;
@@ -219,4 +219,4 @@ TEST(BemPeriodicHalfSpace, HoldsInFullContactTangentially) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::periodic_half_space_test

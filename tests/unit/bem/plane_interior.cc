@@ -11,7 +11,7 @@
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 
-namespace tricontact::bem {
+namespace tricontact::bem::plane_interior_test {
 namespace {
 
 using contact::Material;
@@ -147,4 +147,4 @@ TEST(BemPlaneInterior, AGroundThatGivesWayIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact::bem
+}  // namespace tricontact::bem::plane_interior_test

@@ -8,7 +8,7 @@
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::plane_layer_test {
 namespace {
 
 using bem::InfluenceCoefficients;
@@ -108,4 +108,4 @@ TEST(BemPlaneLayer, RefusesAnElasticGround) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::plane_layer_test

@@ -11,7 +11,7 @@
 #include "tests/unit/experiments/records/synthetic_record.h"
 
 // Errors by their formulas, where coverage of the truth would not show a wrong one.
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::error_bars_test {
 namespace {
 
 using experiments::Experiment;
@@ -174,4 +174,4 @@ TEST(ErrorBars, EstimatedFromFewObservationsAreStudents) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::error_bars_test

@@ -15,7 +15,7 @@
 #include "rolling/creep_theory.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::sentences_test {
 namespace {
 
 using contact::Case;
@@ -276,4 +276,4 @@ TEST(TractiveSentences, TheRatioOfCreepagesIsThatOfRoundBodiesDrivenStraight) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::sentences_test

@@ -7,7 +7,7 @@
 
 #include "contact/surface_audit.h"
 
-namespace tricontact {
+namespace tricontact::audit_test {
 namespace {
 
 using contact::Audit;
@@ -150,4 +150,4 @@ TEST(SurfaceAudit, BrokenNumbersDoNotHide) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::audit_test

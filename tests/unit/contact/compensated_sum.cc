@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tricontact {
+namespace tricontact::compensated_sum_test {
 namespace {
 
 using contact::CompensatedSum;
@@ -68,4 +68,4 @@ TEST(BlockSums, AreAsExactAsPromised) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::compensated_sum_test

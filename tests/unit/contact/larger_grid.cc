@@ -9,7 +9,7 @@
 #include "contact/run.h"
 #include "mdr/model.h"
 
-namespace tricontact {
+namespace tricontact::larger_grid_test {
 namespace {
 
 using contact::Case;
@@ -97,4 +97,4 @@ TEST(LargerGrid, LimitIsThatOfTheSecondRuns) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::larger_grid_test

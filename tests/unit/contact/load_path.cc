@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::load_path_test {
 namespace {
 
 using contact::Case;
@@ -205,4 +205,4 @@ TEST(LoadPath, FrictionLimitHoldsAllAlongThePath) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::load_path_test

@@ -9,7 +9,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::run_test {
 namespace {
 
 using contact::Case;
@@ -265,4 +265,4 @@ TEST(Run, FailedAuditEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::run_test

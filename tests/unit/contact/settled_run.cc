@@ -9,7 +9,7 @@
 #include "mdr/model.h"
 #include "theory/rolling/body_rolling.h"
 
-namespace tricontact {
+namespace tricontact::settled_run_test {
 namespace {
 
 using contact::Case;
@@ -98,4 +98,4 @@ TEST(SettledRun, EndsWithAKnownIncrementOfRatcheting) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::settled_run_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tricontact {
+namespace tricontact::step_integrals_test {
 namespace {
 
 using Exact = boost::multiprecision::cpp_bin_float_100;
@@ -41,4 +41,4 @@ TEST(StepIntegrals, OfNoTimeAndOfAllTime) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::step_integrals_test

@@ -7,7 +7,7 @@
 #include "contact/load_path.h"
 #include "contact/run.h"
 
-namespace tricontact {
+namespace tricontact::surface_model_test {
 namespace {
 
 using contact::Case;
@@ -129,4 +129,4 @@ TEST(SurfaceModel, FrictionalWorkOfAllPointsIsTheDissipationOfThePeriod) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::surface_model_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::verdict_test {
 namespace {
 
 using contact::Judge;
@@ -288,4 +288,4 @@ TEST(Verdict, Names) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::verdict_test

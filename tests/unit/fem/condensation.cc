@@ -6,7 +6,7 @@
 #include "fem/condensed_layer.h"
 #include "tests/unit/fem/layer_problems.h"
 
-namespace tricontact {
+namespace tricontact::condensation_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -132,4 +132,4 @@ TEST(FemCondensedLayer, SameBitsAgain) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::condensation_test

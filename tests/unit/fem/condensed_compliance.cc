@@ -10,7 +10,7 @@
 #include "contact/substrates/stieltjes_interpolation.h"
 #include "tests/unit/fem/layer_problems.h"
 
-namespace tricontact {
+namespace tricontact::condensed_compliance_test {
 namespace {
 
 using contact::TangentialField;
@@ -105,4 +105,4 @@ TEST(FemCondensedCompliance, InterpolatesInTheShearModulus) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::condensed_compliance_test

@@ -10,7 +10,7 @@
 #include "fem/condensed_compliance.h"
 #include "meshes/layer_mesh.h"
 
-namespace tricontact {
+namespace tricontact::contact_line_test {
 namespace {
 
 using contact::TangentialField;
@@ -111,4 +111,4 @@ TEST(FemContactLine, GroundCarriesTheForce) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::contact_line_test

@@ -8,7 +8,7 @@
 #include "contact/error.h"
 #include "tests/unit/fem/box_mesh.h"
 
-namespace tricontact {
+namespace tricontact::contact_surface_test {
 namespace {
 
 using fem::ContactSurface;
@@ -153,4 +153,4 @@ TEST(FemContactSurface, NoContactIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::contact_surface_test

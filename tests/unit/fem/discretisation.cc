@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "tests/unit/fem/layer_problems.h"
 
-namespace tricontact {
+namespace tricontact::discretisation_test {
 namespace {
 
 using contact::Case;
@@ -100,4 +100,4 @@ TEST(FemDiscretisation, HeldRowsBalanceTranslations) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::discretisation_test

@@ -5,7 +5,7 @@
 #include "fem/distributed/mesh_part.h"
 #include "tests/unit/fem/box_mesh.h"
 
-namespace tricontact {
+namespace tricontact::distributed_mesh_part_test {
 namespace {
 
 using fem::distributed::part_of;
@@ -64,4 +64,4 @@ TEST(FemDistributedMeshPart, PartsHaveTheWholesFacesAndTwiceTheCut) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::distributed_mesh_part_test

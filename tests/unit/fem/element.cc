@@ -10,7 +10,7 @@
 #include "fem/layer_problem.h"
 #include "tests/unit/fem/box_mesh.h"
 
-namespace tricontact {
+namespace tricontact::element_test {
 namespace {
 
 using fem::ElementStiffness;
@@ -176,4 +176,4 @@ TEST(FemPatchTest, ConstantStrainNeedsNoForcesInside) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::element_test

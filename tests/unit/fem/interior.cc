@@ -8,7 +8,7 @@
 #include "fem/q2_space.h"
 #include "tests/unit/fem/layer_problems.h"
 
-namespace tricontact {
+namespace tricontact::interior_test {
 namespace {
 
 using contact::Interior;
@@ -174,4 +174,4 @@ TEST(FemInterior, RegionsShareNoPoints) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::interior_test

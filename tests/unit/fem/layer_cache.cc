@@ -20,7 +20,7 @@
 #include "files/partial_file.h"
 #include "tests/unit/fem/box_mesh.h"
 
-namespace tricontact {
+namespace tricontact::layer_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -374,4 +374,4 @@ TEST(FemLayerKey, ChangesWithEverythingThatMatters) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_cache_test

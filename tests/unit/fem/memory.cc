@@ -14,7 +14,7 @@
 #include "tests/unit/fem/box_mesh.h"
 #include "tests/unit/memory_probe.h"
 
-namespace tricontact {
+namespace tricontact::memory_test {
 namespace {
 
 using test::expect_in_process;
@@ -103,4 +103,4 @@ TEST(FemMemory, NoRoomForTheMatrixIsRefusedToo) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::memory_test

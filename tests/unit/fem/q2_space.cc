@@ -12,7 +12,7 @@
 #include "contact/error.h"
 #include "tests/unit/fem/box_mesh.h"
 
-namespace tricontact {
+namespace tricontact::q2_space_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -126,4 +126,4 @@ TEST(FemQ2Space, AFaceWithoutANameIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::q2_space_test

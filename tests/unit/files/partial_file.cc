@@ -13,7 +13,7 @@
 #include <set>
 #include <sstream>
 
-namespace tricontact::files {
+namespace tricontact::files::partial_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST_F(Partial, SweepingBesideWritersLosesNothing) {
 }
 
 }  // namespace
-}  // namespace tricontact::files
+}  // namespace tricontact::files::partial_file_test

@@ -15,7 +15,7 @@
 #include "files/digest.h"
 #include "files/line_reader.h"
 
-namespace tricontact::files {
+namespace tricontact::files::regular_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,4 +115,4 @@ TEST(Digest, KeepsTextsApart) {
 }
 
 }  // namespace
-}  // namespace tricontact::files
+}  // namespace tricontact::files::regular_file_test

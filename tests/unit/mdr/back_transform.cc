@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::back_transform_test {
 namespace {
 
 using std::numbers::pi;
@@ -71,4 +71,4 @@ TEST(MdrBackTransform, RefusesMalformedLoads) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::back_transform_test

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::even_load_test {
 namespace {
 
 using mdr::EvenLoad;
@@ -85,4 +85,4 @@ TEST(MdrEvenLoad, OnePointIsAContactToo) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::even_load_test

@@ -10,7 +10,7 @@
 #include "contact/error.h"
 #include "contact/run.h"
 
-namespace tricontact {
+namespace tricontact::layer_model_test {
 namespace {
 
 using contact::Case;
@@ -174,4 +174,4 @@ TEST(MdrLayerModel, HeldIndentationRelaxesLikeTheModulus) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_model_test

@@ -16,7 +16,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "mdr/layer_kernel.h"
 
-namespace tricontact {
+namespace tricontact::layer_springs_test {
 namespace {
 
 using contact::Material;
@@ -175,4 +175,4 @@ TEST(MdrLayerSprings, ContactSpreadsOnAThinIncompressibleLayer) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_springs_test

@@ -8,7 +8,7 @@
 #include "mdr/spring_bed.h"
 #include "tests/verification/mdr_roller.h"
 
-namespace tricontact {
+namespace tricontact::model_test {
 namespace {
 
 using mdr_test::Roller;
@@ -84,4 +84,4 @@ TEST(MdrModel, PressingBeyondTheRimIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::model_test

@@ -10,7 +10,7 @@
 
 #include "mdr/tabulated_profile.h"
 
-namespace tricontact {
+namespace tricontact::normal_bed_test {
 namespace {
 
 using mdr::NormalBed;
@@ -109,4 +109,4 @@ TEST(MdrNormalBed, RefusesAnEmptyBed) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::normal_bed_test

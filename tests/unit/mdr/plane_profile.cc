@@ -10,7 +10,7 @@
 #include "mdr/tabulated_profile.h"
 #include "tests/unit/mdr/profiles.h"
 
-namespace tricontact {
+namespace tricontact::plane_profile_test {
 namespace {
 
 using mdr::PowerLawProfile;
@@ -106,4 +106,4 @@ TEST(MdrPlaneProfile, SaysWhenTheRimIsReached) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::plane_profile_test

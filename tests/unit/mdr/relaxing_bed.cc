@@ -16,7 +16,7 @@
 #include "mdr/spring_bed.h"
 #include "tests/verification/mdr_roller.h"
 
-namespace tricontact {
+namespace tricontact::relaxing_bed_test {
 namespace {
 
 using contact::LoadStep;
@@ -347,4 +347,4 @@ TEST(MdrRelaxingBed, ShowsWhatTheElasticBedShows) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::relaxing_bed_test

@@ -14,7 +14,7 @@
 #include "contact/error.h"
 #include "mdr/tabulated_profile.h"
 
-namespace tricontact {
+namespace tricontact::spring_bed_test {
 namespace {
 
 using contact::LoadStep;
@@ -277,4 +277,4 @@ RC_GTEST_PROP(MdrSpringBed, UnitsAndScalesDropOut, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::spring_bed_test

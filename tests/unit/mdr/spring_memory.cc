@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::spring_memory_test {
 namespace {
 
 using contact::Relaxation;
@@ -180,4 +180,4 @@ RC_GTEST_PROP(MdrSpringMemory, EveryStepBalancesItsEnergy, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::spring_memory_test

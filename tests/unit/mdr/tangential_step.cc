@@ -10,7 +10,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::tangential_step_test {
 namespace {
 
 TEST(MdrTangentialStep, OneSpringSticksAndSlides) {
@@ -97,4 +97,4 @@ TEST(MdrTangentialStep, SaysWhenThereIsNoSuchForce) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::tangential_step_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::bad_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST_F(MeshesBadFile, InvertedElement) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::bad_files_test

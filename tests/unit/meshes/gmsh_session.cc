@@ -11,7 +11,7 @@
 
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::gmsh_session_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,4 +91,4 @@ TEST_F(MeshesSession, ThreadsTakeTurns) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::gmsh_session_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::grading_test {
 namespace {
 
 // Geometric series, in the textbook's form.
@@ -81,4 +81,4 @@ RC_GTEST_PROP(MeshesGrading, FewestElementsOfBoundedGrowth, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::grading_test

@@ -6,7 +6,7 @@
 #include "meshes/layer_grid.h"
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::layer_geometry_test {
 namespace {
 
 class MeshesGeometry : public MeshFolder, public testing::WithParamInterface<int> {
@@ -58,4 +58,4 @@ TEST_F(MeshFolder, AnotherGridIsNotTakenForIt) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::layer_geometry_test

@@ -11,7 +11,7 @@
 #include "meshes/hex_geometry.h"
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::layer_mesh_test {
 namespace {
 
 std::vector<double> coordinates(const HexMesh& mesh, int d) {
@@ -303,4 +303,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::layer_mesh_test

@@ -9,7 +9,7 @@
 #include "meshes/layer_grid.h"
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::mesh_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(MeshesFile, RefusesAFullDiskAndKeepsTheOldFile) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::mesh_file_test

@@ -7,7 +7,7 @@
 #include "meshes/hex_geometry.h"
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::mesh_quality_test {
 namespace {
 
 // One box a x b x c with its top in z = 0, its upper face the contact.
@@ -96,4 +96,4 @@ TEST(MeshesQuality, OfNothingIsZero) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::mesh_quality_test

@@ -4,7 +4,7 @@
 
 #include "tests/unit/meshes/helpers.h"
 
-namespace tricontact::meshes {
+namespace tricontact::meshes::verification_test {
 namespace {
 
 constexpr double inch = 0.0254;  // an element of the meshes below [m]
@@ -287,4 +287,4 @@ TEST(MeshesVerification, ContactOnTheUpperLayer) {
 }
 
 }  // namespace
-}  // namespace tricontact::meshes
+}  // namespace tricontact::meshes::verification_test

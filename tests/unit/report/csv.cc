@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace tricontact::report {
+namespace tricontact::report::csv_test {
 namespace {
 
 // As csv.h says: RFC 4180, then without the apostrophe that stands before.
@@ -48,4 +48,4 @@ RC_GTEST_PROP(Csv, EveryTextIsReadBack, ()) {
 }
 
 }  // namespace
-}  // namespace tricontact::report
+}  // namespace tricontact::report::csv_test

@@ -10,7 +10,7 @@
 #include "report/csv.h"
 #include "report/document_csv.h"
 
-namespace tricontact::report {
+namespace tricontact::report::document_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -278,4 +278,4 @@ TEST(DocumentHtml, RefusesWhatHasNoPlaceOrNoPartner) {
 }
 
 }  // namespace
-}  // namespace tricontact::report
+}  // namespace tricontact::report::document_test

@@ -6,7 +6,7 @@
 
 #include "report/base64.h"
 
-namespace tricontact::report {
+namespace tricontact::report::format_test {
 namespace {
 
 TEST(Format, SignificantDigitsKeepTheirZeros) {
@@ -126,4 +126,4 @@ TEST(Base64, Rfc4648Section10) {
 }
 
 }  // namespace
-}  // namespace tricontact::report
+}  // namespace tricontact::report::format_test

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace tricontact::report {
+namespace tricontact::report::gnuplot_test {
 namespace {
 
 /// The message of the error that `script` causes.
@@ -79,4 +79,4 @@ TEST(Gnuplot, SamePictureSameBytes) {
 }
 
 }  // namespace
-}  // namespace tricontact::report
+}  // namespace tricontact::report::gnuplot_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tricontact::report {
+namespace tricontact::report::lazy_table_test {
 namespace {
 
 double cubic(double x, double z) {
@@ -54,4 +54,4 @@ TEST(LazyTable, ConvergesWithTheFourthPowerOfItsStep) {
 }
 
 }  // namespace
-}  // namespace tricontact::report
+}  // namespace tricontact::report::lazy_table_test

@@ -16,7 +16,7 @@
 #include "theory/layer/case_layers.h"
 #include "theory/rolling/kalker.h"
 
-namespace tricontact {
+namespace tricontact::steady_test {
 namespace {
 
 using rolling::RollingProblem;
@@ -337,4 +337,4 @@ TEST(SteadyRolling, RefusesAForceThatFrictionDoesNotCarry) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::steady_test

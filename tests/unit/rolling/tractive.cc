@@ -11,7 +11,7 @@
 #include "rolling/rolling_sections.h"
 #include "theory/rolling/kalker.h"
 
-namespace tricontact::rolling {
+namespace tricontact::rolling::tractive_test {
 namespace {
 
 using contact::Case;
@@ -329,4 +329,4 @@ TEST(FreeCreepages, StandBesideDissimilarCylindersWithoutForce) {
 }
 
 }  // namespace
-}  // namespace tricontact::rolling
+}  // namespace tricontact::rolling::tractive_test

@@ -8,7 +8,7 @@
 #include "rolling/transient_rolling.h"
 #include "tests/unit/rolling/problems.h"
 
-namespace tricontact {
+namespace tricontact::transient_test {
 namespace {
 
 using rolling_test::Rig;
@@ -88,4 +88,4 @@ TEST(TransientRolling, HasTheForceRatioOfEachStateUnderADepth) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::transient_test

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
+namespace tricontact::statistics::error_propagation_test {
 namespace {
 
-using namespace tricontact::statistics;
 
 // JCGM 100:2008, H.2: resistance, reactance and impedance from five simultaneous readings of
 // voltage, current and phase; tables H.2 (means, errors, correlations) and H.3 (results).
@@ -72,3 +72,4 @@ TEST(ErrorPropagation, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
+}  // namespace tricontact::statistics::error_propagation_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/statistics/autoregressive.h"
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::initial_sequence_test {
 namespace {
 
 struct Coverage {
@@ -79,4 +79,4 @@ TEST(InitialSequence, OfAConstantHasNoError) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::initial_sequence_test

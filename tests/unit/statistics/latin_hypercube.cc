@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::latin_hypercube_test {
 namespace {
 
 // First numbers of the seed 1234567, as other implementations of the algorithm give them.
@@ -59,4 +59,4 @@ TEST(LatinHypercube, ComesAgainWithItsSeedOnly) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::latin_hypercube_test

@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::regression_test {
 namespace {
 
 // Statistical Reference Datasets of NIST (www.itl.nist.gov/div898/strd); certified values.
@@ -120,4 +120,4 @@ TEST(Regression, RefusesWhatDeterminesNothing) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::regression_test

@@ -6,7 +6,7 @@
 
 #include "statistics/spectrum.h"
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::running_variance_test {
 namespace {
 
 double variance(std::span<const double> values) {
@@ -44,4 +44,4 @@ TEST(RunningVariance, OfTooFewValuesIsUndefined) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::running_variance_test

@@ -9,7 +9,7 @@
 
 #include "tests/unit/walking/sets.h"
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::spectrum_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -117,4 +117,4 @@ TEST(CharacteristicFrequency, IntervalOfTwoPartsIsStudents) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::spectrum_test

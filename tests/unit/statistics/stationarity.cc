@@ -8,7 +8,7 @@
 
 #include "tests/unit/statistics/autoregressive.h"
 
-namespace tricontact::statistics {
+namespace tricontact::statistics::stationarity_test {
 namespace {
 
 constexpr double rho = 0.3;
@@ -105,4 +105,4 @@ TEST(Stationarity, WhatScattersDoesNotCreep) {
 }
 
 }  // namespace
-}  // namespace tricontact::statistics
+}  // namespace tricontact::statistics::stationarity_test

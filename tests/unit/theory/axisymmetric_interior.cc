@@ -9,7 +9,7 @@
 #include "contact/solvers/interior.h"
 #include "theory/hertz.h"
 
-namespace tricontact::theory {
+namespace tricontact::theory::axisymmetric_interior_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(AxisymmetricInterior, EquilibriumAndHookesLaw) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::axisymmetric_interior_test

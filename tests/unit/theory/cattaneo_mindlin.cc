@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tricontact {
+namespace tricontact::cattaneo_mindlin_test {
 namespace {
 
 using namespace theory;
@@ -87,4 +87,4 @@ TEST(CattaneoMindlin, RefusesRatiosOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::cattaneo_mindlin_test

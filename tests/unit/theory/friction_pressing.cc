@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tricontact::theory {
+namespace tricontact::theory::friction_pressing_test {
 namespace {
 
 // At c/a = 1/sqrt(2), ln[(a + c)/(a - c)] = 2 ln(1 + sqrt(2)) and K = Gamma(1/4)^2/(4 sqrt(pi))
@@ -34,4 +34,4 @@ TEST(FrictionPressing, ArgumentsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::friction_pressing_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace tricontact {
+namespace tricontact::hertz_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -71,4 +71,4 @@ TEST(Hertz, RefusesNegativeRadii) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::hertz_test

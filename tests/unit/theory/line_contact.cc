@@ -11,7 +11,7 @@
 #include "contact/error.h"
 #include "theory/oscillating_cylinder.h"
 
-namespace tricontact {
+namespace tricontact::line_contact_test {
 namespace {
 
 using boost::math::quadrature::gauss_kronrod;
@@ -201,4 +201,4 @@ TEST(TheoryLineContact, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::line_contact_test

@@ -12,7 +12,7 @@
 
 #include "theory/thesis_cylinder.h"
 
-namespace tricontact::theory {
+namespace tricontact::theory::oscillating_cylinder_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -224,4 +224,4 @@ TEST(OscillatingCylinder, RefusesArgumentsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::oscillating_cylinder_test

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+namespace tricontact::theory::sharp_edge_test {
 namespace {
 
 using tricontact::theory::edge_pressure_exponent;
@@ -62,3 +63,4 @@ TEST(SharpEdge, RefusesWhatIsNoWedge) {
 }
 
 }  // namespace
+}  // namespace tricontact::theory::sharp_edge_test

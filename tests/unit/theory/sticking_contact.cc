@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::sticking_contact_test {
 namespace {
 
 using theory::ElasticLayer;
@@ -111,4 +111,4 @@ TEST(TheoryStickingContact, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::sticking_contact_test

@@ -11,7 +11,7 @@
 #include "theory/layer/layer_compliance.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact {
+namespace tricontact::exact_deviation_test {
 namespace {
 
 using comparisons::DeviationContact;
@@ -248,4 +248,4 @@ TEST(NeededThickness, SaysWhatErrorsLeaveOpen) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::exact_deviation_test

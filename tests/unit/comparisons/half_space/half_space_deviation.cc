@@ -14,7 +14,7 @@
 #include "io/case/case_writer.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::half_space_deviation_test {
 namespace {
 
 using contact::State;
@@ -274,4 +274,4 @@ TEST(HalfSpaceDeviation, WritesTableAndDocument) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::half_space_deviation_test

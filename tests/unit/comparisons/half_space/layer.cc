@@ -10,7 +10,7 @@
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::layer_test {
 namespace {
 
 using contact::Case;
@@ -275,4 +275,4 @@ TEST(LayerReport, HasItsSectionsAndTables) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::layer_test

@@ -8,7 +8,7 @@
 
 #include "comparisons/run/plots.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::roller_ends_test {
 namespace {
 
 using contact::ContactState;
@@ -122,4 +122,4 @@ TEST(RollerEnds, BelongToRollersOnly) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::roller_ends_test

@@ -4,7 +4,7 @@
 #include "report/plot_style.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::fields_test {
 namespace {
 
 using contact::ContactState;
@@ -117,4 +117,4 @@ TEST(Thinned, KeepsBothEndsAndTheLimit) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::fields_test

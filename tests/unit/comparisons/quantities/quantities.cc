@@ -9,7 +9,7 @@
 #include "tests/unit/comparisons/history.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::quantities_test {
 namespace {
 
 using synthetic::Options;
@@ -125,4 +125,4 @@ TEST(OwnLimit, OfSpringsIsExact) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::quantities_test

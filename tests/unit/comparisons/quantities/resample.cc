@@ -8,7 +8,7 @@
 #include "comparisons/run/plots.h"
 #include "tests/unit/comparisons/nodes.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::resample_test {
 namespace {
 
 using contact::ContactState;
@@ -224,4 +224,4 @@ TEST_F(NodesLayout, HolesBetweenElementsAreLeftOutOfThePicture) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::resample_test

@@ -7,7 +7,7 @@
 #include "comparisons/quantities/reference.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::summary_test {
 namespace {
 
 using contact::State;
@@ -217,4 +217,4 @@ TEST(Reference, NothingIsClaimedOutsideItsAssumptions) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::summary_test

@@ -11,7 +11,7 @@
 #include "comparisons/resolution/refinement_report.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::refinement_test {
 namespace {
 
 using Values = std::vector<double>;
@@ -278,4 +278,4 @@ TEST(RefinementReport, RowsHaveAllColumns) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::refinement_test

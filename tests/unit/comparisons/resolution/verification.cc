@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::verification_test {
 namespace {
 
 /// Errors 0.16, 0.04, 0.01 at sizes halved twice: second order.
@@ -66,4 +66,4 @@ TEST(Verification, SourcesAreListedOnce) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::verification_test

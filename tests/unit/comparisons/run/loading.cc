@@ -5,7 +5,7 @@
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::loading_test {
 namespace {
 
 using contact::Case;
@@ -151,4 +151,4 @@ TEST(LoadingReport, HasItsSectionWithALayerOrVariants) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::loading_test

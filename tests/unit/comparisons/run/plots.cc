@@ -10,7 +10,7 @@
 
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::plots_test {
 namespace {
 
 using synthetic::Options;
@@ -179,4 +179,4 @@ TEST(PlotData, SameHistoriesSameBytes) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::plots_test

@@ -13,7 +13,7 @@
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::relaxation_test {
 namespace {
 
 using contact::Case;
@@ -316,4 +316,4 @@ TEST(RelaxationReport, SectionStandsInSummaryAndReportOfRelaxingCasesOnly) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::relaxation_test

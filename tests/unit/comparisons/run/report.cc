@@ -10,7 +10,7 @@
 #include "report/format.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::report_test {
 namespace {
 
 using synthetic::Options;
@@ -287,4 +287,4 @@ TEST_F(Reading, OscillatingLoadsAndTheSphereAreSaid) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::report_test

@@ -6,7 +6,7 @@
 #include "contact/bodies/height_map.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::rough_plots_test {
 namespace {
 
 /// E* = 1, rms slope 0.5, a square of 2 m: p/(E* h') = F_N/2.
@@ -79,4 +79,4 @@ TEST(RoughPlots, ARoughBallHasNoNominalArea) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::rough_plots_test

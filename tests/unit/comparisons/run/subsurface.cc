@@ -8,7 +8,7 @@
 #include "comparisons/run/report_tables.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::subsurface_test {
 namespace {
 
 /// Of the unit case, a = 1, p0 = 2/pi: uniaxial stress that falls with the depth.
@@ -80,4 +80,4 @@ TEST(ComparisonsSubsurface, PointsThatAreNoGridAreNotDrawn) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::subsurface_test

@@ -7,7 +7,7 @@
 #include "comparisons/run/sweep_figures.h"
 #include "report/document_csv.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::sweep_document_test {
 namespace {
 
 /// Two models over amplitude and thickness; the shift is 10 times the amplitude plus the thickness
@@ -120,4 +120,4 @@ TEST(SweepDocument, NoPointsNoNumbers) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::sweep_document_test

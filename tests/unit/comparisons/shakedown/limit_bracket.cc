@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::limit_bracket_test {
 namespace {
 
 using contact::State;
@@ -57,4 +57,4 @@ TEST(LimitBracket, EndsWhereNothingCanBeDecided) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::limit_bracket_test

@@ -10,7 +10,7 @@
 #include "comparisons/shakedown/line_fit_document.h"
 #include "theory/oscillating_cylinder.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::line_fit_test {
 namespace {
 
 constexpr double lambda = 5.85;  // of the thesis' rig
@@ -121,4 +121,4 @@ TEST(LineFit, StickWidthLiesBetweenTheCells) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::line_fit_test

@@ -7,7 +7,7 @@
 #include "tests/unit/comparisons/shakedown/rolling_study.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::one_mapping_test {
 namespace {
 
 OneMapping one_of(const std::vector<RollingPoint>& points) {
@@ -118,4 +118,4 @@ TEST(StudyFit, RelaxationIsSaidInEveryOutput) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::one_mapping_test

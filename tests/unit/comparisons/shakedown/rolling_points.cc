@@ -8,7 +8,7 @@
 #include "comparisons/shakedown/model_differences.h"
 #include "tests/unit/comparisons/shakedown/rolling_study.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::rolling_points_test {
 namespace {
 
 TEST(NumericalBar, LevelsOfKnownOrder) {
@@ -114,4 +114,4 @@ TEST(ModelDifferences, OnlyBarsThatExcludeEachOtherTellModelsApart) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::rolling_points_test

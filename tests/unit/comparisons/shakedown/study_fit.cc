@@ -12,7 +12,7 @@
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact::comparisons {
+namespace tricontact::comparisons::study_fit_test {
 namespace {
 
 /// Ratcheting as Du = c u_stat^(1/2) (w - w_lim) beyond the exact limit.
@@ -201,4 +201,4 @@ TEST(FitSentences, TheThesisLimitLiesWhereItLies) {
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons
+}  // namespace tricontact::comparisons::study_fit_test

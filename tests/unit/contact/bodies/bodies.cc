@@ -16,7 +16,7 @@
 #include "contact/case.h"
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::bodies_test {
 namespace {
 
 using contact::Case;
@@ -236,4 +236,4 @@ TEST(Bodies, RimIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::bodies_test

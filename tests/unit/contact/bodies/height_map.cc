@@ -10,7 +10,7 @@
 #include "contact/bodies/rough_indenter.h"
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::height_map_test {
 namespace {
 
 using contact::HeightField;
@@ -104,4 +104,4 @@ TEST(RoughIndenter, CountsFromTheLowestOfBodyAndMap) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::height_map_test

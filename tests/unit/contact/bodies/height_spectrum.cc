@@ -10,7 +10,7 @@
 
 #include "contact/bodies/roughness.h"
 
-namespace tricontact::contact {
+namespace tricontact::contact::height_spectrum_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -129,4 +129,4 @@ TEST(HeightSpectrum, OfACaseIsThatOfItsCells) {
 }
 
 }  // namespace
-}  // namespace tricontact::contact
+}  // namespace tricontact::contact::height_spectrum_test

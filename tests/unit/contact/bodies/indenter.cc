@@ -9,7 +9,7 @@
 #include "contact/error.h"
 #include "contact/placement.h"
 
-namespace tricontact {
+namespace tricontact::indenter_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -138,4 +138,4 @@ TEST(CaseScales, RollingAmplitude) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::indenter_test

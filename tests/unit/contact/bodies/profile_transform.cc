@@ -10,7 +10,7 @@
 #include "contact/error.h"
 #include "tests/unit/mdr/profiles.h"
 
-namespace tricontact {
+namespace tricontact::profile_transform_test {
 namespace {
 
 using std::numbers::pi;
@@ -72,4 +72,4 @@ TEST(ProfileTransform, RefusesKinksThatAreNotDeclared) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::profile_transform_test

@@ -7,7 +7,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::roller_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -54,4 +54,4 @@ TEST(Roller, LengthsThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::roller_test

@@ -11,7 +11,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::roughness_test {
 namespace {
 
 using contact::HeightMap;
@@ -133,4 +133,4 @@ TEST(Roughness, RefusesWhatIsNoSurface) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::roughness_test

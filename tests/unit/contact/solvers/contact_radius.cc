@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace tricontact {
+namespace tricontact::contact_radius_test {
 namespace {
 
 using contact::ContactPoints;
@@ -79,4 +79,4 @@ TEST(ContactRadius, WhatIsNoSuchPressureIsCounted) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::contact_radius_test

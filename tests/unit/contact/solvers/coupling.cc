@@ -7,7 +7,7 @@
 
 #include "tests/unit/contact/dense_compliance.h"
 
-namespace tricontact {
+namespace tricontact::coupling_test {
 namespace {
 
 using contact::TangentialField;
@@ -112,4 +112,4 @@ TEST(ContactCoupling, ForcesAreTheSumsOfTheTractions) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::coupling_test

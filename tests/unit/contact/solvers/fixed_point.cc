@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tricontact {
+namespace tricontact::fixed_point_test {
 namespace {
 
 using contact::FixedPoint;
@@ -51,4 +51,4 @@ TEST(FixedPoint, InfiniteEntriesStay) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::fixed_point_test

@@ -9,7 +9,7 @@
 #include "contact/error.h"
 #include "tests/unit/contact/dense_compliance.h"
 
-namespace tricontact {
+namespace tricontact::normal_solver_test {
 namespace {
 
 using contact::NormalControl;
@@ -157,4 +157,4 @@ TEST(NormalSolver, SaysWhenItDoesNotConverge) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::normal_solver_test

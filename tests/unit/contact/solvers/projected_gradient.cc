@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-namespace tricontact {
+namespace tricontact::projected_gradient_test {
 namespace {
 
 using contact::TangentialControl;
@@ -62,4 +62,4 @@ TEST(ProjectedGradient, ConvergesWhereTheLargestModeIsNotUniform) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::projected_gradient_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace tricontact::contact {
+namespace tricontact::contact::subsurface_test {
 namespace {
 
 /// x -2 .. 2, y -1 .. 1, z -3 .. 0; the tension along x at a point tells where it is.
@@ -61,4 +61,4 @@ TEST(Subsurface, MeasuresOfStress) {
 }
 
 }  // namespace
-}  // namespace tricontact::contact
+}  // namespace tricontact::contact::subsurface_test

@@ -12,7 +12,7 @@
 #include "contact/solvers/projected_gradient.h"
 #include "tests/unit/contact/dense_compliance.h"
 
-namespace tricontact {
+namespace tricontact::tangential_solver_test {
 namespace {
 
 using contact::TangentialControl;
@@ -292,4 +292,4 @@ TEST(TangentialSolver, SaysWhenItDoesNotConverge) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::tangential_solver_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/contact/dense_compliance.h"
 
-namespace tricontact {
+namespace tricontact::tangential_system_test {
 namespace {
 
 using contact::TangentialField;
@@ -206,4 +206,4 @@ TEST(TangentialSystem, SaysWhenTheZonesCannotCarryTheForce) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::tangential_system_test

@@ -10,7 +10,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::contact {
+namespace tricontact::contact::dma_fit_test {
 namespace {
 
 using Branches = std::vector<Relaxation::Branch>;
@@ -250,4 +250,4 @@ TEST(DmaFit, RefusesAFluid) {
 }
 
 }  // namespace
-}  // namespace tricontact::contact
+}  // namespace tricontact::contact::dma_fit_test

@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::material_test {
 namespace {
 
 using contact::Material;
@@ -120,4 +120,4 @@ TEST(MaterialPair, RefusesImpossibleMaterials) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::material_test

@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::contact {
+namespace tricontact::contact::relaxation_test {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -147,4 +147,4 @@ TEST(RelaxationStep, SmallStepsGiveTheDynamicModulusInSecondOrder) {
 }
 
 }  // namespace
-}  // namespace tricontact::contact
+}  // namespace tricontact::contact::relaxation_test

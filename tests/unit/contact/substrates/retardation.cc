@@ -4,7 +4,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::retardation_test {
 namespace {
 
 using contact::Relaxation;
@@ -42,4 +42,4 @@ TEST(Retardation, RefusesWhatRelaxationRefuses) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::retardation_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace tricontact {
+namespace tricontact::stieltjes_interpolation_test {
 namespace {
 
 using contact::StieltjesInterpolation;
@@ -78,4 +78,4 @@ TEST(StieltjesInterpolation, NeedsARange) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::stieltjes_interpolation_test

@@ -8,7 +8,7 @@
 #include "contact/substrates/relaxing_substrate.h"
 #include "tests/unit/contact/dense_compliance.h"
 
-namespace tricontact {
+namespace tricontact::substrate_test {
 namespace {
 
 using contact::PartlyRelaxingSubstrate;
@@ -240,4 +240,4 @@ TEST(ElasticSubstrate, EnergiesTellALopsidedBody) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::substrate_test

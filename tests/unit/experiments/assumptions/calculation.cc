@@ -8,10 +8,10 @@
 #include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/printed.h"
 
+namespace tricontact::calculation_test {
+using namespace experiments;
 namespace {
 
-using namespace tricontact;
-using namespace tricontact::experiments;
 
 // y = k x^3
 Calculation cube() {
@@ -94,3 +94,4 @@ TEST(RigAssumption, StandsAsItsWeakestCriterion) {
 }
 
 }  // namespace
+}  // namespace tricontact::calculation_test

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+namespace tricontact::experiments::measured_quantity_test {
+using namespace io;
 namespace {
 
-using namespace tricontact::experiments;
-using namespace tricontact::io;
 
 TEST(MeasuredQuantity, HasValueErrorAndTheSizeOfItsLastDigits) {
     const auto q = parse_measured_quantity("62.17 ± 5.4 um", Dimension::length);
@@ -62,3 +62,4 @@ TEST(MeasuredQuantity, RefusesWhatCannotBeRead) {
 }
 
 }  // namespace
+}  // namespace tricontact::experiments::measured_quantity_test

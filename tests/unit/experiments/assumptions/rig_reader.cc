@@ -8,7 +8,7 @@
 #include "experiments/assumptions/rig_keys.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
-namespace tricontact {
+namespace tricontact::rig_reader_test {
 namespace {
 
 const std::string rolling = R"(rig = "rolling"
@@ -132,4 +132,4 @@ TEST(RigReader, PrintedQuantitiesAreThoseThatTheProgramComputes) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rig_reader_test

@@ -5,7 +5,7 @@
 #include "contact/substrates/relaxation.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
-namespace tricontact {
+namespace tricontact::rolling_test {
 namespace {
 
 using enum experiments::PrintedCheck::Agreement;
@@ -197,4 +197,4 @@ TEST(RollingRig, UncertainInputsMakeUncertainVerdicts) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::rolling_test

@@ -7,7 +7,7 @@
 #include "experiments/assumptions/rolling_parts.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
-namespace tricontact {
+namespace tricontact::sentences_test {
 namespace {
 
 using experiments::RollingRig;
@@ -236,4 +236,4 @@ TEST(RigSentences, WalkingRigsSayWhatTheyKnow) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::sentences_test

@@ -2,7 +2,7 @@
 
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
-namespace tricontact {
+namespace tricontact::walking_test {
 namespace {
 
 using enum experiments::PrintedCheck::Agreement;
@@ -120,4 +120,4 @@ TEST(WalkingRig, TheForceIsSampledOftenEnough) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::walking_test

@@ -9,7 +9,7 @@
 #include "contact/case.h"
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::identification_test {
 namespace {
 
 constexpr double normal_force = 21.1;
@@ -184,4 +184,4 @@ TEST(Identification, RefusesWhatIsNoTask) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::identification_test

@@ -12,7 +12,7 @@
 #include "theory/layer/elastic_layer.h"
 #include "theory/sticking_contact.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::identification_bias_test {
 namespace {
 
 using Kind = contact::NormalControl::Kind;
@@ -105,4 +105,4 @@ TEST(IdentificationBias, OfSmallShiftsIsThatOfTheStickingContact) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::identification_bias_test

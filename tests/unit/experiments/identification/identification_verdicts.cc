@@ -8,7 +8,7 @@
 #include "experiments/identification/identification_report.h"
 #include "report/format_share.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::identification_verdicts_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -152,4 +152,4 @@ TEST(IdentificationVerdicts, ProbabilitiesAreNoPowersOfTen) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::identification_verdicts_test

@@ -6,7 +6,7 @@
 #include "experiments/records/shift_period.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::drive_timeline_test {
 namespace {
 
 using tests::SyntheticRecord;
@@ -92,4 +92,4 @@ TEST(DriveTimeline, RefusesWhatIsNoDrive) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::drive_timeline_test

@@ -7,7 +7,7 @@
 #include "experiments/records/repeats.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::experiment_test {
 namespace {
 
 using contact::State;
@@ -329,4 +329,4 @@ TEST(Repeats, FollowStudent) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::experiment_test

@@ -6,7 +6,7 @@
 #include "experiments/records/experiment_report.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::experiment_errors_test {
 namespace {
 
 using contact::State;
@@ -135,4 +135,4 @@ TEST(Experiment, RestAndCreepOfARelaxingSubstrateAreNoDifference) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::experiment_errors_test

@@ -4,7 +4,7 @@
 #include "experiments/records/experiment_report.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::experiment_sentences_test {
 namespace {
 
 bool says(const std::string& text, const std::string& part) {
@@ -40,4 +40,4 @@ TEST(ExperimentSentences, PivotsAreHighLowOrLevelWithTheContact) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::experiment_sentences_test

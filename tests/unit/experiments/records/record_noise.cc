@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::record_noise_test {
 namespace {
 
 // Autoregressive of first order: rho(k) = correlation^k, unit variance.
@@ -72,4 +72,4 @@ TEST(RecordNoise, ResolutionIsTheSmallestStep) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::record_noise_test

@@ -10,7 +10,7 @@
 #include "experiments/records/experiment_run.h"
 #include "mdr/model.h"
 
-namespace tricontact::experiments {
+namespace tricontact::experiments::settling_fit_test {
 namespace {
 
 using contact::State;
@@ -148,4 +148,4 @@ TEST(WalkVerdict, ByTheWalkAgreesWithMdrAndTheCurvatureDoesNot) {
 }
 
 }  // namespace
-}  // namespace tricontact::experiments
+}  // namespace tricontact::experiments::settling_fit_test

@@ -14,7 +14,7 @@
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io {
+namespace tricontact::io::bad_cases_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,4 +186,4 @@ TEST_F(BadContents, ControlCharactersStayOutOfTheMessage) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::bad_cases_test

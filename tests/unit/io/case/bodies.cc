@@ -9,7 +9,7 @@
 #include "io/case/case_writer.h"
 #include "io/tables/profile_table.h"
 
-namespace tricontact::io {
+namespace tricontact::io::bodies_test {
 namespace {
 
 using contact::Case;
@@ -75,4 +75,4 @@ TEST(IoBodies, ProfileTablesAreRefusedByRow) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::bodies_test

@@ -9,7 +9,7 @@
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io {
+namespace tricontact::io::case_key_examples_test {
 namespace {
 
 const std::string rolling_case = loaded_sphere + "[rolling]\namplitude_ratio = 0.24\n";
@@ -85,4 +85,4 @@ TEST(CaseKeys, EveryKeyHasAMeaningAndAnExampleThatIsAccepted) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::case_key_examples_test

@@ -14,7 +14,7 @@
 #include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io {
+namespace tricontact::io::case_reader_test {
 namespace {
 
 using contact::Case;
@@ -327,4 +327,4 @@ TEST(CaseReader, ThreadsMayReadAtOnce) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::case_reader_test

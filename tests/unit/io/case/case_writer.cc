@@ -12,7 +12,7 @@
 #include "contact/substrates/relaxing_case.h"
 #include "io/case/case_reader.h"
 
-namespace tricontact::io {
+namespace tricontact::io::case_writer_test {
 namespace {
 
 using contact::Case;
@@ -398,4 +398,4 @@ volume = "none"
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::case_writer_test

@@ -11,7 +11,7 @@
 #include "io/case/case_reader.h"
 #include "theory/line_contact.h"
 
-namespace tricontact::io {
+namespace tricontact::io::fem_checks_test {
 namespace {
 
 using contact::Case;
@@ -230,4 +230,4 @@ TEST(FemChecks, OtherModelsIgnoreTheRules) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::fem_checks_test

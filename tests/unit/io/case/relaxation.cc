@@ -12,7 +12,7 @@
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"
 
-namespace tricontact::io {
+namespace tricontact::io::relaxation_test {
 namespace {
 
 using contact::Case;
@@ -254,4 +254,4 @@ TEST_F(DmaCase, OverridingTheTableMeansTheWorkingDirectory) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::relaxation_test

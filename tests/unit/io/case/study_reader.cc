@@ -13,7 +13,7 @@
 #include "contact/error.h"
 #include "walking/input/walk_keys.h"
 
-namespace tricontact::io {
+namespace tricontact::io::study_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -220,4 +220,4 @@ TEST(StudyOfWalkingMachines, HasTheKeysOfItsCase) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::study_reader_test

@@ -8,7 +8,7 @@
 #include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io {
+namespace tricontact::io::tractive_rolling_test {
 namespace {
 
 using contact::Case;
@@ -61,4 +61,4 @@ eta = "20 kPa s")");
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::tractive_rolling_test

@@ -16,7 +16,7 @@
 #include "io/contact_program/sequence_text.h"
 #include "tests/unit/io/sphere_case.h"
 
-namespace tricontact::io {
+namespace tricontact::io::contact_program_test {
 namespace {
 
 using contact::Case;
@@ -259,4 +259,4 @@ TEST(ContactProgram, RefusesWhatASequenceCannotSay) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::contact_program_test

@@ -4,7 +4,7 @@
 
 #include "io/case/case_reader.h"
 
-namespace tricontact::io {
+namespace tricontact::io::disguise_test {
 namespace {
 
 TEST(Disguise, IsUndoneExactly) {
@@ -45,4 +45,4 @@ TEST(Disguise, DoesNotShowInACase) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::disguise_test

@@ -8,7 +8,7 @@
 #include "io/keys/toml_document.h"
 #include "io/tables/csv_table.h"
 
-namespace tricontact::io {
+namespace tricontact::io::entered_number_test {
 namespace {
 
 struct Typed {
@@ -83,4 +83,4 @@ TEST(EnteredNumber, FilesAreToldHowTomlWritesIt) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::entered_number_test

@@ -17,7 +17,7 @@
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 
-namespace tricontact::io {
+namespace tricontact::io::file_kind_test {
 namespace {
 
 std::string message(const std::function<void()>& read) {
@@ -122,4 +122,4 @@ TEST(LikelyPath, KnowsSymbolsOfTextbooks) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::file_kind_test

@@ -7,7 +7,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::io {
+namespace tricontact::io::messages_test {
 namespace {
 
 TEST(Messages, TomlStringsEscapeWhatTomlForbids) {
@@ -58,4 +58,4 @@ TEST(Messages, FailIsOneLineOfPlaceSubjectRuleRemedy) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::messages_test

@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "io/keys/toml_document.h"
 
-namespace tricontact::io {
+namespace tricontact::io::nesting_test {
 namespace {
 
 std::string repeated(const std::string& text, int n) {
@@ -54,4 +54,4 @@ TEST(Nesting, TakesWhatIsNot) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::nesting_test

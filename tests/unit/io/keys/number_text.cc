@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "io/keys/toml_document.h"
 
-namespace tricontact::io {
+namespace tricontact::io::number_text_test {
 namespace {
 
 TEST(NumberText, SourcesThatUnderflow) {
@@ -48,4 +48,4 @@ TEST(TomlDocument, NumbersTooSmallAreNoZeros) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::number_text_test

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace tricontact::io {
+namespace tricontact::io::units_test {
 namespace {
 
 struct Good {
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
             "\"furlonk\" is not a unit that UDUNITS-2 knows (case matters: MPa, mm)"}));
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::units_test

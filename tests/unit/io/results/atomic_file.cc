@@ -13,7 +13,7 @@
 #include "contact/error.h"
 #include "tests/unit/io/temporary_folder.h"
 
-namespace tricontact::io {
+namespace tricontact::io::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,4 +116,4 @@ TEST_F(AtomicFile, OutputFoldersWithoutPermissionAreRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::atomic_file_test

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-namespace tricontact::io {
+namespace tricontact::io::history_csv_test {
 namespace {
 
 // Columns by name, one number per line.
@@ -90,4 +90,4 @@ TEST(HistoryCsv, AnEmptyHistoryHasTheHeadOnly) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::history_csv_test

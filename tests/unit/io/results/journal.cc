@@ -14,7 +14,7 @@
 #include "contact/error.h"
 #include "tests/unit/io/results/fake_model.h"
 
-namespace tricontact::io {
+namespace tricontact::io::journal_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -397,4 +397,4 @@ TEST_F(Journal, TwoRunsDoNotShareOne) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::journal_test

@@ -12,7 +12,7 @@
 #include "io/results/journal.h"
 #include "tests/unit/io/results/fake_model.h"
 
-namespace tricontact::io {
+namespace tricontact::io::journal_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST_F(JournalOrder, AReleaseIsNotTheStartOfTheLimit) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::journal_file_test

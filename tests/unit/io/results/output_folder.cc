@@ -21,7 +21,7 @@
 #include "io/results/result_store.h"
 #include "tests/unit/io/temporary_folder.h"
 
-namespace tricontact::io {
+namespace tricontact::io::output_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -285,4 +285,4 @@ TEST_F(OutputFile, IsReplacedOnlyIfItBeginsAsOnesOwn) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::output_folder_test

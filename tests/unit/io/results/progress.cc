@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace tricontact::io {
+namespace tricontact::io::progress_test {
 namespace {
 
 using Style = ProgressBar::Style;
@@ -81,4 +81,4 @@ TEST_F(Progress, OddCountsDoNoHarm) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::progress_test

@@ -11,7 +11,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::io {
+namespace tricontact::io::result_store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -255,4 +255,4 @@ TEST_F(Store, OneWriterAtATime) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::result_store_test

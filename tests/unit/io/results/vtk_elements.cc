@@ -17,7 +17,7 @@
 #include "io/results/vtk_series.h"
 #include "tests/unit/io/results/vtk_files.h"
 
-namespace tricontact::io {
+namespace tricontact::io::vtk_elements_test {
 namespace {
 
 using contact::ContactState;
@@ -311,4 +311,4 @@ TEST_F(VtkElements, AMeshOfUnequalListsOrNoFolderIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::vtk_elements_test

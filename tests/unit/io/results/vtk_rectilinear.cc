@@ -8,7 +8,7 @@
 
 #include "tests/unit/io/results/vtk_files.h"
 
-namespace tricontact::io {
+namespace tricontact::io::vtk_rectilinear_test {
 namespace {
 
 using contact::Interior;
@@ -73,4 +73,4 @@ TEST_F(VtkRectilinear, FieldsOfAWrongSizeAreRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::vtk_rectilinear_test

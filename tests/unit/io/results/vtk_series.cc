@@ -21,7 +21,7 @@
 #include "contact/error.h"
 #include "tests/unit/io/results/vtk_files.h"
 
-namespace tricontact::io {
+namespace tricontact::io::vtk_series_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -196,4 +196,4 @@ TEST_F(Vtk, AFolderThatVanishedIsAnInputError) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::vtk_series_test

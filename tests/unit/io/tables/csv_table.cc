@@ -6,7 +6,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::io {
+namespace tricontact::io::csv_table_test {
 namespace {
 
 const CsvForm form{"record", "time [s], shift [um]", 4, "leave out every second row"};
@@ -83,4 +83,4 @@ TEST(CsvTable, BadTextsAreRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::csv_table_test

@@ -9,7 +9,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::io {
+namespace tricontact::io::dma_table_test {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
@@ -144,4 +144,4 @@ TEST(DmaTable, OfAFileIsNamedByTheFile) {
 }
 
 }  // namespace
-}  // namespace tricontact::io
+}  // namespace tricontact::io::dma_table_test

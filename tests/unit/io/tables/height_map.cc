@@ -10,7 +10,7 @@
 #include "contact/error.h"
 #include "io/tables/height_map_file.h"
 
-namespace tricontact {
+namespace tricontact::height_map_test {
 namespace {
 
 using contact::HeightMap;
@@ -216,4 +216,4 @@ TEST(HeightMapFile, IsKnownByItsName) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::height_map_test

@@ -15,7 +15,7 @@
 #include "theory/hertz.h"
 #include "theory/layer/layer_equation.h"
 
-namespace tricontact {
+namespace tricontact::elastic_layer_test {
 namespace {
 
 using namespace layer_test;
@@ -283,4 +283,4 @@ TEST(ElasticLayer, GlidingLayersDependOnPoissonsRatioThroughTheModulusOnly) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::elastic_layer_test

@@ -7,7 +7,7 @@
 #include "tests/unit/mdr/profiles.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 
-namespace tricontact {
+namespace tricontact::elastic_layer_cone_test {
 namespace {
 
 using namespace layer_test;
@@ -73,4 +73,4 @@ TEST(ElasticLayerCone, FirstOrderOfShallowContacts) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::elastic_layer_cone_test

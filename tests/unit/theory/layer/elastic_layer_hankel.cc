@@ -11,7 +11,7 @@
 
 // The pressures of the one-dimensional equation, put into the three-dimensional theory of the layer
 // by quadrature over rings and Bessel functions, which that equation never sees.
-namespace tricontact {
+namespace tricontact::elastic_layer_hankel_test {
 namespace {
 
 using namespace layer_test;
@@ -136,4 +136,4 @@ TEST(ElasticLayerHankel, CentreShift) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::elastic_layer_hankel_test

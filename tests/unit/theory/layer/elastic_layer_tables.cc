@@ -10,7 +10,7 @@
 #include "theory/layer/elastic_layer.h"
 
 // Reference numbers of independent programs, and the refusals.
-namespace tricontact {
+namespace tricontact::elastic_layer_tables_test {
 namespace {
 
 using namespace layer_test;
@@ -165,4 +165,4 @@ TEST(ElasticLayerTables, DoesNotHideAnUndeclaredKink) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::elastic_layer_tables_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace tricontact::theory {
+namespace tricontact::theory::interior_waves_test {
 namespace {
 
 using contact::Material;
@@ -112,4 +112,4 @@ TEST(InteriorWaves, ShortWavesEndInTheTopLayer) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::interior_waves_test

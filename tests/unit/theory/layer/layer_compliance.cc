@@ -10,7 +10,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::layer_compliance_test {
 namespace {
 
 using theory::ElasticLayer;
@@ -262,4 +262,4 @@ TEST(TheoryLayerCompliance, RefusesBadInput) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_compliance_test

@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "tests/unit/theory/layer/layer_cases.h"
 
-namespace tricontact {
+namespace tricontact::layer_series_test {
 namespace {
 
 using theory::dimitriadis_series;
@@ -45,4 +45,4 @@ TEST(TheoryLayerSeries, RefuseBadInput) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_series_test

@@ -8,7 +8,7 @@
 #include "tests/unit/theory/layer/layer_cases.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact {
+namespace tricontact::layer_shakedown_test {
 namespace {
 
 using namespace layer_test;
@@ -105,4 +105,4 @@ TEST(LayerShakedown, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_shakedown_test

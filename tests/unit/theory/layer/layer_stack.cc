@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact {
+namespace tricontact::layer_stack_test {
 namespace {
 
 using contact::Material;
@@ -195,4 +195,4 @@ TEST(TheoryLayerStack, NonsenseIsRefused) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::layer_stack_test

@@ -12,7 +12,7 @@
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 
-namespace tricontact {
+namespace tricontact::body_rolling_test {
 namespace {
 
 using contact::Case;
@@ -157,4 +157,4 @@ TEST(BodyRolling, EllipsesAreStretchedCircles) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::body_rolling_test

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace tricontact::theory {
+namespace tricontact::theory::carter_test {
 namespace {
 
 constexpr int n_points = 20000;
@@ -59,4 +59,4 @@ TEST(Carter, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::carter_test

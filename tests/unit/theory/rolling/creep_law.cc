@@ -9,7 +9,7 @@
 #include "mdr/model.h"
 #include "theory/rolling/kalker.h"
 
-namespace tricontact::theory {
+namespace tricontact::theory::creep_law_test {
 namespace {
 
 /// A rigid paraboloid, all scales other than 1.
@@ -108,4 +108,4 @@ TEST(CreepLaw, ForceAndCreepageAreInverse) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::creep_law_test

@@ -9,7 +9,7 @@
 
 #include "theory/rolling/slow_rolling.h"
 
-namespace tricontact::theory {
+namespace tricontact::theory::foundation_rolling_test {
 namespace {
 
 constexpr double stiffness = 4e8, radius = .07, edge = 3e-3;
@@ -84,4 +84,4 @@ TEST(FoundationRolling, RefusesWhatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::foundation_rolling_test

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace tricontact::theory {
+namespace tricontact::theory::free_rolling_test {
 namespace {
 
 TEST(FreeRolling, ChangesItsSignWithTheBodies) {
@@ -48,4 +48,4 @@ TEST(FreeRolling, CreepsMoreWithSlip) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::free_rolling_test

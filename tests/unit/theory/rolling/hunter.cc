@@ -8,7 +8,7 @@
 
 #include "theory/rolling/slow_rolling.h"
 
-namespace tricontact::theory {
+namespace tricontact::theory::hunter_test {
 namespace {
 
 constexpr double modulus = 3e6, radius = .07, force = 900, ratio = 2;
@@ -62,4 +62,4 @@ TEST(Hunter, RefusesWhatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::hunter_test

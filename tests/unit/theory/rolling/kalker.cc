@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace tricontact::theory {
+namespace tricontact::theory::kalker_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -142,4 +142,4 @@ TEST(Kalker, RefusesWhatIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact::theory
+}  // namespace tricontact::theory::kalker_test

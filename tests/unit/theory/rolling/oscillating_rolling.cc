@@ -9,7 +9,7 @@
 
 #include "theory/cattaneo_mindlin.h"
 
-namespace tricontact {
+namespace tricontact::oscillating_rolling_test {
 namespace {
 
 using namespace theory;
@@ -153,4 +153,4 @@ TEST(OscillatingRolling, RefusesArgumentsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace tricontact
+}  // namespace tricontact::oscillating_rolling_test

@@ -10,7 +10,7 @@
 #include "io/keys/key_reference.h"
 #include "walking/input/walk_keys.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::case_reference_test {
 namespace {
 
 class CaseReference : public testing::TestWithParam<const io::KeyList*> {};
@@ -37,4 +37,4 @@ INSTANTIATE_TEST_SUITE_P(Documents, CaseReference,
                          testing::Values(&io::case_key_list(), &walk_key_list()));
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::case_reference_test

@@ -11,7 +11,7 @@
 #include "walking/input/walk_keys.h"
 #include "walking/machine/stable_step.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_reader_test {
 namespace {
 
 const std::string cases = TRICONTACT_SOURCE_DIR "/examples/cases/";
@@ -211,4 +211,4 @@ TEST(WalkWriter, ReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_reader_test

@@ -10,7 +10,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::batch_test {
 namespace {
 
 constexpr double step = 1e-3;
@@ -239,4 +239,4 @@ TEST(Batch, RefusesWhatLanesDoNotKnow) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::batch_test

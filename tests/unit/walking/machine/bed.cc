@@ -13,7 +13,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::bed_test {
 namespace {
 
 // Beds over three contact diameters; the odd one has a spring under the tip.
@@ -157,4 +157,4 @@ TEST(Bed, OfOneSpringIsTheTwoSpotMachine) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::bed_test

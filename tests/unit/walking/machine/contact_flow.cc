@@ -7,7 +7,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::contact_flow_test {
 namespace {
 
 using State = ContactFlow::State;
@@ -86,4 +86,4 @@ TEST(ContactFlow, GuardsOfATurningSlipChangeAtTheirRates) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::contact_flow_test

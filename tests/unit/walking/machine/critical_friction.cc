@@ -7,7 +7,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/machine.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::critical_friction_test {
 namespace {
 
 using Model = Machine::Model;
@@ -49,4 +49,4 @@ TEST(Machine, FreeFlightFrequencyIsThatOfTheSpringOnTheBody) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::critical_friction_test

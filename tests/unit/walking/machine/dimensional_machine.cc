@@ -4,7 +4,7 @@
 
 #include "tests/unit/walking/sets.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::dimensional_machine_test {
 namespace {
 
 TEST(DimensionalMachine, OfKappasHasThem) {
@@ -44,4 +44,4 @@ TEST(DimensionalMachine, HasTheKappasOfTheRig) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::dimensional_machine_test

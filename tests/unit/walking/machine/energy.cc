@@ -10,7 +10,7 @@
 #include "walking/machine/verlet_energy.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::energy_test {
 namespace {
 
 EnergyBalance by_verlet(const Machine& machine, double step, double end) {
@@ -122,4 +122,4 @@ TEST(VerletEnergy, AgreesWithTheReferenceInEveryWork) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::energy_test

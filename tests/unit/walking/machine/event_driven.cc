@@ -10,7 +10,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::event_driven_test {
 namespace {
 
 constexpr double tolerance = 1e-12;
@@ -159,4 +159,4 @@ TEST(EventDriven, RefusesStartsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::event_driven_test

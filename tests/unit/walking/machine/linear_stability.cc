@@ -11,7 +11,7 @@
 #include "walking/machine/steady_sliding.h"
 #include "walking/machine/velocity_verlet.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::linear_stability_test {
 namespace {
 
 // The weight ahead of the middle of the base: an unsymmetric machine, all scales different from 1.
@@ -209,4 +209,4 @@ TEST(LinearStability, TellsHowRunsDiverge) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::linear_stability_test

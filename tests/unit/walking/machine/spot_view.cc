@@ -7,7 +7,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::spot_view_test {
 namespace {
 
 TEST(SpotView, HasTheForcesOfTheBeds) {
@@ -65,4 +65,4 @@ TEST(SpotView, WithoutABedIsTheRun) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::spot_view_test

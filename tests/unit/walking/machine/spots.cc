@@ -7,7 +7,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::spots_test {
 namespace {
 
 Machine with_spots(const Kappas& kappas, std::vector<Spot> spots) {
@@ -98,4 +98,4 @@ TEST(Spots, TiltAboveTheCriticalFrictionHoweverMany) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::spots_test

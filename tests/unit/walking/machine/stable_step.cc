@@ -8,7 +8,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::stable_step_test {
 namespace {
 
 constexpr double rounding = 1e-14;
@@ -70,4 +70,4 @@ TEST(StableStep, PartsRunsThatStayFromRunsThatBlowUp) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::stable_step_test

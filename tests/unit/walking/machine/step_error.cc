@@ -4,7 +4,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/walk_end.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::step_error_test {
 namespace {
 
 // Set B on its limit cycle, mu_e = 0.0440 and period 4.293 (Wetter 2016, section 4.2.3), beside a
@@ -24,4 +24,4 @@ TEST(StepError, IsFourThirdsOfWhatHalvingTheStepChanges) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::step_error_test

@@ -8,7 +8,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk_recorder.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::stretch_recorder_test {
 namespace {
 
 constexpr double speed = 2e-4, sway = 1.5e-4, load = 3e-4, swing = 2e-4;
@@ -72,4 +72,4 @@ TEST(WalkRecorder, WindowsGoOnToTheEndOfTheRun) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::stretch_recorder_test

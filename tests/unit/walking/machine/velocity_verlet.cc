@@ -7,7 +7,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::velocity_verlet_test {
 namespace {
 
 struct Normalised {
@@ -41,4 +41,4 @@ TEST(VelocityVerlet, FollowsTheReferenceTrajectoryOfSetB) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::velocity_verlet_test

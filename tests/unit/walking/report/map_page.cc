@@ -9,7 +9,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/report/map_json.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::map_page_test {
 namespace {
 
 WalkMapCell walking(double mu_e, float force) {
@@ -152,4 +152,4 @@ TEST(MapPage, RefusesMapsThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::map_page_test

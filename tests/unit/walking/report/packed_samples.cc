@@ -6,7 +6,7 @@
 
 #include "walking/report/map_json.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::packed_samples_test {
 namespace {
 
 // Whole numbers -32767, 0 and 32767 are the bytes 01 80 00 00 FF 7F: coreutils' base64.
@@ -32,4 +32,4 @@ TEST(PackedSamples, MustBeFinite) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::packed_samples_test

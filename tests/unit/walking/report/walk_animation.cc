@@ -12,7 +12,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/forces.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_animation_test {
 namespace {
 
 // A turned, lifted body: the left spot pressed, the right one in the air.
@@ -130,4 +130,4 @@ TEST_F(WalkAnimation, IsMagnifiedToAFifthOfTheHalfWidth) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_animation_test

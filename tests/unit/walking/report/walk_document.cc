@@ -11,7 +11,7 @@
 #include "walking/machine/velocity_verlet.h"
 #include "walking/report/motion_series.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_document_test {
 namespace {
 
 using Standing = report::Verdict::Standing;
@@ -229,4 +229,4 @@ TEST(WalkDocument, HasHertzWhereTheCaseHasDimensions) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_document_test

@@ -11,7 +11,7 @@
 #include "walking/report/spot_statistics.h"
 #include "walking/report/walk_document.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_figures_test {
 namespace {
 
 /// mu kappa4 = 4e-5, z_stat = kappa4/(2 kappa2) = 2.5e-5, mu kappa3 kappa4 = 2e-5.
@@ -268,4 +268,4 @@ TEST(WalkFigures, InstabilityHasItsErrorInPercent) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_figures_test

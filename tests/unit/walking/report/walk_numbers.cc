@@ -11,7 +11,7 @@
 #include "walking/report/walk_document.h"
 #include "walking/run/walk_run.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_numbers_test {
 namespace {
 
 constexpr Recording recording{.start = 0, .tail = 10, .interval = 0.1};
@@ -163,4 +163,4 @@ TEST(WalkCsv, WindowsMakeUpTheRun) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_numbers_test

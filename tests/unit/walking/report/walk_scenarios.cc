@@ -4,7 +4,7 @@
 #include "walking/report/walk_document.h"
 #include "walking/report/walk_sweep_document.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_scenarios_test {
 namespace {
 
 // Two pulls, moments from 0.1 to 1.0 of the weight times b; what runs came to follows the limits.
@@ -100,4 +100,4 @@ TEST(WalkScenarios, OfOneRunComeFirstInItsReport) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_scenarios_test

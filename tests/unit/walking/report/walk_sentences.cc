@@ -6,7 +6,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/report/walk_document.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_sentences_test {
 namespace {
 
 bool says(const std::string& text, const std::string& part) {
@@ -157,4 +157,4 @@ TEST(WalkSentences, MicroWalkingIsThatOfAllSpots) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_sentences_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/walking/sets.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::drift_test {
 namespace {
 
 // U_max of set B: mu kappa2 z_stat = mu kappa4/2.
@@ -85,4 +85,4 @@ TEST(Drift, LimitsOfQuasiStaticRocking) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::drift_test

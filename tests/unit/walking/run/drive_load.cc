@@ -7,7 +7,7 @@
 
 #include "tests/unit/walking/sets.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::drive_load_test {
 namespace {
 
 const Machine machine{.kappas = set_b()};
@@ -87,4 +87,4 @@ TEST(DriveLoad, StickingThatTakesNothingIsSliding) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::drive_load_test

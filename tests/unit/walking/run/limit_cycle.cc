@@ -10,7 +10,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk_recorder.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::limit_cycle_test {
 namespace {
 
 constexpr double step = 1e-3;
@@ -172,4 +172,4 @@ TEST(LimitCycle, DistanceIsInEnergy) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::limit_cycle_test

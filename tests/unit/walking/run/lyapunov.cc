@@ -10,7 +10,7 @@
 #include "walking/machine/steady_sliding.h"
 #include "walking/machine/walk_case.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::lyapunov_test {
 namespace {
 
 /// Exponent of small disturbances of steady sliding over half turns of its leading mode: the
@@ -104,4 +104,4 @@ TEST(Lyapunov, RefusesTimesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::lyapunov_test

@@ -3,7 +3,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk_run.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::mechanisms_test {
 namespace {
 
 WalkResult without(const Mechanisms& mechanisms) {
@@ -52,4 +52,4 @@ TEST(Mechanisms, WithoutVerticalMotionSetASlides) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::mechanisms_test

@@ -8,7 +8,7 @@
 
 #include "tests/unit/walking/sets.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_batch_test {
 namespace {
 
 Kappas tilting() {
@@ -77,4 +77,4 @@ TEST(WalkBatch, WantsOneStepAndOneEnd) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_batch_test

@@ -12,7 +12,7 @@
 #include "walking/run/drive_load.h"
 #include "walking/run/fall_risk.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_judge_test {
 namespace {
 
 const Machine machine{.kappas = set_b()};
@@ -252,4 +252,4 @@ TEST(WalkJudge, ReturnsAreOfUseWhereExtremesRepeat) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_judge_test

@@ -9,7 +9,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/machine.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_phases_test {
 namespace {
 
 constexpr double period = 4, interval = 0.01;
@@ -77,4 +77,4 @@ TEST(WalkPhases, NeedThreePeriods) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_phases_test

@@ -9,7 +9,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/run/drive_load.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_run_test {
 namespace {
 
 const Walk& run_of_set_b() {
@@ -213,4 +213,4 @@ TEST(WalkRun, NeedsAStep) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_run_test

@@ -8,7 +8,7 @@
 
 #include "contact/error.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::factorial_effects_test {
 namespace {
 
 /// Parts that sum to zero over each factor: orthogonal in a complete design.
@@ -133,4 +133,4 @@ TEST(FactorialEffects, RefusesWhatCannotBeTold) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::factorial_effects_test

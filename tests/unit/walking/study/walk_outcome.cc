@@ -8,7 +8,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk_run.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_outcome_test {
 namespace {
 
 WalkCase set_b_case(double end) {
@@ -180,4 +180,4 @@ TEST(WalkOutcome, OfATiltingMachineHasNoMeans) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_outcome_test

@@ -8,7 +8,7 @@
 #include "walking/study/walk_factorial.h"
 #include "walking/study/walk_grid.h"
 
-namespace tricontact::walking {
+namespace tricontact::walking::walk_sweep_test {
 namespace {
 
 WalkSweep::Point point(std::vector<report::Cell> values, const Kappas& kappas, Regime regime,
@@ -309,4 +309,4 @@ TEST(WalkSweep, StartsTellHowLongTransientsLive) {
 }
 
 }  // namespace
-}  // namespace tricontact::walking
+}  // namespace tricontact::walking::walk_sweep_test
