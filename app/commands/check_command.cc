@@ -5,7 +5,6 @@
 #include <iostream>
 #include <numbers>
 
-#include "app/any_case.h"
 #include "app/commands/commands.h"
 #include "app/models.h"
 #include "comparisons/quantities/glossary.h"
@@ -15,6 +14,7 @@
 #include "io/case/case_writer.h"
 #include "io/keys/key_reference.h"
 #include "rolling/creep_theory.h"
+#include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_text.h"
@@ -73,7 +73,7 @@ struct Resolved {
 }  // namespace
 
 void check_command(const std::string& case_file, const std::vector<std::string>& overrides) {
-    std::cout << std::visit(Resolved{}, read_any_case(case_file, overrides));
+    std::cout << std::visit(Resolved{}, walking::read_any_case(case_file, overrides));
 }
 
 void list_command(const std::optional<std::string>& given) {
@@ -93,7 +93,8 @@ void list_command(const std::optional<std::string>& given) {
     std::cout << "cases\n";
     for (const auto& file : files) {
         const auto title = [](const auto& c) { return c.title; };
-        std::cout << fmt::format("  {}: {}\n", file, std::visit(title, read_any_case(file)));
+        std::cout << fmt::format("  {}: {}\n", file,
+                                 std::visit(title, walking::read_any_case(file)));
     }
 }
 

@@ -36,9 +36,9 @@ Case with_value(Case c, LimitVariable variable, double value) {
 }
 
 /// One model of a case, at one value after another.
-class Bisection {
+class LimitSearch {
   public:
-    Bisection(const Case& c, const std::string& name, const ModelMaker& make,
+    LimitSearch(const Case& c, const std::string& name, const ModelMaker& make,
            const LimitQuestion& question, const SayLimit& say)
         : case_(c),
           make_(make),
@@ -173,7 +173,7 @@ double default_limit_tolerance(const std::string& model) {
 
 ModelLimit search_limit(const Case& c, const std::string& model, const ModelMaker& make,
                         const LimitQuestion& question, const SayLimit& say) {
-    return Bisection(c, model, make, question, say).go();
+    return LimitSearch(c, model, make, question, say).go();
 }
 
 }  // namespace tricontact::comparisons

@@ -37,7 +37,7 @@ MapQuantity quantity(const WalkMap& map, const std::string& name, double least, 
     return result;
 }
 
-std::vector<MapQuantity> quantities(const WalkMap& map) {
+std::vector<MapQuantity> map_quantities(const WalkMap& map) {
     // A jump of more than a few static displacements is a high one, however high.
     constexpr double high_jump = -3;
     std::vector<MapQuantity> list{
@@ -145,7 +145,7 @@ std::size_t best(const WalkMap& map) {
 
 Json map_json(const WalkMap& map) {
     Json ground = Json::array();
-    const std::vector<MapQuantity> list = quantities(map);
+    const std::vector<MapQuantity> list = map_quantities(map);
     for (const MapQuantity& each : list) ground.push_back(json(each));
     ground.push_back(motions(map));
     Json curves = Json::array();

@@ -20,7 +20,7 @@ struct DrawnQuantity {
 /// Of z_min/z_stat: beside the machines near tilting those that walk would all look alike.
 constexpr double lowest_drawn = -30;
 
-const std::vector<DrawnQuantity>& quantities() {
+const std::vector<DrawnQuantity>& drawn_quantities() {
     static const std::vector<DrawnQuantity> all{
         {"friction",
          "Effective friction",
@@ -228,7 +228,7 @@ WalkSection map_section(const WalkSweep& sweep, const WalkGrid& grid) {
         result.verdicts.push_back(agreement_verdict(grid));
     if (is_over_friction(sweep, grid)) result.verdicts.push_back(flutter_verdict(grid));
     result.verdicts.push_back(least_friction_verdict(sweep, grid));
-    for (const DrawnQuantity& quantity : quantities())
+    for (const DrawnQuantity& quantity : drawn_quantities())
         result.section.figures.push_back(map_figure(sweep, grid, quantity));
     if (grid.cells.size() <= most_drawn_cells)
         result.section.figures.push_back(regime_figure(sweep, grid));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/any_case.h"
+#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
@@ -34,7 +34,7 @@ std::vector<std::string> bad_files() {
 
 std::string message_of(const std::string& path) {
     try {
-        app::read_any_case(path);
+        walking::read_any_case(path);
     } catch (const contact::InputError& error) {
         return error.what();
     }

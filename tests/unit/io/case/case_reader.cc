@@ -9,7 +9,7 @@
 #include <numbers>
 #include <thread>
 
-#include "app/any_case.h"
+#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
@@ -61,7 +61,7 @@ TEST(CaseReader, EveryCaseOfTheFolderIsAccepted) {
          std::filesystem::directory_iterator(TRICONTACT_SOURCE_DIR "/examples/cases")) {
         if (file.path().extension() != ".toml") continue;
         ++n;
-        EXPECT_NO_THROW(app::read_any_case(file.path().string())) << file.path();
+        EXPECT_NO_THROW(walking::read_any_case(file.path().string())) << file.path();
     }
     EXPECT_GE(n, 6);
 }

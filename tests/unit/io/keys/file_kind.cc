@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "app/any_case.h"
+#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "experiments/assumptions/rig_reader.h"
 #include "experiments/identification/identification_reader.h"
@@ -33,7 +33,7 @@ std::string message(const std::function<void()>& read) {
 const std::map<std::string, std::function<void(const std::string&)>>& readers() {
     static const std::map<std::string, std::function<void(const std::string&)>> all{
         {"run", [](const std::string& path) { read_case(path); }},
-        {"check", [](const std::string& path) { app::read_any_case(path); }},
+        {"check", [](const std::string& path) { walking::read_any_case(path); }},
         {"walk", [](const std::string& path) { walking::read_walk_case(path); }},
         {"sweep", [](const std::string& path) { read_study(path, walking::walk_key_list()); }},
         {"rig", [](const std::string& path) { experiments::read_rig(path); }},

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/any_case.h"
+#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_writer.h"
 #include "tests/unit/walking/sets.h"
@@ -146,9 +146,9 @@ TEST(WalkReader, StepMayApproachTheStableLimit) {
 }
 
 TEST(WalkReader, KindsOfCasesAreTold) {
-    EXPECT_TRUE(std::holds_alternative<WalkCase>(app::read_any_case(cases + "walking_set_a.toml")));
+    EXPECT_TRUE(std::holds_alternative<WalkCase>(walking::read_any_case(cases + "walking_set_a.toml")));
     EXPECT_TRUE(std::holds_alternative<contact::Case>(
-        app::read_any_case(cases + "rig_sphere_parallel.toml")));
+        walking::read_any_case(cases + "rig_sphere_parallel.toml")));
     EXPECT_EQ(message_of("models = [\"mdr\"]\n"),
               "test.toml:1:1: missing section [machine]: no case of the walking machine; "
               "add a section [machine] with its kappas");
