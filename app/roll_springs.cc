@@ -6,10 +6,10 @@
 #include "app/roll_models.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/special_values.h"
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
-#include "contact/special_values.h"
 
 namespace tricontact::app {
 
@@ -21,7 +21,6 @@ using rolling::centre_line;
 using rolling::drive_sign;
 using rolling::RollingRun;
 using rolling::RollingState;
-
 
 /// A bed of springs under a profile that rolls on from one end, a spring a step.
 class RollingBed {

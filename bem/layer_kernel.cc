@@ -16,7 +16,7 @@ using theory::LayerCompliance;
 using theory::LayerStack;
 using Spline = boost::math::interpolators::cardinal_quintic_b_spline<double>;
 
-constexpr int beyond = 8;               // points of the table past either end
+constexpr int beyond = 8;  // points of the table past either end
 
 /// A wave number with the weights of the four integrands, 1/(2 pi) and k included.
 struct KernelWave {

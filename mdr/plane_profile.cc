@@ -10,13 +10,12 @@
 #include "contact/bodies/power_law.h"
 #include "contact/error.h"
 #include "contact/solvers/increasing_root.h"
-#include "mdr/tabulated_profile.h"
 #include "contact/special_values.h"
+#include "mdr/tabulated_profile.h"
 
 namespace tricontact::mdr {
 
 namespace {
-
 
 // Half width a in (0, range] at which an increasing function of it vanishes.
 template <typename Function>

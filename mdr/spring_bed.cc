@@ -15,9 +15,7 @@ using contact::LoadStep;
 using contact::NormalControl;
 using contact::TangentialControl;
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 SpringBed::SpringBed(BedData data)
     : effective_modulus_(checked(data).effective_modulus),

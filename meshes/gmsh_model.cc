@@ -7,15 +7,14 @@
 #include <map>
 #include <optional>
 
-#include "meshes/messages.h"
 #include "meshes/mesh_format.h"
+#include "meshes/messages.h"
 
 namespace tricontact::meshes {
 
 namespace {
 
 using Tag = std::size_t;
-
 
 // An element as gmsh knows it; `what` is its name.
 template <std::size_t n, class What>

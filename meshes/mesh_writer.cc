@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Tag = std::size_t;
 
-
 // An entity for the elements of a name, its tag that of the physical group.
 template <class Name>
 void add_entity(Name what) {

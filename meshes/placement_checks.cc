@@ -5,19 +5,19 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/special_values.h"
 #include "meshes/hex_geometry.h"
 #include "meshes/mesh_checks.h"
 #include "meshes/messages.h"
-#include "contact/special_values.h"
 
 namespace tricontact::meshes {
 
 namespace {
 
-
 /// Smallest and largest coordinates of the contact's nodes, and its shortest edge [m].
 struct ContactExtent {
-    Point low{contact::infinity, contact::infinity, contact::infinity}, high{-contact::infinity, -contact::infinity, -contact::infinity};
+    Point low{contact::infinity, contact::infinity, contact::infinity},
+        high{-contact::infinity, -contact::infinity, -contact::infinity};
     double size = contact::infinity;
 };
 

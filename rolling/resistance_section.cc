@@ -1,14 +1,13 @@
 #include <limits>
 
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_sections.h"
-#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
 namespace {
-
 
 report::DocumentTable model_table(const RollingReport& report) {
     report::DocumentTable table{

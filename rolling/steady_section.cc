@@ -3,16 +3,15 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
 #include "rolling/rolling_sections.h"
-#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 
 namespace {
-
 
 report::DocumentTable steady_table(const RollingReport& report) {
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);

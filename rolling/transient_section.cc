@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "comparisons/quantities/model_assumptions.h"
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
 #include "rolling/rolling_sections.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/carter.h"
-#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/rolling_sections.h"
-#include "contact/special_values.h"
 
 namespace tricontact::rolling {
 

@@ -21,7 +21,8 @@ using experiments::CaseQuantity;
 using experiments::Experiment;
 using experiments::ExperimentEvaluation;
 
-constexpr int enough_limit_periods = 40;  // of a limit run: by turning points the rig's layer needs 30
+constexpr int enough_limit_periods =
+    40;  // of a limit run: by turning points the rig's layer needs 30
 
 /// What ratios of a case stand for: its own F_N [N] and W [m].
 struct Loads {

@@ -56,8 +56,9 @@ void add_half_space(const Levels& levels, const LineTolerances& allowed, Verific
     rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, allowed.others, unit_shift_mm);
     rows.add(problem, "u_stat", "Cattaneo (1938), two ellipses over the strip",
              theory::line_static_shift_ratio(cylinder_force, lambda), allowed.others, static_ratio);
-    rows.add(problem, "u_sd", punches, theory::line_settled_shift_ratio(cylinder_amplitude, stick, lambda),
-             allowed.others, settled_ratio);
+    rows.add(problem, "u_sd", punches,
+             theory::line_settled_shift_ratio(cylinder_amplitude, stick, lambda), allowed.others,
+             settled_ratio);
     rows.add(problem, "f_T,lim", "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
              theory::line_shakedown_limit(cylinder_amplitude), allowed.others, limit);
 }

@@ -7,15 +7,14 @@
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/half_space/deviation_rows.h"
 #include "comparisons/quantities/quantities.h"
-#include "report/format.h"
 #include "contact/special_values.h"
+#include "report/format.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
 using theory::LayerBase;
-
 
 report::Cell percent_cell(const std::optional<RolledRatio>& ratio, bool computed) {
     if (!ratio) return contact::undefined;

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/resolution/refinement.h"
+#include "comparisons/resolution/refinement_report.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "report/format_share.h"
 #include "report/json_number.h"
-#include "comparisons/resolution/refinement_report.h"
 
 namespace tricontact::comparisons {
 

@@ -17,7 +17,7 @@ namespace {
 using contact::History;
 
 constexpr std::size_t most_steps_drawn = 3000;  // of a thin line: more than the picture has pixels
-constexpr std::size_t most_markers = 60;   // beyond, markers merge into a band
+constexpr std::size_t most_markers = 60;        // beyond, markers merge into a band
 
 /// Every step as (phase, U/unit).
 std::string step_data(const std::string& name, const History& history, double unit) {

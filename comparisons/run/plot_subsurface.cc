@@ -19,7 +19,7 @@ using contact::Case;
 using contact::History;
 using contact::Subsurface;
 
-constexpr double map_half_width = 2;               // of the map, over a
+constexpr double map_half_width = 2;           // of the map, over a
 constexpr double deepest = 3;                  // over a
 constexpr int margins = 130, map_width = 400;  // of the map, above, below and across [pixels]
 constexpr int axis_points = 120;

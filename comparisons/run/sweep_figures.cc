@@ -8,13 +8,12 @@
 #include <map>
 #include <numbers>
 
-#include "report/csv.h"
 #include "contact/special_values.h"
+#include "report/csv.h"
 
 namespace tricontact::comparisons {
 
 namespace {
-
 
 double value_of(const Sweep::Point& point, const Quantity& quantity) {
     return point.results.told(quantity).value_or(contact::undefined);

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "report/format.h"
 #include "contact/special_values.h"
+#include "report/format.h"
 
 namespace tricontact::comparisons {
 

@@ -39,7 +39,7 @@ Case with_value(Case c, LimitVariable variable, double value) {
 class LimitSearch {
   public:
     LimitSearch(const Case& c, const std::string& name, const ModelMaker& make,
-           const LimitQuestion& question, const SayLimit& say)
+                const LimitQuestion& question, const SayLimit& say)
         : case_(c),
           make_(make),
           variable_(question.variable),

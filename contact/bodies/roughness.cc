@@ -17,14 +17,15 @@ namespace tricontact::contact {
 namespace {
 
 constexpr double quotient_rounding = 1e-9;  // of quotients of wavelengths
-constexpr int most_waves = 8192;   // along a side: lattices of 16384 nodes and more
+constexpr int most_waves = 8192;            // along a side: lattices of 16384 nodes and more
 
 struct Wave {
     int x, y;  // wave vector over 2 pi/L
 };
 
 int shortest_wave(const Roughness& r) {
-    return static_cast<int>(std::floor(r.long_wavelength / r.short_wavelength * (1 + quotient_rounding)));
+    return static_cast<int>(
+        std::floor(r.long_wavelength / r.short_wavelength * (1 + quotient_rounding)));
 }
 
 void check(const Roughness& r) {
@@ -45,7 +46,8 @@ void check(const Roughness& r) {
 /// of the q plane.
 double amplitude(const Roughness& r, double wave) {
     const double roll_off = r.long_wavelength / r.roll_off;
-    if (wave < 1 - quotient_rounding || wave * r.short_wavelength > r.long_wavelength * (1 + quotient_rounding))
+    if (wave < 1 - quotient_rounding ||
+        wave * r.short_wavelength > r.long_wavelength * (1 + quotient_rounding))
         return 0;
     return wave <= roll_off ? 1 : std::pow(wave / roll_off, -(1 + r.hurst));
 }

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "statistics/regression.h"
 #include "contact/special_values.h"
+#include "statistics/regression.h"
 
 namespace tricontact::experiments {
 

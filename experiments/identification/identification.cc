@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "experiments/identification/best_sum_of_squares.h"
 #include "statistics/regression.h"
-#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
@@ -272,7 +272,8 @@ std::vector<double> sums_of_squares(const IdentificationTask& task,
     std::vector<double> sums;
     for (const double mu : friction)
         for (const double modulus : young) {
-            const double sum = mu < task.least_friction ? contact::infinity : squares.at({modulus, mu});
+            const double sum =
+                mu < task.least_friction ? contact::infinity : squares.at({modulus, mu});
             sums.push_back(std::isfinite(sum) ? sum : std::numeric_limits<double>::quiet_NaN());
         }
     return sums;

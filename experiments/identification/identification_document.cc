@@ -7,16 +7,15 @@
 #include <limits>
 #include <numeric>
 
+#include "contact/special_values.h"
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
 #include "report/format_share.h"
 #include "statistics/regression.h"
-#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
 namespace {
-
 
 /// Numbers over the unit that fits the largest of them.
 struct Scaled {
@@ -280,10 +279,11 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
                     {"interpolation error", 2}}};
     for (const IdentifiedModel& model : study.models) {
         const Identification& found = model.found;
-        table.rows.push_back(
-            {model.name, found.sum_of_squares, std::to_string(found.degrees_of_freedom),
-             report::p_number(found.goodness.value_or(contact::undefined)), found.r_squared,
-             found.correlation.value_or(contact::undefined), model.interpolation_error.value_or(contact::undefined)});
+        table.rows.push_back({model.name, found.sum_of_squares,
+                              std::to_string(found.degrees_of_freedom),
+                              report::p_number(found.goodness.value_or(contact::undefined)),
+                              found.r_squared, found.correlation.value_or(contact::undefined),
+                              model.interpolation_error.value_or(contact::undefined)});
     }
     return table;
 }
@@ -302,9 +302,10 @@ std::optional<report::DocumentTable> input_table(const IdentificationStudy& stud
                                             {"change of mu", 3}}};
     for (const IdentifiedModel& model : study.models)
         for (const InputContribution& input : model.contributions)
-            table.rows.push_back({model.name, input.key, input.standard_error,
-                                  model.found.young ? input.change.young / 1e6 : contact::undefined,
-                                  model.found.friction ? input.change.friction : contact::undefined});
+            table.rows.push_back(
+                {model.name, input.key, input.standard_error,
+                 model.found.young ? input.change.young / 1e6 : contact::undefined,
+                 model.found.friction ? input.change.friction : contact::undefined});
     if (table.rows.empty()) return {};
     return table;
 }

@@ -27,7 +27,8 @@ class RecordedDrive {
   public:
     explicit RecordedDrive(const Record& record) : time_(record.time), offset_(record.drive) {
         for (const double w : offset_) largest_ = std::max(largest_, std::abs(w));
-        if (largest_ == 0) refuse_record(record, "the drive does not move", "check the column drive");
+        if (largest_ == 0)
+            refuse_record(record, "the drive does not move", "check the column drive");
         // Rest is where the drive is nearer to upright than a tenth of its largest amplitude.
         const auto first = std::ranges::find_if(
             offset_, [this](double w) { return std::abs(w) > threshold() * largest_; });
@@ -139,12 +140,13 @@ Stage known_stage(const Record& record, const Experiment& experiment) {
     Stage stage{drive.amplitude.value_or(0), {}};
     for (int n = 0; n <= *drive.periods; ++n) stage.upright.push_back(*drive.start + n * period);
     if (stage.upright.front() < record.time.front() || stage.upright.back() > record.time.back())
-        refuse_record(record,
-               fmt::format(
-                   "{} periods of {:.4g} s from {:.4g} s on do not lie in the record, which "
-                   "is from {:.4g} s to {:.4g} s",
-                   *drive.periods, period, *drive.start, record.time.front(), record.time.back()),
-               "correct start, period or periods in [drive]");
+        refuse_record(
+            record,
+            fmt::format("{} periods of {:.4g} s from {:.4g} s on do not lie in the record, which "
+                        "is from {:.4g} s to {:.4g} s",
+                        *drive.periods, period, *drive.start, record.time.front(),
+                        record.time.back()),
+            "correct start, period or periods in [drive]");
     return stage;
 }
 
@@ -178,7 +180,7 @@ void check_sampling(const Record& record, const DriveTimeline& timeline) {
                                 "than {}",
                                 stage.upright[k - 1], stage.upright[k], to - from, fewest_samples),
                     "sample faster");
-}
+        }
 }
 
 }  // namespace

@@ -187,8 +187,8 @@ void check_drive(const Experiment& e, const io::Document& document) {
 }  // namespace
 
 ExperimentInput read_experiment(const std::string& path) {
-    const io::Document document =
-        io::parse_document(io::read_input_file(path, "experiment file"), path, is_nested_in_experiment);
+    const io::Document document = io::parse_document(io::read_input_file(path, "experiment file"),
+                                                     path, is_nested_in_experiment);
     io::require_kind(io::FileKind::experiment, document);
     check_experiment_keys(document);
     ExperimentInput input;

@@ -11,7 +11,6 @@ namespace tricontact::experiments {
 
 namespace {
 
-
 using contact::State;
 using Standing = report::Verdict::Standing;
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "contact/history.h"
 #include "experiments/records/experiment_evaluation.h"
 #include "report/document.h"
-#include "contact/history.h"
 
 namespace tricontact::experiments {
 

@@ -7,8 +7,8 @@
 
 #include "contact/error.h"
 #include "contact/verdict.h"
-#include "experiments/records/repeats.h"
 #include "experiments/records/drive_timeline.h"
+#include "experiments/records/repeats.h"
 
 namespace tricontact::experiments {
 
@@ -89,11 +89,12 @@ class Corrections {
         const double from = experiment.loading ? (loading_ + timeline.start()) / 2 : first;
         rest_ = rest(from, timeline.start());
         if (rest_.time.size() < fewest_rest_samples)
-            refuse_record(record,
-                   fmt::format("there are {} samples of rest under load before rolling begins at "
-                               "{:.4g} s, fewer than {}",
-                               rest_.time.size(), timeline.start(), fewest_rest_samples),
-                   "record the static shift longer");
+            refuse_record(
+                record,
+                fmt::format("there are {} samples of rest under load before rolling begins at "
+                            "{:.4g} s, fewer than {}",
+                            rest_.time.size(), timeline.start(), fewest_rest_samples),
+                "record the static shift longer");
         run.noise = noise_of(rest_, experiment.resolution.value_or(smallest_step(record.shift)));
         run.degrees_of_freedom =
             std::max(1, static_cast<int>(static_cast<double>(rest_.time.size()) /
@@ -130,7 +131,7 @@ class Corrections {
         const Part unloaded = rest(first, loading_);
         if (unloaded.time.size() < 3)
             refuse_record(record_, "there are fewer than 3 samples before record.loading",
-                   "omit loading if the record begins later");
+                          "omit loading if the record begins later");
         const auto weights = mean_weights(unloaded.time.size());
         const double zero = weighted(weights, unloaded.shift);
         zero_error_ = run_.noise.standard_error(weights);
@@ -196,17 +197,19 @@ statistics::Estimate wobble_of(const DriveTimeline::Stage& stage, const Correcti
 void check_stages(const Record& record, const Experiment& experiment,
                   const DriveTimeline& timeline) {
     if (experiment.kind != Experiment::Kind::limit && timeline.stages.size() > 1)
-        refuse_record(record,
-               fmt::format("the amplitude changes from {:.4g} mm to {:.4g} mm at {:.4g} s",
-                           1e3 * timeline.stages[0].amplitude, 1e3 * timeline.stages[1].amplitude,
-                           timeline.stages[1].upright.front()),
-               "evaluate amplitudes that rise in steps as kind = \"limit\"");
+        refuse_record(
+            record,
+            fmt::format("the amplitude changes from {:.4g} mm to {:.4g} mm at {:.4g} s",
+                        1e3 * timeline.stages[0].amplitude, 1e3 * timeline.stages[1].amplitude,
+                        timeline.stages[1].upright.front()),
+            "evaluate amplitudes that rise in steps as kind = \"limit\"");
     for (const auto& stage : timeline.stages)
         if (stage.periods() < fewest_periods)
-            refuse_record(record,
-                   fmt::format("there are {} periods from {:.4g} s on, fewer than {}",
-                               stage.periods(), stage.upright.front(), fewest_periods),
-                   "record more periods: a transient and a walk are not told apart by fewer");
+            refuse_record(
+                record,
+                fmt::format("there are {} periods from {:.4g} s on, fewer than {}", stage.periods(),
+                            stage.upright.front(), fewest_periods),
+                "record more periods: a transient and a walk are not told apart by fewer");
 }
 
 }  // namespace
@@ -229,7 +232,8 @@ statistics::Estimate late_increment(const std::vector<double>& shift, double con
 
 RunEvaluation evaluate_run(const Record& record, const Experiment& experiment) {
     if (record.time.size() < fewest_samples)
-        refuse_record(record, fmt::format("has {} samples", record.time.size()), "record a whole run");
+        refuse_record(record, fmt::format("has {} samples", record.time.size()),
+                      "record a whole run");
     const DriveTimeline timeline = drive_timeline(record, experiment);
     check_stages(record, experiment, timeline);
     RunEvaluation run;

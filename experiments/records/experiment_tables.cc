@@ -5,13 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "report/format.h"
 #include "experiments/records/experiment_report.h"
+#include "report/format.h"
 
 namespace tricontact::experiments {
 
 namespace {
-
 
 report::WithError with_half_width(const statistics::Estimate& e, double factor) {
     return {factor * e.value, factor * (e.high - e.low) / 2};

@@ -14,8 +14,8 @@ using contact::Case;
 using contact::Material;
 using Base = Case::Base;
 
-constexpr double whole_cells = 1e-6;               // how far the period may be from them, in cells
-constexpr int samples = 200;                       // of the indenter's height, along a side
+constexpr double whole_cells = 1e-6;  // how far the period may be from them, in cells
+constexpr int samples = 200;          // of the indenter's height, along a side
 
 void check_influence(const Case& c, const Document& document) {
     if (c.bem.period)

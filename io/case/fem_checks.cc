@@ -12,11 +12,11 @@ namespace {
 using contact::Case;
 using contact::Material;
 
-constexpr double fewest_elements = 2;              // per contact radius
-constexpr double most_unknowns = 60000;            // of the patch: 29 GB for the dense compliance
-constexpr double most_elements = 1e7;              // of the block
-constexpr double most_work = 3e13;                 // unknowns squared times steps: days
-constexpr double thinnest = 0.02;                  // b/a: thin elements in hundreds
+constexpr double fewest_elements = 2;    // per contact radius
+constexpr double most_unknowns = 60000;  // of the patch: 29 GB for the dense compliance
+constexpr double most_elements = 1e7;    // of the block
+constexpr double most_work = 3e13;       // unknowns squared times steps: days
+constexpr double thinnest = 0.02;        // b/a: thin elements in hundreds
 
 void check_indenter(const Case& c, const Document& document) {
     if (!c.indenter.material) return;

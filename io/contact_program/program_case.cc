@@ -8,7 +8,7 @@ namespace tricontact::io {
 
 namespace {
 
-constexpr double millimetre = 1e-3;            // [m]
+constexpr double millimetre = 1e-3;           // [m]
 constexpr double newton_per_square_mm = 1e6;  // 1 N/mm^2 in Pa
 constexpr int module_number = 3;
 constexpr int most_cells_along = 100000;
@@ -100,7 +100,8 @@ class CaseReading {
         current_.loads_line = lines_.line();
         current_.normal = v[0] * (force ? 1 : millimetre);
         const int forces = current_.digits.force;
-        current_.tangential = {v[1] * (forces >= 1 ? 1 : millimetre), v[2] * (forces == 2 ? 1 : millimetre)};
+        current_.tangential = {v[1] * (forces >= 1 ? 1 : millimetre),
+                               v[2] * (forces == 2 ? 1 : millimetre)};
     }
 
     void read_friction() {

@@ -61,7 +61,8 @@ std::string example(const CsvForm& form) {
     return "write for example " + form.header;
 }
 
-double number_in_column(std::string_view cell, const std::string& column, const std::string& place) {
+double number_in_column(std::string_view cell, const std::string& column,
+                        const std::string& place) {
     cell = without_plus(cell);
     double value = 0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
@@ -101,7 +102,8 @@ CsvTable::CsvTable(std::string_view text, std::string name, CsvForm form)
                  example(form_));
         lines_.push_back(line->number);
         for (std::size_t j = 0; j < cells.size(); ++j)
-            columns_[j].values.push_back(number_in_column(cells[j], columns_[j].name, place(*line)));
+            columns_[j].values.push_back(
+                number_in_column(cells[j], columns_[j].name, place(*line)));
     }
 }
 

@@ -37,7 +37,8 @@ std::size_t little_endian(std::string_view bytes, std::size_t at, std::size_t n)
     return value;
 }
 
-/// The dictionary's text: where it begins, and how long it is, stands behind the npy_magic and version.
+/// The dictionary's text: where it begins, and how long it is, stands behind the npy_magic and
+/// version.
 std::string_view dictionary(std::string_view bytes, const std::string& name, NpyHeader& header) {
     if (!bytes.starts_with(npy_magic) || bytes.size() < 12)
         fail(name, "", "does not begin as a NumPy array does", npy_remedy);

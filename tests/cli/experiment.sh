@@ -26,7 +26,7 @@ refused() {
 }
 
 # 1. The example, by the fast model only: its truth is that of bem-layer.
-cp -r "$source_dir/experiments" .
+mkdir examples && cp -r "$source_dir/examples/records" examples
 sed -i 's/^models = .*/models = ["mdr"]/' examples/records/synthetic_case.toml
 expect 0 examples/records/synthetic_shakedown.toml --output example --quiet
 says "Shakedown in 3 of 3 runs" out

@@ -12,51 +12,61 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-# may_include FOLDER OTHERS...: a folder's files include their own and these.
+rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking)
+
+# may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
 may_include() {
     local folder=$1 allowed include
     allowed=$(IFS='|' && echo "$*")
     [ -d "$folder" ] || complain "no folder $folder"
     while read -r include; do
         complain "$include: not for $folder"
-    done < <(grep -HnE '^ *#include "' "$folder"/*.h "$folder"/*.cc | grep -vE "#include \"($allowed)/")
+    done < <(grep -rHnE --include='*.h' --include='*.cc' '^ *#include "' "$folder" | grep -vE "#include \"($allowed)/")
 }
+# Core.
 may_include files
 may_include contact
+may_include statistics contact
 may_include theory contact
+# Models.
 may_include meshes contact files
-may_include dynamics contact
 may_include mdr contact theory
 may_include bem contact theory files
 may_include fem contact meshes files
-may_include fem/distributed contact meshes fem
-may_include rolling contact theory
-may_include io contact dynamics files
-may_include io/contact_program contact io
-may_include comparisons contact theory
-may_include comparisons/tractive contact theory comparisons rolling
-may_include comparisons/walking contact theory dynamics comparisons
-may_include rig contact theory
-may_include app contact theory meshes dynamics mdr bem fem rolling io comparisons rig files
-may_include python contact theory meshes dynamics mdr bem fem rolling io comparisons rig app
+# Services.
+may_include io contact files
+may_include report contact statistics
+may_include comparisons contact theory statistics io report
+# Features, which do not know each other.
+may_include rolling contact theory statistics io report comparisons files
+may_include walking contact theory statistics io report comparisons files
+may_include experiments contact theory statistics io report comparisons files
+# All.
+may_include app "${rooms[@]}"
+may_include python "${rooms[@]}"
+
+# Who looks for a unit reads thirty names at the most.
+while read -r folder; do
+    n=$(find "$folder" -maxdepth 1 \( -name '*.h' -o -name '*.cc' \) | sed 's/\.[^.]*$//' | sort -u | wc -l)
+    [ "$n" -le 30 ] || complain "$folder has $n units, more than 30"
+done < <(find "${rooms[@]}" tests -type d)
 
 # only_in FOLDER PATTERN: a library's headers stay in one folder.
 only_in() {
     local folder=$1 found
-    found=$(grep -lrE "$2" --include='*.h' --include='*.cc' app bem comparisons contact dynamics fem \
-        files io mdr meshes python rig rolling theory | grep -vE "^$folder/" || true)
+    found=$(grep -lrE "$2" --include='*.h' --include='*.cc' "${rooms[@]}" | grep -vE "^$folder/" || true)
     [ -z "$found" ] || complain "$found: $2 belongs to $folder"
 }
 only_in fem '#include <(deal\.II|petsc|cholmod|metis)'
 only_in meshes '#include <gmsh'
 only_in python '#include <pybind11'
-only_in io '#include <(vtk|sqlite3)'
-only_in '(contact|comparisons)' '#include <gsl/gsl_multifit'
+only_in '(io|walking)' '#include <(vtk|sqlite3)'
+only_in '(contact|comparisons|statistics)' '#include <gsl/gsl_multifit'
 only_in 'no_folder' '#include <regex>'  # calls itself once per character: no input may reach it
 
 while read -r lines file; do
     [ "$lines" -le 400 ] || complain "$file has $lines lines, more than 400"
-done < <(find app bem benchmarks comparisons contact dynamics fem files io mdr meshes python rig rolling tests theory \
+done < <(find "${rooms[@]}" benchmarks tests \
     \( -name '*.cc' -o -name '*.h' -o -name '*.sh' -o -name '*.py' \) -exec wc -l {} + | grep -v ' total$')
 
 # What the numbers that are kept depend on has to be whole: of a part of comparisons that is in the
@@ -76,12 +86,12 @@ fi
 
 # Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.
 while read -r key; do
-    found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" app bem comparisons contact dynamics fem files io mdr \
-        meshes python rig rolling theory | grep -vE '^(comparisons/(quantities|walking)/|io/(history_csv|key_guess).cc|python/)' || true)
+    found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" "${rooms[@]}" |
+        grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_guess.cc|python/)' || true)
     [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
-found=$(grep -nE '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/*_json.cc comparisons/*_output.cc \
-    comparisons/*_csv.cc comparisons/shakedown/study_fit.cc app/*.cc || true)
+found=$(grep -rnE --include='*.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/half_space \
+    comparisons/resolution comparisons/run comparisons/shakedown app || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 
 # Debian's Python has the packages; the first python3 in PATH may be another one.

@@ -18,7 +18,7 @@ VALUES = {
 
 
 def test_is_the_installed_copy(examples):
-    assert Path(tricontact.__file__).is_relative_to(examples.parents[1])
+    assert Path(tricontact.__file__).is_relative_to(examples.parents[2])
 
 
 def test_dictionary_and_file_give_the_same_case(tmp_path):

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/verification/bem_rig.h"
-#include "tests/verification/mdr_roller.h"
+#include "tests/verification/bem/rig.h"
+#include "tests/verification/mdr/roller.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::limit_search_test {

@@ -12,8 +12,6 @@ namespace tricontact::theory {
 
 namespace {
 
-
-
 void check_poisson(double poisson) {
     if (!(poisson > -1 && poisson <= 0.5))
         throw contact::InputError(fmt::format(

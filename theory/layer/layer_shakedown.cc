@@ -3,14 +3,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "theory/bracketed_root.h"
 #include "theory/arguments.h"
+#include "theory/bracketed_root.h"
 
 namespace tricontact::theory {
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 double shakedown_limit(const LayerContact& contact, double w) {
     check_unit_interval("shakedown on a layer", "w = W/a", w);

@@ -15,7 +15,6 @@ namespace {
 
 using contact::Material;
 
-
 LayerCompliance half_space_compliance(const Material& material, double k) {
     const double scale = 1 / (material.shear_modulus() * k), nu = material.poisson;
     return {(1 - nu) * scale, (1 - nu) * scale, scale, (1 - 2 * nu) / 2 * scale};

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "contact/bodies/pressure_shape.h"
+#include "theory/arguments.h"
 #include "theory/body_pressure.h"
 #include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
-#include "theory/arguments.h"
 
 namespace tricontact::theory {
 

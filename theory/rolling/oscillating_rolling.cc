@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "theory/arguments.h"
 #include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
-#include "theory/arguments.h"
 
 namespace tricontact::theory {
 

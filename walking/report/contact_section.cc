@@ -4,16 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/special_values.h"
 #include "walking/machine/forces.h"
 #include "walking/report/motion_series.h"
 #include "walking/report/spot_statistics.h"
 #include "walking/report/walk_document.h"
-#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
 namespace {
-
 
 /// The time a spot spends in a state as a strip between two heights.
 report::Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotState state,

@@ -8,18 +8,17 @@
 #include <span>
 #include <tuple>
 
+#include "contact/special_values.h"
 #include "report/chart_json.h"
 #include "report/format.h"
 #include "report/json_number.h"
 #include "walking/study/motion_class.h"
-#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
 
 /// What the ground of the map may show.
 struct MapQuantity {
@@ -30,10 +29,11 @@ struct MapQuantity {
 
 template <class Value>
 MapQuantity quantity(const WalkMap& map, const std::string& name, double least, double most,
-                  Value value) {
+                     Value value) {
     MapQuantity result{name, {}, least, most};
     for (const WalkMapCell& cell : map.cells)
-        result.values.push_back(cell.result.regime == Regime::tilting ? contact::undefined : value(cell.result));
+        result.values.push_back(cell.result.regime == Regime::tilting ? contact::undefined
+                                                                      : value(cell.result));
     return result;
 }
 
@@ -49,9 +49,10 @@ std::vector<MapQuantity> map_quantities(const WalkMap& map) {
     using Spot = WalkResult::Spot;
     const auto of_spots = [&](const char* name, double least, double Spot::*member) {
         for (std::size_t i = 0; i < n_spots; ++i)
-            list.push_back(quantity(
-                map, fmt::format("{} {}", name, i + 1), least, 1,
-                [=](const auto& r) { return i < r.spots.size() ? r.spots[i].*member : contact::undefined; }));
+            list.push_back(
+                quantity(map, fmt::format("{} {}", name, i + 1), least, 1, [=](const auto& r) {
+                    return i < r.spots.size() ? r.spots[i].*member : contact::undefined;
+                }));
     };
     of_spots("stick time of spot", 0, &Spot::stick_time);
     of_spots("correlation of velocity and load, spot", -1, &Spot::correlation);
@@ -118,7 +119,8 @@ Json cells(const WalkMap& map) {
         const double kappa8 = map.kappa8[i % map.kappa8.size()];
         const double friction = map.friction[i / map.kappa8.size()];
         const WalkMapCell& cell = map.cells[i];
-        const double mean = cell.result.regime == Regime::tilting ? contact::undefined : cell.result.mu_e;
+        const double mean =
+            cell.result.regime == Regime::tilting ? contact::undefined : cell.result.mu_e;
         list.push_back({{"readings", map_readings(map, kappa8, cell.result)},
                         {"mean", report::number(mean)},
                         {"interval", cell.samples.interval},

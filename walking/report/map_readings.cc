@@ -44,8 +44,7 @@ std::vector<std::string> map_readings(const WalkMap& map, double kappa8, const W
     if (result.regime == Regime::tilting) {
         const std::string when =
             result.tilting_time ? " at t = " + report::significant(*result.tilting_time, 4) : "";
-        return {motion + when, dash, dash, dash,
-                dash,     dash, dash, limit};
+        return {motion + when, dash, dash, dash, dash, dash, dash, limit};
     }
     return {
         motion,

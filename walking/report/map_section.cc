@@ -86,7 +86,8 @@ std::vector<report::Curve> limit_curves(const WalkSweep& sweep, const WalkGrid& 
     return {tilting, {.name = "flutters", .x = grid.x, .y = flutter, .theory = true, .colour = 3}};
 }
 
-report::Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid, const DrawnQuantity& quantity) {
+report::Figure map_figure(const WalkSweep& sweep, const WalkGrid& grid,
+                          const DrawnQuantity& quantity) {
     return {.id = std::string("map_") + quantity.id,
             .title = quantity.title,
             .caption = std::string(quantity.caption) + " White: the machine tilts.",

@@ -12,7 +12,6 @@ namespace tricontact::walking {
 
 namespace {
 
-
 report::Figure motion_figure(const WalkReport& report) {
     const MotionSeries series = motion_series(report.walk_case.machine, last_swings(report.walk));
     return {.id = "motion",

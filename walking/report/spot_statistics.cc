@@ -3,13 +3,12 @@
 #include <cmath>
 #include <limits>
 
-#include "statistics/initial_sequence.h"
 #include "contact/special_values.h"
+#include "statistics/initial_sequence.h"
 
 namespace tricontact::walking {
 
 namespace {
-
 
 /// Of the mean over windows after the transient.
 template <class Value>

@@ -8,13 +8,12 @@
 #include "report/format_share.h"
 #include "statistics/regression.h"
 #include "walking/report/walk_sections.h"
-#include "walking/study/walk_factorial.h"
 #include "walking/study/factorial_effects.h"
+#include "walking/study/walk_factorial.h"
 
 namespace tricontact::walking {
 
 namespace {
-
 
 /// When runs reached their limit cycle, and how long the others were waited for.
 struct Arrivals {

@@ -10,7 +10,6 @@ namespace tricontact::walking {
 
 namespace {
 
-
 std::size_t n_combinations(const std::vector<Factor>& factors) {
     std::size_t n = 1;
     for (const Factor& factor : factors) n *= factor.levels.size();

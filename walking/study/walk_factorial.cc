@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "report/format.h"
 #include "contact/special_values.h"
+#include "report/format.h"
 
 namespace tricontact::walking {
 
@@ -63,7 +63,8 @@ FactorialDesign WalkFactorial::design(const std::vector<WalkGroup>& groups,
                                       double (*response)(const WalkOutcome& outcome)) const {
     std::size_t n = 1;
     for (const Factor& factor : factors) n *= factor.levels.size();
-    FactorialDesign design{.factors = factors, .response = std::vector<double>(n, contact::undefined)};
+    FactorialDesign design{.factors = factors,
+                           .response = std::vector<double>(n, contact::undefined)};
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (!rule.excludes(groups[i])) design.response[places[i]] = groups[i].mean(response);
     return design;

@@ -9,12 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contact/special_values.h"
 #include "report/json_number.h"
 #include "walking/machine/energy.h"
 #include "walking/machine/forces.h"
 #include "walking/machine/machine.h"
 #include "walking/report/vibration.h"
-#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
@@ -23,9 +23,9 @@ namespace {
 using Drift = WalkResult::Drift;
 using json = nlohmann::ordered_json;
 
-
 WalkOutcome::SecondHalf second_half(const Machine& machine, const Walk& walk) {
-    if (walk.result.tilting_time || walk.windows.empty()) return {contact::undefined, contact::undefined, contact::undefined};
+    if (walk.result.tilting_time || walk.windows.empty())
+        return {contact::undefined, contact::undefined, contact::undefined};
     StretchSums sums;
     for (std::size_t i = walk.windows.size() / 2; i < walk.windows.size(); ++i)
         sums.add(walk.windows[i].sums);
@@ -104,7 +104,8 @@ constexpr Number numbers_of_result[] = {
 
 /// Its only spot is both its first and its last.
 void add_spots(WalkOutcome& outcome) {
-    if (outcome.result.spots.empty()) outcome.result.spots.push_back({contact::undefined, contact::undefined});
+    if (outcome.result.spots.empty())
+        outcome.result.spots.push_back({contact::undefined, contact::undefined});
 }
 
 constexpr std::pair<const char*, std::vector<float> MotionSamples::*> lists_of_samples[] = {
@@ -180,7 +181,8 @@ json walk_results(const WalkOutcome& outcome) {
     results["section_points"] = outcome.result.section_points;
     results["transient_over"] = outcome.result.transient_over;
     results["tilting_time"] = report::number(outcome.result.tilting_time);
-    const auto drift = outcome.result.drift.value_or(Drift{contact::undefined, contact::undefined, contact::undefined});
+    const auto drift = outcome.result.drift.value_or(
+        Drift{contact::undefined, contact::undefined, contact::undefined});
     results["shift_per_period"] = report::number(drift.per_period);
     results["shift_per_period_error"] = report::number(drift.error);
     results["airborne"] = report::number(drift.airborne);

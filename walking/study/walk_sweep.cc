@@ -6,16 +6,15 @@
 #include <map>
 #include <utility>
 
+#include "contact/special_values.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "statistics/regression.h"
-#include "contact/special_values.h"
 #include "walking/study/factorial_effects.h"
 
 namespace tricontact::walking {
 
 namespace {
-
 
 bool tilted(const WalkSweep::Point* point) {
     return point->outcome->result.regime == Regime::tilting;

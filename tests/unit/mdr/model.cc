@@ -6,7 +6,7 @@
 
 #include "contact/error.h"
 #include "mdr/spring_bed.h"
-#include "tests/verification/mdr_roller.h"
+#include "tests/verification/mdr/roller.h"
 
 namespace tricontact::model_test {
 namespace {

@@ -14,7 +14,7 @@
 #include "contact/error.h"
 #include "mdr/model.h"
 #include "mdr/spring_bed.h"
-#include "tests/verification/mdr_roller.h"
+#include "tests/verification/mdr/roller.h"
 
 namespace tricontact::relaxing_bed_test {
 namespace {

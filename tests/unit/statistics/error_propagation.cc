@@ -9,7 +9,6 @@
 namespace tricontact::statistics::error_propagation_test {
 namespace {
 
-
 // JCGM 100:2008, H.2: resistance, reactance and impedance from five simultaneous readings of
 // voltage, current and phase; tables H.2 (means, errors, correlations) and H.3 (results).
 const std::vector<Uncertain> readings = {

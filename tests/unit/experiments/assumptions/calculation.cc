@@ -12,7 +12,6 @@ namespace tricontact::calculation_test {
 using namespace experiments;
 namespace {
 
-
 // y = k x^3
 Calculation cube() {
     return calculate("cube", "y", "k x^3", "", "m", {{"k", {2, 0.1}, "1"}, {"x", {3, 0.06}, "1"}},

@@ -6,7 +6,6 @@ namespace tricontact::experiments::measured_quantity_test {
 using namespace io;
 namespace {
 
-
 TEST(MeasuredQuantity, HasValueErrorAndTheSizeOfItsLastDigits) {
     const auto q = parse_measured_quantity("62.17 ± 5.4 um", Dimension::length);
     EXPECT_DOUBLE_EQ(q.quantity.value, 62.17e-6);

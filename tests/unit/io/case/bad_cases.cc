@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "tests/unit/io/sphere_case.h"
+#include "walking/input/any_case.h"
 
 namespace tricontact::io::bad_cases_test {
 namespace {

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <thread>
 
-#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
+#include "walking/input/any_case.h"
 
 namespace tricontact::io::case_reader_test {
 namespace {

@@ -103,7 +103,7 @@ rolling.amplitude_ratio = {from = 0.12345678901234567, to = 0.3, points = 2}
 
 TEST(StudyReader, FindsTheCaseBesideTheStudy) {
     const fs::path folder = fs::path(testing::TempDir()) / ("study-" + std::to_string(::getpid()));
-    fs::create_directories(folder / "cases");
+    fs::create_directories(folder / "examples/cases");
     fs::copy_file(rig, folder / "examples/cases/rig.toml", fs::copy_options::overwrite_existing);
     std::ofstream(folder / "study.toml") << "case = \"examples/cases/rig.toml\"\n";
     const Study study = read_study((folder / "study.toml").string(), walking::walk_key_list());

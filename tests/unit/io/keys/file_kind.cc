@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 
-#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "experiments/assumptions/rig_reader.h"
 #include "experiments/identification/identification_reader.h"
@@ -14,6 +13,7 @@
 #include "io/case/case_reader.h"
 #include "io/case/study_reader.h"
 #include "io/keys/key_guess.h"
+#include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 

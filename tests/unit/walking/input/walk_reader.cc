@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "walking/input/any_case.h"
 #include "contact/error.h"
 #include "io/case/case_writer.h"
 #include "tests/unit/walking/sets.h"
+#include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
 #include "walking/machine/stable_step.h"
 
@@ -146,7 +146,8 @@ TEST(WalkReader, StepMayApproachTheStableLimit) {
 }
 
 TEST(WalkReader, KindsOfCasesAreTold) {
-    EXPECT_TRUE(std::holds_alternative<WalkCase>(walking::read_any_case(cases + "walking_set_a.toml")));
+    EXPECT_TRUE(
+        std::holds_alternative<WalkCase>(walking::read_any_case(cases + "walking_set_a.toml")));
     EXPECT_TRUE(std::holds_alternative<contact::Case>(
         walking::read_any_case(cases + "rig_sphere_parallel.toml")));
     EXPECT_EQ(message_of("models = [\"mdr\"]\n"),

@@ -1,0 +1,82 @@
+// Rolling on beside numbers of the program CONTACT (github.com/eve70a/CONTACT): those that its
+// example catt_to_cart prints, and its forces of a rolling sphere that spins (version of 2025).
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "bem/model.h"
+#include "contact/solvers/moving_frame.h"
+#include "io/case/case_reader.h"
+#include "rolling/steady_rolling.h"
+#include "rolling/transient_rolling.h"
+#include "tests/unit/rolling/problems.h"
+#include "tests/verification/contact_program_prints.h"
+
+namespace tricontact::rolling_contact_program_test {
+namespace {
+
+using rolling_test::Rig;
+
+// catt_to_cart, cases 59 to 73: what tests/verification/bem/contact_program.cc rolls in fixed
+// coordinates, here in those that move along. F_T = 0.657 mu F_N at rest shifts the ball by 1.77e-2
+// mm, none of which is creepage.
+TEST(RollingContactProgram, FromCattaneoToCarter) {
+    const contact::Case c = io::parse_case(R"(models = ["bem"]
+[indenter]
+radius = "168.7478906513669 mm" # 1/(2 * 0.002963 mm^-1)
+young = "2.56 MPa"
+poisson = 0.28
+[substrate]
+young = "2.56 MPa"
+poisson = 0.28
+[friction]
+coefficient = 0.4013
+[load]
+normal_force = "0.4705 N"
+tangential_ratio = 0.657
+[tractive_rolling]
+[bem]
+spacing = "0.25 mm"
+)",
+                                           "catt_to_cart");
+    constexpr auto& shifts = test::catt_to_cart_shifts;
+    rolling::RollingProblem problem;
+    problem.indenter = c.make_indenter();
+    problem.friction_coefficient = c.friction_coefficient;
+    problem.normal.value = *c.load.normal_force;
+    problem.drive.force[0] =
+        *c.load.tangential_ratio * c.friction_coefficient * *c.load.normal_force;
+    rolling::TransientRolling rolling(*bem::make_substrate(c, 1, bem::Body::half_space), problem);
+    rolling.press();
+    for (std::size_t k = 0; k < shifts.size(); ++k)
+        // In the first step F_N becomes the rounded depth there (see bem_contact_program.cc).
+        EXPECT_NEAR(rolling.roll().creepage.longitudinal * .25 / shifts[k], 1, k == 0 ? 3e-3 : 3e-4)
+            << k;
+}
+
+/// F_y [N] of a rigid paraboloid of 40 mm on E = 5.2 MPa, nu = 1/2 under 21.1 N, mu = 0.57, which
+/// creeps by 0.02 and spins by 10/m; cells per radius.
+double spinning_force(int n, double lateral_creepage_cells = 0) {
+    Rig rig{.radius = .04, .friction = .57, .substrate = {5.2e6, .5}, .n = n};
+    rig.half_length = std::cbrt(3 * 21.1 * rig.radius / (4 * rig.modulus()));
+    rolling::RollingProblem problem = rig.sphere(0);
+    problem.drive.spin = 10;
+    problem.drive.creepage = {.02, lateral_creepage_cells * problem.drive.spin * rig.cell()};
+    problem.tolerance = 1e-8;
+    return rolling::steady_rolling(*rig.sphere_grid(), problem).state.force[1];
+}
+
+// CONTACT has 4.628 N at 10 cells, its spin at 1/6 of a cell ahead: a lateral creepage makes it
+// that here. Its finest grids have 4.654 N.
+TEST(RollingContactProgram, SpinningSphere) {
+    EXPECT_NEAR(spinning_force(10, 1. / 6 - contact::spin_point), 4.628, 5e-4);
+    // What is left of the first order comes from the steps of the round edge.
+    EXPECT_NEAR(spinning_force(10) / 4.654, 1, 5e-3);
+    EXPECT_NEAR(spinning_force(20) / 4.654, 1, 2e-3);
+    EXPECT_NEAR(spinning_force(40) / 4.654, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace tricontact::rolling_contact_program_test
