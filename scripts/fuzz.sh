@@ -10,8 +10,12 @@ cmake -S "$root" --preset fuzz --log-level=NOTICE
 cmake --build "$root/build/fuzz" --target case_reader_fuzz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+for folder in bad bad_walk; do
+    python3 "$root/tests/cli/bad_inputs.py" "$root/tests/cli/$folder" "$work/$folder"
+done
+mkdir "$work/new"
 # New inputs go to the first folder; what crashes stays in build/fuzz.
 "$root/build/fuzz/tests/fuzz/case_reader_fuzz" -dict="$root/tests/fuzz/case_reader.dict" \
     -max_len=3000 -max_total_time="$seconds" -artifact_prefix="$root/build/fuzz/" \
-    -print_final_stats=1 -print_funcs=0 -verbosity=0 "$work" "$root/cases" "$root/tests/cli/bad" \
-    "$root/tests/cli/bad_walk"
+    -print_final_stats=1 -print_funcs=0 -verbosity=0 "$work/new" "$root/examples/cases" \
+    "$work/bad" "$work/bad_walk"

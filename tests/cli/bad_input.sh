@@ -17,13 +17,17 @@ refused_option() {
 
 # 1. Every bad case states its message in its first line, from line and column on (" ... " stands for a
 #    path); run refuses it before it makes a folder. Their messages by check: tests/unit/io/case/bad_cases.cc.
-for file in "$source_dir"/tests/cli/bad/*.toml; do
+for folder in bad bad_walk; do
+    $python "$source_dir/tests/cli/bad_inputs.py" "$source_dir/tests/cli/$folder" "$work/$folder" ||
+        complain "the table of $folder"
+done
+for file in "$work"/bad/*.toml; do
     read -r expected <"$file"
     expected=${expected#'# expect: '}
     refused "$file${expected%% ... *}" run "$file" --output out
     [[ $message == *"${expected##* ... }"* ]] || complain "$file: $message"
 done
-for file in "$source_dir"/tests/cli/bad_walk/*.toml; do
+for file in "$work"/bad_walk/*.toml; do
     read -r expected <"$file"
     refused "$file${expected#'# expect: '}" check "$file"
 done

@@ -73,7 +73,9 @@ awk 'NR > 4 && !/%/ && ($4 != 0 || $5 != 0 || $6 != 0 || $9 != 0) { bad = 1 } EN
 refused "C = 9" import "$work/layer/ball.inp" --output case.toml
 
 # 3. Bad input files state their message in the first line.
-for file in "$source_dir"/tests/cli/bad_contact/*.inp; do
+$python "$source_dir/tests/cli/bad_inputs.py" "$source_dir/tests/cli/bad_contact" "$work/bad_contact" ||
+    complain "the table of bad_contact"
+for file in "$work"/bad_contact/*.inp; do
     expected=$(head -n 1 "$file" | sed 's/^% expect: //')
     refused "$file$expected" import "$file" --output case.toml
 done

@@ -1,5 +1,5 @@
-// Every file under tests/cli/bad and tests/cli/bad_walk states in its first line the message that
-// it must get.
+// Every bad input of tests/cli/bad and tests/cli/bad_walk, as tests/cli/bad_inputs.py writes it, states
+// in its first line the message that it must get.
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cli_tests = TRICONTACT_SOURCE_DIR "/tests/cli";
+const fs::path bad_inputs = TRICONTACT_BAD_INPUTS;
 
 // "bad/key_unknown": of contacts and of the walking machine.
 std::vector<std::string> bad_files() {
     std::vector<std::string> names;
     for (const std::string folder : {"bad", "bad_walk"})
-        for (const auto& entry : fs::directory_iterator(cli_tests / folder))
+        for (const auto& entry : fs::directory_iterator(bad_inputs / folder))
             if (entry.path().extension() == ".toml")
                 names.push_back(folder + '/' + entry.path().stem().string());
     std::sort(names.begin(), names.end());
@@ -44,7 +44,7 @@ std::string message_of(const std::string& path) {
 class BadCase : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadCase, IsRefusedWithTheMessageItStates) {
-    const std::string path = (cli_tests / (GetParam() + ".toml")).string();
+    const std::string path = (bad_inputs / (GetParam() + ".toml")).string();
     std::ifstream file(path);
     std::string first;
     std::getline(file, first);
