@@ -11,7 +11,7 @@ cmake --build "$root/build/fuzz" --target case_reader_fuzz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for folder in bad bad_walk; do
-    python3 "$root/tests/cli/bad_inputs.py" "$root/tests/cli/$folder" "$work/$folder"
+    /usr/bin/python3 "$root/tests/cli/bad_inputs.py" "$root/tests/cli/$folder" "$work/$folder"
 done
 mkdir "$work/new"
 # New inputs go to the first folder; what crashes stays in build/fuzz.
