@@ -90,8 +90,8 @@ while read -r key; do
         grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_guess.cc|python/)' || true)
     [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
-found=$(grep -rnE --include='*.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons/half_space \
-    comparisons/resolution comparisons/run comparisons/shakedown app || true)
+found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv.cc' --include='study_fit.cc' \
+    --include='*_command.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons app || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 
 # Debian's Python has the packages; the first python3 in PATH may be another one.
