@@ -1,5 +1,5 @@
-// Every bad input of tests/cli/bad and tests/cli/bad_walk, as tests/cli/bad_inputs.py writes it, states
-// in its first line the message that it must get.
+// Every bad input of tests/cli/bad and tests/cli/bad_walk, as tests/cli/bad_inputs.py writes it,
+// states in its first line the message that it must get.
 
 #include <gtest/gtest.h>
 
