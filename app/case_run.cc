@@ -2,19 +2,80 @@
 
 #include <fmt/format.h>
 
+#include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/loading_study.h"
 #include "app/relaxation_study.h"
+#include "app/studies/point_key.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/summary.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/error.h"
 #include "files/version.h"
 #include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
 #include "io/results/case_json.h"
+#include "io/results/history_csv.h"
+#include "io/results/journal.h"
+#include "io/results/progress.h"
+#include "io/results/vtk_series.h"
 
 namespace tricontact::app {
+
+namespace {
+
+using contact::Case;
+
+bool wants_surface(const Case& c, const contact::Progress& progress) {
+    using enum Case::VtkOutput;
+    return c.output.vtk == all || (c.output.vtk == quarters && progress.quarter);
+}
+
+/// The ParaView files of one model.
+class States {
+  public:
+    States(const Case& c, const std::string& folder)
+        : case_(c),
+          // The command that makes the files again from what stands beside the results.
+          provenance_{files::version, std::string("tricontact run ") + resolved_case_name},
+          surfaces_(folder, "surface", provenance_),
+          volumes_(folder, "volume", provenance_) {}
+
+    void add(double phase, contact::Model& model, const contact::Progress& progress) {
+        if (progress.step == 1) {
+            surfaces_.clear();
+            volumes_.clear();
+        }
+        if (wants_surface(case_, progress)) surfaces_.add(phase, model.surface());
+        if (case_.output.volume == Case::VolumeOutput::quarters && progress.quarter)
+            add_volume(phase, model);
+    }
+    void add_last(double phase, contact::Model& model) {
+        if (case_.output.volume == Case::VolumeOutput::last) add_volume(phase, model);
+    }
+    const std::optional<contact::Subsurface>& subsurface() const { return subsurface_; }
+    void finish() const {
+        if (case_.output.vtk != Case::VtkOutput::none) surfaces_.finish();
+        if (subsurface_) volumes_.finish();
+    }
+
+  private:
+    void add_volume(double phase, contact::Model& model) {
+        const auto inside = model.interior();
+        if (!inside) return;
+        volumes_.add(phase, *inside);
+        subsurface_ = contact::subsurface_of(*inside, phase, model.surface().offset);
+    }
+
+    const Case& case_;
+    io::Provenance provenance_;
+    io::VtkSeries surfaces_, volumes_;
+    std::optional<contact::Subsurface> subsurface_;  // of the last volume
+};
+
+}  // namespace
 
 CaseRun run_models(const contact::Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
@@ -55,6 +116,52 @@ void require_sound(const contact::Audit& audit, const std::string& name) {
         if (!check.passed())
             throw contact::NotConverged(fmt::format("{}: {} is {:.2e}, allowed {:.1e}", name,
                                                     check.name, check.worst, check.allowed));
+}
+
+contact::History run_model(const std::string& name, const Case& c, const std::string& resolved,
+                           const RunOptions& options, comparisons::LoadingStudy* study) {
+    const std::string folder = options.output + "/" + name;
+    io::make_output_folder(folder);
+    const Say say = options.sayer();
+    auto made = make_model(name, c, options.threads, say);
+    io::JournalledModel* journal = nullptr;
+    if (name == "fem") {
+        auto journalled = std::make_unique<io::JournalledModel>(
+            std::move(made), folder + '/' + io::journal_name,
+            program_identity() + '\n' + name + '\n' + resolved + file_digests(c), say);
+        journal = journalled.get();
+        made = std::move(journalled);
+        if (journal->n_found() > 0)
+            say(fmt::format("{}: {} steps of an earlier run are taken from {}/steps.journal", name,
+                            journal->n_found(), folder));
+    }
+    contact::Model& model = *made;
+
+    States states(c, folder);
+    io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), name);
+    const contact::Observer observer = [&](const contact::StepRecord& record, contact::Model& state,
+                                           const contact::Progress& progress) {
+        bar.update(progress.step, progress.steps_at_most);
+        states.add(record.phase, state, progress);
+    };
+    contact::History history;
+    try {
+        history = contact::run(c, model, observer);
+    } catch (const contact::NotConverged&) {
+        states.finish();  // what did converge
+        throw;
+    }
+    states.add_last(history.steps.back().phase, model);
+    history.subsurface = states.subsurface();
+    history.audit = model.audit();
+    require_sound(history.audit, name);
+    bar.finish(c.rolling ? contact::name_of(history.verdict.state) : "");
+
+    io::write_file(folder + "/history.csv", io::history_csv(history));
+    states.finish();
+    if (study) study_loading(c, model, history, say, *study);
+    if (journal) journal->finish();
+    return history;
 }
 
 }  // namespace tricontact::app

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/commands.h"
 #include "app/models.h"
+#include "app/options.h"
 #include "comparisons/run/loading_study.h"
 #include "comparisons/run/report.h"
 #include "contact/case.h"
@@ -13,6 +13,10 @@
 #include "contact/run.h"
 
 namespace tricontact::app {
+
+struct RunOptions : CommandOptions {
+    bool studies = true;  ///< what needs further runs: other ways of loading, the elastic substrate
+};
 
 /// What the models of a case came to, and what further runs beside them found.
 struct CaseRun {
@@ -39,6 +43,15 @@ std::string summary_of(const CaseRun& run);
 contact::History history_of(const std::string& name, const contact::Case& c, int n_threads,
                             const Say& say, const contact::Observer& observer = {},
                             comparisons::LoadingStudy* study = nullptr);
+
+/// What run_model writes into the folder of the model, beside the files that the collections name.
+inline const std::vector<std::string> model_results{"history.csv", "surface.pvd", "volume.pvd"};
+
+/// The same with progress, with history and ParaView files in a folder of its own. A finite element
+/// run that was killed goes on from its last finished step. `resolved` is the text of the case.
+contact::History run_model(const std::string& name, const contact::Case& c,
+                           const std::string& resolved, const RunOptions& options,
+                           comparisons::LoadingStudy* study = nullptr);
 
 /// Throws NotConverged if a check of the audit of the model called `name` failed.
 void require_sound(const contact::Audit& audit, const std::string& name);

@@ -3,25 +3,45 @@
 #include <memory>
 #include <string>
 
-#include "app/commands/cache_command.h"
-#include "app/commands/commands.h"
-#include "app/models.h"
+#include "app/options.h"
 #include "contact/case.h"
 #include "contact/model.h"
 #include "meshes/layer_mesh.h"
 
 namespace tricontact::app {
 
+struct CondenseOptions : CommandOptions {
+    bool distributed = false;  ///< by MPI, also when mpirun did not start this process
+};
+
+struct CacheOptions {
+    std::string folder;  ///< as fem.cache; empty: that of the user
+    bool clear = false;
+};
+
 /// What the finite element module offers to the program. It is loaded when first needed: deal.II
 /// and what comes with it take longer to load than many a half-space run to compute.
 struct FemEntries {
     std::unique_ptr<contact::Model> (*make_model)(const contact::Case& c, const Say& say);
     meshes::LayerMeshSpec (*mesh_spec)(const contact::Case& c, const Say& say);
-    void (*mesh_command)(const MeshOptions& options);
-    void (*condense_command)(const CondenseOptions& options);
-    void (*cache_command)(const CacheOptions& options);
-    bool (*another_process_speaks)();
+    /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
+    /// prints its quality to standard output. Throws InputError, NotConverged.
+    void (*write_mesh)(const CommandOptions& options);
+    /// Condenses the case's finite element layer into the cache, from which other commands take it;
+    /// by all processes that mpirun started, together. Throws InputError, NotConverged.
+    void (*condense)(const CondenseOptions& options);
+    /// Prints the condensed layers that are kept and the room that they take to standard output, or
+    /// removes them. Throws InputError.
+    void (*list_or_clear_cache)(const CacheOptions& options);
+    /// Whether this is a further process of those that condense together: the first one prints
+    /// errors.
+    bool (*is_further_process)();
 };
+
+// Of the module, in commands/.
+void write_mesh_of(const CommandOptions& options);
+void condense_layer(const CondenseOptions& options);
+void list_or_clear_cache(const CacheOptions& options);
 
 /// The module's only symbol.
 inline constexpr const char* fem_entries_symbol = "tricontact_fem_entries";

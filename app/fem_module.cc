@@ -1,4 +1,5 @@
 #include "app/fem_entries.h"
+#include "fem/distributed/layer.h"
 #include "fem/model.h"
 
 extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
@@ -6,10 +7,10 @@ extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     static const app::FemEntries entries = {
         [](const contact::Case& c, const app::Say& say) { return fem::make_model(c, say); },
         [](const contact::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
-        app::mesh_command,
-        app::condense_command,
-        app::cache_command,
-        app::another_process_speaks,
+        app::write_mesh_of,
+        app::condense_layer,
+        app::list_or_clear_cache,
+        fem::distributed::is_further_rank,
     };
     return &entries;
 }

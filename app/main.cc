@@ -1,5 +1,6 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -9,17 +10,14 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <new>
 #include <system_error>
 #include <thread>
 
-#include "app/commands/command_options.h"
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
-#include "app/commands/unknown_command.h"
 #include "contact/error.h"
 #include "files/version.h"
 #include "io/keys/messages.h"
@@ -27,207 +25,104 @@
 namespace {
 
 using namespace tricontact;
-using namespace tricontact::app;
+using app::Command;
+using app::Option;
 
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
 
-bool told_by_another = false;  // errors, by the first of processes that work together
+bool errors_are_printed_elsewhere = false;  // by the first of processes that work together
 
-int fail(int code, const char* message) {
-    if (told_by_another)  // mpirun ends all as soon as one has failed: it has time to tell
+int fail(int code, const std::string& message) {
+    if (errors_are_printed_elsewhere)  // mpirun ends all as soon as one has failed: it has time to
         std::this_thread::sleep_for(std::chrono::seconds(2));
     else
-        std::fprintf(stderr, "error: %s\n", tricontact::io::one_line(message).c_str());
+        std::fprintf(stderr, "error: %s\n", io::one_line(message).c_str());
     return code;
 }
 
-struct CheckOptions {
-    std::string case_file;
-    std::vector<std::string> overrides;
-};
-
-void add_case_commands(Commands& commands) {
-    commands.add<RunOptions>("run", "Run a case: numbers, ParaView files and a report", run_command)
-        .on_case()
-        .output("Folder for the results (results/<case>)")
-        .models("Run these models instead of the case's")
-        .threads()
-        .quiet("No progress, no closing lines")
-        .no("--no-studies", &RunOptions::studies, "Skip comparison runs")
-        .no("--no-report", &RunOptions::report, "Skip report.html and the plots");
-    commands
-        .add<CheckOptions>("check", "Validate a case; print it resolved, with scales",
-                           [](const auto& o) { check_command(o.case_file, o.overrides); })
-        .on_case();
+/// In the order of the help.
+std::vector<Command> all_commands() {
+    using namespace app;
+    std::vector<Command> commands{run_command(), check_command()};
 #ifdef TRICONTACT_WITH_FEM
-    commands
-        .add<MeshOptions>("mesh", "Write the finite element mesh of a case; its quality",
-                          [](const auto& o) { fem_entries().mesh_command(o); })
-        .on_case()
-        .output("Folder for the mesh (results/<case>)");
-    commands
-        .add<CondenseOptions>(
-            "condense",
-            "Condense the finite element layer of a case for later runs (also by mpirun)",
-            [](const auto& o) { fem_entries().condense_command(o); })
-        .on_case()
-        .flag("--distributed", &CondenseOptions::distributed,
-              "Use MPI, even if mpirun did not start this process")
-        .app.preparse_callback(
-            [](std::size_t) { told_by_another = fem_entries().another_process_speaks(); });
-    commands
-        .add<CacheOptions>("cache", "List the condensed layers that are kept",
-                           [](const auto& o) { fem_entries().cache_command(o); })
-        .option("--folder", &CacheOptions::folder, "Folder, as fem.cache (that of the user)", "DIR")
-        .flag("--clear", &CacheOptions::clear, "Remove them");
+    commands.insert(commands.end(), {mesh_command(), condense_command(), cache_command()});
+    commands[3].prepare = [] { errors_are_printed_elsewhere = fem_entries().is_further_process(); };
 #endif
+    commands.insert(
+        commands.end(),
+        {refine_command(), influence_command(), export_command(), import_command(), limit_command(),
+         verify_command(), walk_command(), roll_command(), sweep_command(), experiment_command(),
+         deviation_command(), fit_command(), merge_command(), identify_command(), rig_command(),
+         keys_command(), list_command()});
+    return commands;
 }
 
-void add_model_commands(Commands& commands) {
-    commands
-        .add<RefineOptions>("refine", "Run a case on finer and finer meshes: its errors",
-                            refine_command)
-        .on_case()
-        .option("--levels", &RefineOptions::levels, "Number of levels (3)", "", CLI::Range(3, 8))
-        .word("--model", &RefineOptions::model, "Model to be refined (fem)", {"fem", "bem"})
-        .output("Folder (results/<case>_refined)")
-        .threads()
-        .quiet("No progress");
-    commands
-        .add<InfluenceOptions>("influence", "Write the influence coefficients of a case to a file",
-                               influence_command)
-        .on_case()
-        .required("--output", &InfluenceOptions::output, "The file", "FILE")
-        .word("--model", &InfluenceOptions::model, "Model (the one of the case)",
-              {"bem", "bem-layer"})
-        .threads();
-    commands
-        .add<ExportOptions>("export", "Write a case as input of the program CONTACT",
-                            export_command)
-        .on_case()
-        .output("Folder (results/<case>_contact)")
-        .word("--model", &ExportOptions::model, "Model (the one of the case)", {"bem", "bem-layer"})
-        .threads();
-    commands
-        .add<ImportOptions>("import", "Write the case of an input file of CONTACT", import_command)
-        .required("input", &ImportOptions::input_file, "Input file of CONTACT, module 3",
-                  "FILE.inp")
-        .required("--output", &ImportOptions::output, "The case file", "CASE.toml");
-    using comparisons::LimitVariable;
-    static const std::map<std::string, LimitVariable> variables{
-        {"load", LimitVariable::load}, {"amplitude", LimitVariable::amplitude}};
-    auto limit = commands.add<LimitOptions>("limit", "Bisect the limit of shakedown of each model",
-                                            limit_command);
-    limit.on_case()
-        .app
-        .add_option("--vary", limit.options.variable,
-                    "Limit in the load (f_T) or the amplitude (w)")
-        ->transform(CLI::CheckedTransformer(variables).description(""))
-        ->type_name("load|amplitude");
-    limit
-        .option("--tolerance", &LimitOptions::tolerance, "Of f_T or w (1e-6 for mdr, else 1e-3)",
-                "", CLI::Range(1e-9, 0.1))
-        .models("These models instead of the case's")
-        .output("Folder (results/<case>_limit)")
-        .threads()
-        .quiet();
-    commands.add<VerifyOptions>("verify", "Hold the models against exact solutions", verify_command)
-        .flag("--short", &VerifyOptions::brief, "On coarse levels, in seconds")
-        .output("Folder for verification.md and .json")
-        .quiet("No progress");
-}
+/// Declares an option to the parser, by the type of its value.
+struct AddOption {
+    CLI::App& app;
+    const Option& option;
 
-void add_motion_commands(Commands& commands) {
-    commands
-        .add<WalkOptions>("walk", "Run a micro-walking machine and judge its motion", walk_command)
-        .on_case()
-        .output("Folder (results/<case>)")
-        .quiet("No table, no closing line")
-        .no("--no-report", &WalkOptions::report, "Skip report.html");
-    commands
-        .add<RollOptions>("roll", "Roll on: from rest to steady rolling, creep curves",
-                          roll_command)
-        .on_case()
-        .output("Folder (results/<case>)")
-        .models("Run these models instead of the case's")
-        .option("--points", &RollOptions::points, "Of the creep curve of each model (12; 0: none)",
-                "", CLI::Range(0, 1000))
-        .threads()
-        .no("--no-report", &RollOptions::report, "Skip report.html")
-        .quiet();
-}
-
-void add_study_commands(Commands& commands) {
-    commands
-        .add<SweepOptions>("sweep", "Run the points of a study side by side; resumable",
-                           sweep_command)
-        .required("study", &SweepOptions::study_file, "Study file (TOML)", "STUDY.toml")
-        .jobs()
-        .option("--shard", &SweepOptions::shard, "Only the i-th of n parts of the study", "i/n")
-        .output("Folder (results/<study>)")
-        .flag("--retry-failed", &SweepOptions::retry_failed, "Compute failed points again")
-        .flag("--vtk", &SweepOptions::vtk, "Files for ParaView of each point (output.vtk)")
-        .no("--no-report", &SweepOptions::report, "Skip report.html")
-        .quiet();
-    commands
-        .add<ExperimentOptions>("experiment", "Evaluate records of a rig; compare with the models",
-                                experiment_command)
-        .required("data", &ExperimentOptions::data_file, "Experiment file (TOML)", "DATA.toml")
-        .output("Folder (results/<data>)")
-        .threads()
-        .quiet();
-    commands
-        .add<DeviationOptions>("deviation", "How far the layer of a case is from a half-space",
-                               deviation_command)
-        .on_case()
-        .jobs()
-        .output("Folder (results/<case>_deviation)")
-        .no("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling")
-        .quiet();
-    commands
-        .add<FitOptions>("fit", "Fit kappa and eta to a finished sweep; compare models",
-                         fit_command)
-        .required("study", &FitOptions::study_file, "Study file (TOML)", "STUDY.toml")
-        .output("Folder of the sweep (results/<study>)")
-        .option("--confidence", &FitOptions::confidence, "Level of the intervals (0.95)", "",
-                CLI::Range(0.5, 0.9999))
-        .quiet("No closing line");
-    commands
-        .add<MergeOptions>("merge", "Bring the results of sweeps into one folder", merge_command)
-        .required("output", &MergeOptions::output, "Folder of the whole", "OUT")
-        .required("inputs", &MergeOptions::inputs, "Folders of sweeps", "IN");
-    commands
-        .add<IdentifyOptions>("identify", "Find E and mu from a measurement on a rig",
-                              identify_command)
-        .required("data", &IdentifyOptions::file, "What was measured (TOML)", "DATA.toml")
-        .output("Folder (results/<data>)")
-        .threads()
-        .quiet("No progress");
-    commands.add<RigOptions>("rig", "Check what an experiment takes for granted", rig_command)
-        .required("rig", &RigOptions::rig_file, "Rig file (TOML)", "RIG.toml")
-        .output("Folder (results/<rig>)");
-}
-
-struct KeysOptions {
-    std::string kind = "case";
-};
-struct ListOptions {
-    std::optional<std::string> folder;
+    CLI::Option* operator()(bool* value) const {
+        // A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
+        const auto set = [value, to = option.flag_value] { *value = to; };
+        return app.add_flag_callback(option.name, set, option.text);
+    }
+    template <class T>
+    CLI::Option* operator()(T* value) const {
+        CLI::Option* const added = app.add_option(option.name, *value, option.text);
+        if (option.range) {
+            const auto [low, high] = *option.range;
+            if constexpr (std::is_same_v<T, int>)
+                added->check(CLI::Range(static_cast<int>(low), static_cast<int>(high)));
+            else
+                added->check(CLI::Range(low, high));
+        }
+        // The words stand as the type, not as the parser shows a set.
+        if (!option.words.empty())
+            added->check(CLI::IsMember(option.words).description(""))
+                ->type_name(CLI::detail::join(option.words, "|"));
+        if (!option.type.empty()) added->type_name(option.type);
+        if (option.delimiter) added->delimiter(option.delimiter);
+        if (std::is_same_v<T, std::vector<std::string>> && option.name.starts_with("--") &&
+            !option.delimiter)
+            added->take_all()->allow_extra_args(false);
+        return added;
+    }
 };
 
-void add_references(Commands& commands) {
-    commands
-        .add<KeysOptions>("keys",
-                          "Print the reference of all keys of an input file, or of all results",
-                          [](const auto& o) { keys_command(o.kind); })
-        .word("kind", &KeysOptions::kind,
-              "case, walking for the micro-walking machine, results, or summary",
-              {"case", "walking", "results", "summary"});
-    commands
-        .add<ListOptions>("list", "List the models and the case files of a folder",
-                          [](const auto& o) { list_command(o.folder); })
-        .option("folder", &ListOptions::folder, "Folder to look into (cases)", "");
+CLI::App* add_command(CLI::App& app, const Command& command) {
+    CLI::App* const sub = app.add_subcommand(command.name, command.text);
+    for (const Option& option : command.options)
+        std::visit(AddOption{*sub, option}, option.place)->required(option.required);
+    if (command.prepare) sub->preparse_callback([&command](std::size_t) { command.prepare(); });
+    return sub;
+}
+
+/// What is wrong with the first argument where it is no command of the program; empty if it is one,
+/// or an option.
+std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& commands, int argc,
+                          const char* const* argv) {
+    if (argc < 2) return "no command is given; tricontact --help lists them";
+    const std::string_view word = argv[1];
+    const std::string shown = io::one_line(io::shortened(word, 60));
+    if (word.starts_with('-') && app.get_option_no_throw(std::string(word))) return {};
+    if (word.starts_with('-'))
+        return fmt::format(
+            "unknown option {} where a command is due; tricontact --help lists both, a "
+            "command's options stand behind it",
+            shown);
+    std::vector<std::string_view> known;
+    for (const Command& one : commands) known.push_back(one.name);
+    if (std::ranges::find(known, word) != known.end()) return {};
+    if (word.ends_with(".toml"))
+        return fmt::format("{} is no command; write one before the file, as in tricontact check {}",
+                           shown, shown);
+    constexpr std::size_t tellable = 4;  // letters: of fewer, most words are near
+    const std::string_view near = word.size() < tellable ? "" : io::nearest(word, known);
+    return near.empty()
+               ? fmt::format("unknown command {}; tricontact --help lists them", shown)
+               : fmt::format("unknown command {}; did you mean tricontact {}?", shown, near);
 }
 
 // What has been printed is part of the answer: a full disk behind standard output is a failure.
@@ -240,7 +135,7 @@ int flushed(int code) {
     // Where an earlier write failed its reason is lost; one more tells it.
     if (error == 0) error = ::write(STDOUT_FILENO, "\n", 1) < 0 ? errno : EIO;
     const std::string reason = std::generic_category().message(error);
-    fail(code, ("standard output cannot be written (" + reason + ")").c_str());
+    fail(code, "standard output cannot be written (" + reason + ")");
     return std::max(code, exit_failed);
 }
 
@@ -248,23 +143,21 @@ int run_program(int argc, char** argv) {
     CLI::App app{"Tricontact: models of frictional contact side by side, from one case file."};
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
     app.require_subcommand(1);
-
-    Commands commands(app, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-    add_case_commands(commands);
-    add_model_commands(commands);
-    add_motion_commands(commands);
-    add_study_commands(commands);
-    add_references(commands);
-    if (const std::string wrong = app::unknown_command(app, argc, argv); !wrong.empty())
-        return fail(exit_bad_input, wrong.c_str());
+    const std::vector<Command> commands = all_commands();
+    std::vector<const CLI::App*> given;
+    for (const Command& command : commands) given.push_back(add_command(app, command));
+    if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
+        return fail(exit_bad_input, wrong);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& e) {
         return app.exit(e);
     } catch (const CLI::ParseError& e) {
-        return fail(exit_bad_input, (std::string(e.what()) + "; see tricontact --help").c_str());
+        return fail(exit_bad_input, std::string(e.what()) + "; see tricontact --help");
     }
-    return commands.run() ? 0 : exit_failed;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+        if (*given[i] && !commands[i].run()) return exit_failed;
+    return 0;
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/options.h"
 #include "contact/case.h"
 #include "contact/model.h"
 
@@ -16,9 +16,6 @@ struct ModelDescription {
 };
 /// The models a case file may name.
 const std::vector<ModelDescription>& known_models();
-
-/// Receives a line about what a model decided or reused.
-using Say = std::function<void(const std::string&)>;
 
 /// Case -> model, the only place that knows all of them. `name` is one of known_models().
 std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "app/commands/commands.h"
-#include "app/models.h"
+#include "app/case_run.h"
 #include "comparisons/quantities/relaxation_study.h"
 #include "contact/case.h"
 #include "contact/history.h"

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "contact/error.h"
 #include "io/results/case_json.h"
 #include "rolling/rolling_document.h"
 
@@ -17,6 +18,20 @@ std::string roll_summary(const rolling::RollingReport& report, const std::string
     nlohmann::ordered_json json{{"version", report.version}, {"case", io::case_json(resolved)}};
     json.update(rolling::rolling_json(report));
     return json.dump(2) + '\n';
+}
+
+void refuse_rolling_on(const contact::Case& c, const std::string& case_file) {
+    if (c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": [tractive_rolling]: the indenter rolls on and does not come "
+                                  "back; tricontact roll computes such a case");
+}
+
+void require_rolling_on(const contact::Case& c, const std::string& case_file) {
+    if (!c.tractive_rolling)
+        throw contact::InputError(case_file +
+                                  ": there is no [tractive_rolling], so that nothing rolls on; "
+                                  "tricontact run computes it, or add that section");
 }
 
 bool LineSchedule::due(double way) {

@@ -53,6 +53,11 @@ rolling::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
 /// Either, by the model's name.
 rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs);
 
+/// Throws InputError if the case rolls on, which no other command computes.
+void refuse_rolling_on(const contact::Case& c, const std::string& case_file);
+/// Throws InputError unless it does.
+void require_rolling_on(const contact::Case& c, const std::string& case_file);
+
 /// summary.json of all runs, `resolved` being the case as io::write_case has it.
 std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved);
 

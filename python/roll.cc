@@ -1,6 +1,5 @@
 #include <pybind11/stl.h>
 
-#include "app/commands/commands.h"
 #include "app/roll_models.h"
 #include "files/version.h"
 #include "io/case/case_writer.h"

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/case_run.h"
-#include "app/commands/commands.h"
+#include "app/roll_models.h"
 #include "comparisons/quantities/results.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"

@@ -1,6 +1,6 @@
 #include <pybind11/stl.h>
 
-#include "app/commands/commands.h"
+#include "app/studies/sweep.h"
 #include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
@@ -35,15 +35,15 @@ void sweep(const std::string& study, const std::string& folder, int jobs, bool r
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
     app::SweepOptions options;
-    options.study_file = study;
+    options.file = study;
     options.output = folder;
-    options.jobs = jobs;
+    options.threads = jobs;
     options.retry_failed = retry_failed;
     options.vtk = vtk;
     options.report = report;
     options.quiet = true;
     options.attend = [&] { check_signals(); };
-    app::sweep_command(options);
+    app::sweep(options);
 }
 
 }  // namespace

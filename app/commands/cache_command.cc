@@ -1,5 +1,3 @@
-#include "app/commands/cache_command.h"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -7,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/fem_entries.h"
 #include "contact/error.h"
 #include "fem/layer_cache.h"
 #include "fem/layer_folder.h"
@@ -41,13 +40,12 @@ void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers)
 
 }  // namespace
 
-void cache_command(const CacheOptions& options) {
+void list_or_clear_cache(const CacheOptions& options) {
     const std::string folder = fem::LayerCache(options.folder).folder();
     if (folder.empty())
         throw contact::InputError(
             "cache: layers are kept nowhere (neither XDG_CACHE_HOME nor HOME is set, or the folder "
-            "is "
-            "\"none\"); name one by --folder");
+            "is \"none\"); name one by --folder");
     files::remove_left_partial_files(folder);
     const std::vector<fem::KeptLayer> layers = fem::kept_layers(folder);
     if (options.clear) return clear(folder, layers);

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "app/models.h"
 #include "comparisons/quantities/glossary.h"
 #include "comparisons/quantities/reference.h"
@@ -70,13 +70,18 @@ struct Resolved {
     }
 };
 
-}  // namespace
-
-void check_command(const std::string& case_file, const std::vector<std::string>& overrides) {
-    std::cout << std::visit(Resolved{}, walking::read_any_case(case_file, overrides));
+void check_case(const CommandOptions& options) {
+    std::cout << std::visit(Resolved{}, walking::read_any_case(options.file, options.overrides));
 }
 
-void list_command(const std::optional<std::string>& given) {
+struct ListOptions {
+    std::optional<std::string> folder;
+};
+
+/// The models, and the case files below a folder; if none is given those below "examples/cases" or
+/// "cases" if there is one.
+void list_models_and_cases(const ListOptions& options) {
+    const auto& given = options.folder;
     const std::string folder = given.value_or(
         std::filesystem::is_directory("examples/cases") ? "examples/cases" : "cases");
     std::cout << "models\n";
@@ -98,7 +103,12 @@ void list_command(const std::optional<std::string>& given) {
     }
 }
 
-void keys_command(const std::string& kind) {
+struct KeysOptions {
+    std::string kind = "case";
+};
+
+void print_keys(const KeysOptions& options) {
+    const std::string& kind = options.kind;
     if (kind == "results")
         std::cout << comparisons::glossary();
     else if (kind == "summary")
@@ -106,6 +116,29 @@ void keys_command(const std::string& kind) {
     else
         std::cout << io::key_reference(kind == "walking" ? walking::walk_key_list()
                                                          : io::case_key_list());
+}
+
+}  // namespace
+
+Command check_command() {
+    return Declared<CommandOptions>("check", "Validate a case; print it resolved, with scales",
+                                    check_case)
+        .on_case();
+}
+
+Command list_command() {
+    return Declared<ListOptions>("list", "List the models and the case files of a folder",
+                                 list_models_and_cases)
+        .option("folder", &ListOptions::folder, "Folder to look into (cases)");
+}
+
+Command keys_command() {
+    return Declared<KeysOptions>(
+               "keys", "Print the reference of all keys of an input file, or of all results",
+               print_keys)
+        .word("kind", &KeysOptions::kind,
+              "case, walking for the micro-walking machine, results, or summary",
+              {"case", "walking", "results", "summary"});
 }
 
 }  // namespace tricontact::app

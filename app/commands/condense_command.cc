@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/commands/commands.h"
+#include "app/fem_entries.h"
 #include "contact/error.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
@@ -26,7 +26,7 @@ void say(const std::string& line) {
 class Order {
   public:
     explicit Order(const CondenseOptions& options)
-        : case_(io::read_case(options.case_file, options.overrides)), cache_(case_.fem.cache) {
+        : case_(io::read_case(options.file, options.overrides)), cache_(case_.fem.cache) {
         if (cache_.folder().empty())
             throw contact::InputError(
                 "fem.cache: condense keeps the layer for later runs, but nothing is to be kept; "
@@ -45,7 +45,7 @@ class Order {
                             cache_.path_of(key_), layer->points.size()));
             return std::nullopt;
         }
-        if (!why.empty()) say(fmt::format("condensed layer made anew: {}", why));
+        if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
         return problem;
     }
 
@@ -92,7 +92,7 @@ void condense_together(const CondenseOptions& options, const fem::distributed::S
 
 }  // namespace
 
-void condense_command(const CondenseOptions& options) {
+void condense_layer(const CondenseOptions& options) {
     if (!options.distributed && !fem::distributed::started_by_launcher())
         return condense_alone(options);
     std::exception_ptr failure;
@@ -105,10 +105,6 @@ void condense_command(const CondenseOptions& options) {
         }
     }
     if (failure) std::rethrow_exception(failure);
-}
-
-bool another_process_speaks() {
-    return fem::distributed::is_further_rank();
 }
 
 }  // namespace tricontact::app

@@ -2,16 +2,13 @@
 
 #include <iostream>
 
-#include "app/commands/commands.h"
-#include "app/studies/compute_point.h"
+#include "app/commands/command.h"
 #include "app/studies/point_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "contact/error.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "io/results/result_store.h"
 
 namespace tricontact::app {
@@ -22,12 +19,16 @@ using comparisons::HalfSpaceDeviation;
 using comparisons::RolledResult;
 using comparisons::RolledRun;
 
+struct DeviationOptions : CommandOptions {
+    bool runs = true;  ///< of boundary elements; else exact theory alone
+};
+
 /// Refuses a case without deviations, with the place of the file, before anything is removed.
 void check_contact(const DeviationOptions& options, const contact::Case& c) {
     try {
         comparisons::deviation_contact(c);
     } catch (const contact::InputError& error) {
-        throw contact::InputError(options.case_file + ": " + error.what());
+        throw contact::InputError(options.file + ": " + error.what());
     }
 }
 
@@ -39,7 +40,7 @@ std::vector<RolledRun> runs_of(const HalfSpaceDeviation& deviation) {
     return runs;
 }
 
-SweepPoint point_of(const HalfSpaceDeviation& deviation, const RolledRun& run,
+StudyPoint point_of(const HalfSpaceDeviation& deviation, const RolledRun& run,
                     const std::string& name) {
     const contact::Case c =
         comparisons::rolled_case(deviation.c, deviation.contact, deviation.amplitudes, run);
@@ -51,11 +52,11 @@ SweepPoint point_of(const HalfSpaceDeviation& deviation, const RolledRun& run,
 void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     const std::vector<RolledRun> runs = runs_of(deviation);
     if (runs.empty()) return;
-    std::vector<SweepPoint> points;
-    for (const RolledRun& run : runs) points.push_back(point_of(deviation, run, options.case_file));
+    std::vector<StudyPoint> points;
+    for (const RolledRun& run : runs) points.push_back(point_of(deviation, run, options.file));
     io::ResultStore store = open_results(options.output);
-    compute_missing(points, store,
-                    {.name = "deviation", .jobs = options.jobs, .quiet = options.quiet});
+    compute_missing(contact_kind(), points, store,
+                    {.name = "deviation", .jobs = options.threads, .quiet = options.quiet});
     std::vector<RolledResult> results;
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const auto outcome = store.find(points[i].key);
@@ -67,42 +68,49 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
 }
 
 std::string command_of(const DeviationOptions& options) {
-    std::string command = "tricontact deviation " + options.case_file;
+    std::string command = "tricontact deviation " + options.file;
     for (const std::string& text : options.overrides) command += fmt::format(" --set \"{}\"", text);
     return command + (options.runs ? "" : " --no-runs");
 }
 
 void write(const DeviationOptions& options, const contact::Case& c,
            const HalfSpaceDeviation& deviation) {
-    io::write_file(options.output + "/deviation.csv", deviation_csv(deviation));
-    io::write_file(options.output + "/deviation.json",
-                   deviation_json(files::version, io::write_case(c), deviation));
-    report::Document document = deviation_document(deviation);
-    document.command = command_of(options);
-    document.version = files::version;
-    io::write_file(options.output + "/report.html", document_html(document));
+    options.write("deviation.csv", deviation_csv(deviation));
+    options.write("deviation.json", deviation_json(files::version, io::write_case(c), deviation));
+    options.write_report(deviation_document(deviation), command_of(options));
+}
+
+/// How far the layer of a case is from a half-space: deviation.json, deviation.csv, the report, and
+/// a table on standard output. Finished runs of an earlier call are taken over.
+void compare_with_half_space(DeviationOptions options) {
+    options.choose_folder("_deviation");
+    const contact::Case c = io::read_case(options.file, options.overrides);
+    refuse_rolling_on(c, options.file);
+    check_contact(options, c);
+    HalfSpaceDeviation deviation;
+    options.fill({{"deviation.csv", "deviation.json", "report.html"}, io::result_store_files()},
+                 [&] {
+                     deviation = comparisons::exact_deviation(c);
+                     if (options.runs) add_runs(options, deviation);
+                     write(options, c, deviation);
+                 });
+    std::cout << deviation_text(deviation);
+    for (const auto& verdict : deviation_verdicts(deviation)) std::cout << verdict.sentence << '\n';
+    options.say(options.where());
 }
 
 }  // namespace
 
-void deviation_command(const DeviationOptions& given) {
-    DeviationOptions options = given;
-    options.output = io::output_folder(options.output, options.case_file, "_deviation");
-    const contact::Case c = io::read_case(options.case_file, options.overrides);
-    refuse_rolling_on(c, options.case_file);
-    io::OutputFolder folder(options.output, {{"deviation.csv", "deviation.json", "report.html"},
-                                             io::result_store_files()});
-    check_contact(options, c);
-    HalfSpaceDeviation deviation;
-    folder.fill([&] {
-        deviation = comparisons::exact_deviation(c);
-        if (options.runs) add_runs(options, deviation);
-        write(options, c, deviation);
-    });
-    std::cout << deviation_text(deviation);
-    for (const auto& verdict : deviation_verdicts(deviation)) std::cout << verdict.sentence << '\n';
-    if (!options.quiet)
-        std::cerr << fmt::format("results in {} (open report.html)\n", options.output);
+Command deviation_command() {
+    return Declared<DeviationOptions>("deviation",
+                                      "How far the layer of a case is from a half-space",
+                                      compare_with_half_space)
+        .on_case()
+        .jobs()
+        .output("Folder (results/<case>_deviation)")
+        .flag("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling",
+              false)
+        .quiet();
 }
 
 }  // namespace tricontact::app

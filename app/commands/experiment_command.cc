@@ -3,14 +3,12 @@
 #include <iostream>
 
 #include "app/case_run.h"
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "contact/error.h"
 #include "experiments/records/experiment_reader.h"
 #include "experiments/records/experiment_report.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 
 namespace tricontact::app {
 
@@ -78,7 +76,7 @@ std::vector<CaseQuantity> quantities_of(const experiments::ExperimentInput& inpu
 /// The models of the case, rolled as the rig rolled.
 class Predictions {
   public:
-    Predictions(const experiments::ExperimentInput& input, const ExperimentOptions& options,
+    Predictions(const experiments::ExperimentInput& input, const CommandOptions& options,
                 ExperimentEvaluation& evaluation)
         : input_(input), options_(options), evaluation_(evaluation) {}
 
@@ -135,9 +133,6 @@ class Predictions {
     contact::History run(const std::string& name, const Case& c) const {
         return history_of(name, c, options_.threads, [](const std::string&) {});
     }
-    void say(const std::string& line) const {
-        if (!options_.quiet) std::cerr << line << '\n';
-    }
 
     static std::vector<double> shift_of(const contact::History& history) {
         std::vector<double> shift{history.static_shift};
@@ -145,7 +140,7 @@ class Predictions {
         return shift;
     }
     void add_shift(const std::string& name, const Case& c) {
-        say(fmt::format("{}: {} periods", name, evaluation_.periods));
+        options_.say(fmt::format("{}: {} periods", name, evaluation_.periods));
         const contact::History history = run(name, c);
         experiments::ModelPrediction prediction{name,
                                                 shift_of(history),
@@ -164,7 +159,7 @@ class Predictions {
     std::vector<double> raised(const std::string& name, const Case& set,
                                const CaseQuantity& quantity,
                                const std::vector<double>& unchanged) const {
-        say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
+        options_.say(fmt::format("{}: once more, {} larger by its error", name, quantity.name));
         Case other = set;
         double& number = quantity.of_case(other);
         const bool larger = number + quantity.standard_error <= quantity.largest;
@@ -178,7 +173,7 @@ class Predictions {
     void add_states(const std::string& name) {
         experiments::PredictedLimit limit{name, {}};
         for (const auto& stage : evaluation_.runs.front().stages) {
-            say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
+            options_.say(fmt::format("{}: W = {:.4g} mm", name, 1e3 * stage.amplitude));
             const Case c = case_with(stage.amplitude, stage.period, enough_limit_periods, false);
             limit.states.push_back(run(name, c).verdict.state);
         }
@@ -186,31 +181,35 @@ class Predictions {
     }
 
     const experiments::ExperimentInput& input_;
-    const ExperimentOptions& options_;
+    const CommandOptions& options_;
     ExperimentEvaluation& evaluation_;
 };
 
-}  // namespace
-
-void experiment_command(const ExperimentOptions& given) {
-    ExperimentOptions options = given;
-    options.output = io::output_folder(options.output, options.data_file);
-    const experiments::ExperimentInput input = experiments::read_experiment(options.data_file);
-    io::OutputFolder folder(options.output, {{"experiment.json", "report.html"}});
+void evaluate_records(CommandOptions options) {
+    options.choose_folder();
+    const experiments::ExperimentInput input = experiments::read_experiment(options.file);
     ExperimentEvaluation evaluation = experiments::evaluate_experiment(input.experiment);
     report::Document document;
-    folder.fill([&] {
+    options.fill({{"experiment.json", "report.html"}}, [&] {
         if (input.case_file) Predictions(input, options, evaluation).add();
         document = experiments::experiment_document(evaluation);
-        document.version = files::version;
-        document.command = "tricontact experiment " + options.data_file;
         document.files = {{"all numbers", "experiment.json"}};
-        io::write_file(options.output + "/experiment.json",
-                       experiments::experiment_json(document.version, evaluation));
-        io::write_file(options.output + "/report.html", report::document_html(document));
+        options.write("experiment.json", experiments::experiment_json(files::version, evaluation));
+        options.write_report(document, "tricontact experiment " + options.file);
     });
     for (const auto& verdict : document.verdicts) std::cout << verdict.sentence << '\n';
-    if (!options.quiet) std::cerr << "results in " << options.output << " (open report.html)\n";
+    options.say(options.where());
+}
+
+}  // namespace
+
+Command experiment_command() {
+    return Declared<CommandOptions>(
+               "experiment", "Evaluate records of a rig; compare with the models", evaluate_records)
+        .on_file("data", "Experiment file (TOML)", "DATA.toml")
+        .output("Folder (results/<data>)")
+        .threads()
+        .quiet();
 }
 
 }  // namespace tricontact::app

@@ -5,15 +5,13 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "app/identification_models.h"
 #include "app/measured_values.h"
 #include "contact/error.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/identification_report.h"
 #include "files/version.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "report/format.h"
 
 namespace tricontact::app {
@@ -156,7 +154,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(
 }
 
 IdentificationStudy study_of(const experiments::IdentificationInput& input,
-                             const IdentifyOptions& options) {
+                             const CommandOptions& options) {
     IdentificationStudy study;
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
@@ -176,7 +174,7 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
     study.version = files::version;
     Identifier identifier(input, options.threads);
     for (const std::string& name : input.models) {
-        if (!options.quiet) std::cerr << name << '\n';
+        options.say(name);
         study.models.push_back(identifier.identify(name, study.curve_points));
     }
     if (input.rig.layer.thickness) {
@@ -205,21 +203,28 @@ void print(const IdentificationStudy& study) {
         std::cout << verdict.sentence << '\n';
 }
 
-}  // namespace
-
-void identify_command(const IdentifyOptions& options) {
+void identify_properties(CommandOptions options) {
     const experiments::IdentificationInput input = experiments::read_identification(options.file);
-    const std::string folder = io::output_folder(options.output, options.file);
-    io::OutputFolder output(folder, {{"identify.json", "report.html"}});
+    options.choose_folder();
     IdentificationStudy study;
-    output.fill([&] {
+    options.fill({{"identify.json", "report.html"}}, [&] {
         study = study_of(input, options);
-        io::write_file(folder + "/identify.json",
-                       experiments::identification_json(study).dump(2) + '\n');
-        io::write_file(folder + "/report.html",
-                       report::document_html(experiments::identification_document(study)));
+        options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
+        options.write("report.html",
+                      report::document_html(experiments::identification_document(study)));
     });
     print(study);
+}
+
+}  // namespace
+
+Command identify_command() {
+    return Declared<CommandOptions>("identify", "Find E and mu from a measurement on a rig",
+                                    identify_properties)
+        .on_file("data", "What was measured (TOML)", "DATA.toml")
+        .output("Folder (results/<data>)")
+        .threads()
+        .quiet("No progress");
 }
 
 }  // namespace tricontact::app

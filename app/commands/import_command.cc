@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "bem/grid_compliance.h"
 #include "io/contact_program/case_text.h"
 #include "io/keys/file_kind.h"
@@ -16,13 +16,12 @@ namespace {
 
 constexpr std::size_t largest_input_mb = 100;
 
-}  // namespace
-
-void import_command(const ImportOptions& options) {
-    io::refuse_toml(options.input_file);
+/// Writes the case whose steps an input file of CONTACT has.
+void import_case(const CommandOptions& options) {
+    io::refuse_toml(options.file);
     const io::ImportedCase imported = io::case_of_sequence(
-        io::read_input_file(options.input_file, "input file of CONTACT", largest_input_mb),
-        options.input_file, bem::is_coupled);
+        io::read_input_file(options.file, "input file of CONTACT", largest_input_mb), options.file,
+        bem::is_coupled);
     io::check_output_file(options.output, io::imported_case_beginning);
     io::write_file(options.output, imported.text);
     std::cout << fmt::format("steps                {}\n", imported.n_steps);
@@ -30,6 +29,15 @@ void import_command(const ImportOptions& options) {
         std::cout << fmt::format("left out             {} normal problems ahead of them\n",
                                  imported.left_out);
     std::cout << fmt::format("written              {}\n", options.output);
+}
+
+}  // namespace
+
+Command import_command() {
+    return Declared<CommandOptions>("import", "Write the case of an input file of CONTACT",
+                                    import_case)
+        .on_file("input", "Input file of CONTACT, module 3", "FILE.inp")
+        .required("--output", &CommandOptions::output, "The case file", "CASE.toml");
 }
 
 }  // namespace tricontact::app

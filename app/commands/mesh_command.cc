@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/commands/commands.h"
+#include "app/fem_entries.h"
 #include "contact/error.h"
 #include "fem/model.h"
 #include "files/version.h"
@@ -77,9 +77,9 @@ void make_mesh(const contact::Case& c, meshes::HexMesh& mesh, std::string& geome
 
 }  // namespace
 
-void mesh_command(const MeshOptions& options) {
-    const contact::Case c = io::read_case(options.case_file, options.overrides);
-    const std::string output = io::output_folder(options.output, options.case_file);
+void write_mesh_of(const CommandOptions& options) {
+    const contact::Case c = io::read_case(options.file, options.overrides);
+    const std::string output = io::output_folder(options.output, options.file);
     io::OutputFolder folder(output, {{"mesh.msh", "mesh.geo", "mesh.vtu"}});
     std::string geometry;
     meshes::HexMesh mesh;
@@ -87,9 +87,8 @@ void mesh_command(const MeshOptions& options) {
         make_mesh(c, mesh, geometry);
         write_mesh(mesh, output + "/mesh.msh");
         if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
-        write_view(
-            mesh, output + "/mesh.vtu",
-            "tricontact mesh " + std::filesystem::path(options.case_file).filename().string());
+        write_view(mesh, output + "/mesh.vtu",
+                   "tricontact mesh " + std::filesystem::path(options.file).filename().string());
     });
     print_quality(mesh);
     std::cout << "written              " << output << "/mesh.msh, mesh.vtu"

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/commands/commands.h"
+#include "app/case_run.h"
+#include "app/commands/command.h"
 #include "app/numerics.h"
-#include "app/run_model.h"
 #include "app/studies/point_key.h"
 #include "app/studies/refinement_levels.h"
 #include "comparisons/resolution/refined_values.h"
@@ -18,7 +18,6 @@
 #include "files/regular_file.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 
 namespace tricontact::app {
 
@@ -68,7 +67,7 @@ class Levels {
         return keep(level, run(level));
     }
     contact::History run(const Level& level, comparisons::LoadingStudy* study = nullptr) const {
-        say(fmt::format("{}: {}", level.name, level.what));
+        options_.say(fmt::format("{}: {}", level.name, level.what));
         io::make_output_folder(folder(level));
         // Those of an earlier call must not seem to be of this one while it is unfinished.
         io::remove_old_results(options_.output, results);
@@ -92,14 +91,11 @@ class Levels {
             const Finished done{comparisons::read_stored_results(found.at("values")),
                                 found.at("cpu_s").get<double>()};
             if (found != document_of(level, done)) return {};
-            say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
+            options_.say(fmt::format("{}: {}: taken from {}", level.name, level.what, file(level)));
             return done;
         } catch (const json::exception&) {  // not of our making
             return {};
         }
-    }
-    void say(const std::string& line) const {
-        if (!options_.quiet) std::cerr << line << '\n';
     }
 
   private:
@@ -141,18 +137,20 @@ void add(const Level& level, const Finished& done, comparisons::RefinedLevels& r
 }
 
 void write_report(const Level& finest, const contact::History& history,
-                  const comparisons::ReportExtras& extras, const std::string& output) {
-    io::make_output_folder(output + "/plots");
-    io::write_file(output + "/" + resolved_case_name, finest.resolved);
+                  const comparisons::ReportExtras& extras, const RefineOptions& options) {
+    io::make_output_folder(options.output + "/plots");
+    options.write(resolved_case_name, finest.resolved);
     for (const auto& file :
          comparisons::make_report(finest.c, finest.resolved, files::version, {history}, extras))
-        io::write_file(output + "/" + file.name, file.content);
+        options.write(file.name, file.content);
 }
 
 /// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
 /// written.
 comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
-                                    comparisons::RefinedLevels refined, const std::string& output) {
+                                    comparisons::RefinedLevels refined,
+                                    const RefineOptions& options) {
+    const std::string& output = options.output;
     const std::string report = output + "/report.html", numbers = output + "/refinement.json";
     if (const auto found = levels.find(finest)) {
         comparisons::RefinedLevels all = refined;
@@ -161,15 +159,15 @@ comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
         if (std::filesystem::exists(report) &&
             read_text(numbers) == refinement_json(files::version, result))
             return result;
-        levels.say(finest.name + ": once more, for the report");
+        options.say(finest.name + ": once more, for the report");
     }
     comparisons::ReportExtras extras;
     const contact::History history = levels.run(finest, &extras.study);
     const Finished done{Results(finest.c, history), history.cpu_s};
     add(finest, done, refined);
     extras.refinement = make_refinement(refined);
-    write_report(finest, history, extras, output);
-    io::write_file(output + "/refinement.csv", refinement_csv(*extras.refinement));
+    write_report(finest, history, extras, options);
+    options.write("refinement.csv", refinement_csv(*extras.refinement));
     io::write_file(numbers, refinement_json(files::version, *extras.refinement));
     levels.keep(finest, history);
     return *extras.refinement;
@@ -184,28 +182,35 @@ io::OutputNames names_of(const RefinementPlan& plan) {
     return names;
 }
 
-}  // namespace
-
-void refine_command(const RefineOptions& given) {
-    RefineOptions options = given;
-    options.output = io::output_folder(options.output, options.case_file, "_refined");
+void refine_case(RefineOptions options) {
+    options.choose_folder("_refined");
     const Levels levels(options);
-    const RefinementPlan plan =
-        plan_refinement(options, [&](const std::string& line) { levels.say(line); });
-    io::OutputFolder folder(options.output, names_of(plan));
-
+    const RefinementPlan plan = plan_refinement(options, options.sayer());
     comparisons::RefinedLevels refined = start_of(plan, options);
     comparisons::Refinement result;
-    folder.fill([&] {
+    options.fill(names_of(plan), [&] {
         for (std::size_t k = 0; k + 1 < plan.levels.size(); ++k)
             add(plan.levels[k], levels.finish(plan.levels[k]), refined);
         if (plan.wide) refined.wide = levels.finish(*plan.wide).values;
-        result = finish_last(plan.levels.back(), levels, refined, options.output);
+        result = finish_last(plan.levels.back(), levels, refined, options);
     });
 
     std::cout << refinement_text(result);
     for (const std::string& sentence : refinement_sentences(result)) std::cout << sentence << '\n';
-    levels.say("results in " + options.output + " (open report.html)");
+    options.say(options.where());
+}
+
+}  // namespace
+
+Command refine_command() {
+    return Declared<RefineOptions>("refine", "Run a case on finer and finer meshes: its errors",
+                                   refine_case)
+        .on_case()
+        .number("--levels", &RefineOptions::levels, "Number of levels (3)", 3, 8)
+        .word("--model", &RefineOptions::model, "Model to be refined (fem)", {"fem", "bem"})
+        .output("Folder (results/<case>_refined)")
+        .threads()
+        .quiet("No progress");
 }
 
 }  // namespace tricontact::app

@@ -3,23 +3,39 @@
 #include <filesystem>
 #include <iostream>
 
-#include "app/commands/commands.h"
-#include "app/rig_static_shift.h"
+#include "app/case_run.h"
+#include "app/commands/command.h"
 #include "experiments/assumptions/check_rig.h"
 #include "experiments/assumptions/rig_reader.h"
 #include "experiments/assumptions/rig_report.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 
 namespace tricontact::app {
 
 namespace {
 
+/// Shift [m] of a rig's sphere, taken as a rigid paraboloid, on its layer: under F_N, pressed with
+/// friction in the usual steps, and experiments::coupling_tangential_ratio; 22 cells in the contact
+/// radius.
+double static_shift(const experiments::RollingRig& rig, bool coupled) {
+    constexpr const char* model_name = "bem-layer";
+    contact::Case c;
+    c.models = {model_name};
+    c.indenter.radius = rig.roller.radius.value;
+    c.substrate = {rig.substrate.young.value, rig.substrate.poisson.value};
+    c.layer.thickness = rig.substrate.thickness.value;
+    c.friction_coefficient = rig.friction_coefficient.value;
+    c.load.normal_force = rig.normal_force.value;
+    c.load.tangential_ratio = experiments::coupling_tangential_ratio;
+    c.contact.coupling = coupled;
+    c.bem.cells_per_radius = 22;
+    return history_of(model_name, c, 1, [](const std::string&) {}).static_shift;
+}
+
 struct Check {
     experiments::RigReport operator()(const experiments::RollingRig& rig) const {
         if (rig.roller.shape == experiments::RollingRig::Shape::cylinder)
             return experiments::check_rig(rig);
-        return experiments::check_rig(rig, app::static_shift);
+        return experiments::check_rig(rig, static_shift);
     }
     experiments::RigReport operator()(const experiments::WalkingRig& rig) const {
         return experiments::check_rig(rig);
@@ -54,21 +70,28 @@ void print(const experiments::RigReport& report) {
     }
 }
 
-}  // namespace
-
-void rig_command(const RigOptions& options) {
-    const std::string stem = std::filesystem::path(options.rig_file).stem().string();
-    const std::string folder = io::output_folder(options.output, options.rig_file);
-    const auto given = experiments::read_rig(options.rig_file);
-    io::OutputFolder output(folder, {{"rig.json", "report.html"}});
+/// Assumptions that are violated are a finding, no error.
+void check_assumptions(CommandOptions options) {
+    const std::string stem = std::filesystem::path(options.file).stem().string();
+    options.choose_folder();
+    const auto given = experiments::read_rig(options.file);
     experiments::RigReport report;
-    output.fill([&] {
+    options.fill({{"rig.json", "report.html"}}, [&] {
         report = std::visit(Check{}, given);
-        io::write_file(folder + "/rig.json", experiments::rig_json(report));
-        io::write_file(folder + "/report.html", report::document_html(experiments::rig_document(
-                                                    report, "tricontact rig " + stem + ".toml")));
+        options.write("rig.json", experiments::rig_json(report));
+        options.write("report.html", report::document_html(experiments::rig_document(
+                                         report, "tricontact rig " + stem + ".toml")));
     });
     print(report);
+}
+
+}  // namespace
+
+Command rig_command() {
+    return Declared<CommandOptions>("rig", "Check what an experiment takes for granted",
+                                    check_assumptions)
+        .on_file("rig", "Rig file (TOML)", "RIG.toml")
+        .output("Folder (results/<rig>)");
 }
 
 }  // namespace tricontact::app

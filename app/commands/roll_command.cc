@@ -4,16 +4,13 @@
 #include <iostream>
 #include <optional>
 
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "app/roll_models.h"
-#include "app/run_model.h"
 #include "bem/case_compliance.h"
-#include "contact/error.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "io/results/paraview_macro.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_series.h"
@@ -30,13 +27,11 @@ using contact::Case;
 using rolling::RollingReport;
 using rolling::RollingRun;
 
-const std::string roll_again = std::string("tricontact roll ") + resolved_case_name;
+struct RollOptions : CommandOptions {
+    int points = 12;  ///< of the creep curve; 0: none
+};
 
-Case read(const RollOptions& options) {
-    Case c = io::read_case(options.case_file, options.overrides, options.models);
-    require_rolling_on(c, options.case_file);
-    return c;
-}
+const std::string roll_again = std::string("tricontact roll ") + resolved_case_name;
 
 io::OutputNames roll_outputs(const std::vector<std::string>& models) {
     io::OutputNames names{{resolved_case_name, "summary.json", "creep.csv", "report.html"},
@@ -116,18 +111,16 @@ std::string table_of(const RollingReport& report) {
 }
 
 void write(const RollingReport& report, const std::string& resolved, const RollOptions& options) {
-    io::write_file(options.output + "/summary.json", roll_summary(report, resolved));
-    io::write_file(options.output + "/creep.csv", rolling::creep_csv(report));
-    io::write_file(options.output + "/" + io::paraview_macro_name,
-                   io::paraview_macro(options.output));
+    options.write("summary.json", roll_summary(report, resolved));
+    options.write("creep.csv", rolling::creep_csv(report));
+    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
     if (options.report)
-        io::write_file(options.output + "/report.html",
-                       report::document_html(rolling::rolling_document(report)));
+        options.write("report.html", report::document_html(rolling::rolling_document(report)));
 }
 
 void roll_models(const Case& c, const RollOptions& options) {
     const std::string resolved = io::write_case(c);
-    io::write_file(options.output + "/" + resolved_case_name, resolved);
+    options.write(resolved_case_name, resolved);
     RollingReport report{
         .c = c, .runs = {}, .files = files_of(c), .command = roll_again, .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
@@ -135,32 +128,28 @@ void roll_models(const Case& c, const RollOptions& options) {
     std::cout << table_of(report);
 }
 
+/// From rest to steady rolling.
+void roll_case(RollOptions options) {
+    const Case c = io::read_case(options.file, options.overrides, options.models);
+    require_rolling_on(c, options.file);
+    bem::check_influence_file(c);  // before anything is written
+    options.choose_folder();
+    options.fill(roll_outputs(c.models), [&] { roll_models(c, options); });
+    options.say(options.where());
+}
+
 }  // namespace
 
-void refuse_rolling_on(const Case& c, const std::string& case_file) {
-    if (c.tractive_rolling)
-        throw contact::InputError(case_file +
-                                  ": [tractive_rolling]: the indenter rolls on and does not come "
-                                  "back; tricontact roll computes such a case");
-}
-
-void require_rolling_on(const Case& c, const std::string& case_file) {
-    if (!c.tractive_rolling)
-        throw contact::InputError(case_file +
-                                  ": there is no [tractive_rolling], so that nothing rolls on; "
-                                  "tricontact run computes it, or add that section");
-}
-
-void roll_command(const RollOptions& given) {
-    RollOptions options = given;
-    const Case c = read(options);
-    bem::check_influence_file(c);  // before anything is written
-    options.output = io::output_folder(options.output, options.case_file);
-    io::OutputFolder folder(options.output, roll_outputs(c.models));
-    folder.fill([&] { roll_models(c, options); });
-    if (!options.quiet)
-        std::cerr << "results in " << options.output
-                  << (options.report ? " (open report.html)" : "") << '\n';
+Command roll_command() {
+    return Declared<RollOptions>("roll", "Roll on: from rest to steady rolling, creep curves",
+                                 roll_case)
+        .on_case()
+        .output("Folder (results/<case>)")
+        .models("Run these models instead of the case's")
+        .number("--points", &RollOptions::points, "Points per creep curve (12; 0: none)", 0, 1000)
+        .threads()
+        .no_report()
+        .quiet();
 }
 
 }  // namespace tricontact::app

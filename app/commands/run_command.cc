@@ -1,19 +1,23 @@
+#include <fmt/format.h>
+
+#include <cmath>
 #include <iostream>
+#include <iterator>
 #include <optional>
 
 #include "app/case_run.h"
-#include "app/commands/commands.h"
-#include "app/run_model.h"
-#include "app/run_text.h"
+#include "app/commands/command.h"
+#include "app/roll_models.h"
 #include "bem/case_compliance.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/report.h"
-#include "contact/error.h"
+#include "contact/verdict.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "io/results/paraview_macro.h"
+#include "report/format.h"
 
 namespace tricontact::app {
 
@@ -29,41 +33,83 @@ io::OutputNames run_outputs(const std::vector<std::string>& models) {
 
 CaseRun compute(const contact::Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
-    io::write_file(options.output + "/" + resolved_case_name, resolved);
-    const Say say = [&](const std::string& line) {
-        if (!options.quiet) std::cerr << line << '\n';
-    };
-    CaseRun run =
-        run_models(c, options, say, [&](const std::string& name, comparisons::LoadingStudy* study) {
-            return run_model(name, c, resolved, options, study);
-        });
-    io::write_file(options.output + "/summary.json", summary_of(run));
-    io::write_file(options.output + "/" + io::paraview_macro_name,
-                   io::paraview_macro(options.output));
+    options.write(resolved_case_name, resolved);
+    CaseRun run = run_models(c, options, options.sayer(),
+                             [&](const std::string& name, comparisons::LoadingStudy* study) {
+                                 return run_model(name, c, resolved, options, study);
+                             });
+    options.write("summary.json", summary_of(run));
+    options.write(io::paraview_macro_name, io::paraview_macro(options.output));
     if (options.report) {
         io::make_output_folder(options.output + "/plots");
         for (const auto& file :
              comparisons::make_report(c, resolved, files::version, run.histories, run.extras))
-            io::write_file(options.output + "/" + file.name, file.content);
+            options.write(file.name, file.content);
     }
     return run;
 }
 
+// "55.9 um": a terminal may have no other letters.
+std::string metres(double value) {
+    const report::Unit unit = report::fitting_unit(value, "m");
+    constexpr std::string_view micro = "µ";
+    std::string symbol = unit.symbol;
+    if (symbol.starts_with(micro)) symbol.replace(0, micro.size(), "u");
+    return fmt::format("{:.3g} {}", value / unit.factor, symbol);
+}
+
+std::string line_of(const comparisons::Results& r) {
+    using namespace comparisons::quantities;
+    std::string line = r.model + ": ";
+    const auto length = [&r](const comparisons::Quantity& q) {
+        return metres(r.number(q).value_or(0));
+    };
+    if (const auto state = r.state())
+        fmt::format_to(std::back_inserter(line), "{}{}, ", contact::name_of(*state),
+                       r.verdict.by_limit ? " by the limit of uncoupled contact" : "");
+    if (r.state() || r.number(final_shift) != 0.)
+        fmt::format_to(std::back_inserter(line), "U = {} ({:.4g} U_max)", length(final_shift),
+                       r.number(final_shift_ratio).value_or(0));
+    else
+        fmt::format_to(std::back_inserter(line), "d = {}, a = {}", length(indentation),
+                       length(contact_radius));
+    if (std::abs(r.verdict.remaining) > contact::known_shift &&
+        std::isfinite(r.verdict.remaining_error))
+        line += fmt::format(", {:.2g} +- {:.1g} U_max to come", r.verdict.remaining,
+                            r.verdict.remaining_error);
+    line += fmt::format("; {:.1f} s\n", r.number(wall_time).value_or(0));
+    return r.verdict.missing.empty() ? line : line + "  undecided: " + r.verdict.missing + '\n';
+}
+
+/// What a run came to, as lines for people: of each model state, shift in micrometres or the like
+/// and in its U_max, time. Without rolling and tangential force: the pressed contact.
+std::string run_text(const CaseRun& run) {
+    std::string text;
+    for (const contact::History& history : run.histories) text += line_of({run.c, history});
+    return text;
+}
+
+void run_case(RunOptions options) {
+    const contact::Case c = io::read_case(options.file, options.overrides, options.models);
+    refuse_rolling_on(c, options.file);
+    bem::check_influence_file(c);  // before anything is written
+    options.choose_folder();
+    std::optional<CaseRun> run;
+    options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
+    if (!options.quiet) std::cout << run_text(*run) << options.where() << '\n';
+}
+
 }  // namespace
 
-void run_command(const RunOptions& given) {
-    RunOptions options = given;
-    const contact::Case c = io::read_case(options.case_file, options.overrides, options.models);
-    refuse_rolling_on(c, options.case_file);
-    bem::check_influence_file(c);  // before anything is written
-    options.output = io::output_folder(options.output, options.case_file);
-    io::OutputFolder folder(options.output, run_outputs(c.models));
-    std::optional<CaseRun> done;
-    folder.fill([&] { done.emplace(compute(c, options)); });
-    const CaseRun& run = *done;
-    if (!options.quiet)
-        std::cout << run_text(run) << (options.report ? "report: " : "results: ") << options.output
-                  << (options.report ? "/report.html\n" : "\n");
+Command run_command() {
+    return Declared<RunOptions>("run", "Run a case: numbers, ParaView files and a report", run_case)
+        .on_case()
+        .output("Folder for the results (results/<case>)")
+        .models("Run these models instead of the case's")
+        .threads()
+        .quiet("No progress, no closing lines")
+        .flag("--no-studies", &RunOptions::studies, "Skip comparison runs", false)
+        .no_report("Skip report.html and the plots");
 }
 
 }  // namespace tricontact::app

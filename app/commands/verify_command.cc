@@ -1,12 +1,9 @@
-#include <functional>
 #include <iostream>
 
-#include "app/commands/commands.h"
+#include "app/commands/command.h"
 #include "app/models.h"
 #include "app/verification/verification_problems.h"
 #include "files/version.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 
 namespace tricontact::app {
 
@@ -30,28 +27,39 @@ Verification verify(bool brief, const Say& say) {
     return all;
 }
 
-}  // namespace
+struct VerifyOptions : CommandOptions {
+    bool brief = false;  ///< on coarse levels, in seconds
+};
 
-bool verify_command(const VerifyOptions& options) {
-    const Say say = [&](const std::string& line) {
-        if (!options.quiet) std::cerr << line << '\n';
-    };
-    if (options.output.empty()) {
-        const Verification result = verify(options.brief, say);
-        std::cout << comparisons::verification_markdown(result);
-        return result.passed();
-    }
-    io::OutputFolder folder(options.output, {{"verification.md", "verification.json"}});
+/// Runs the models on problems whose solution is known and prints the table of their errors
+/// (docs/verification.md). False if a row fails.
+bool verify_models(const VerifyOptions& options) {
     Verification result;
-    folder.fill([&] {
-        result = verify(options.brief, say);
+    const auto print = [&] {
+        result = verify(options.brief, options.sayer());
         const std::string text = comparisons::verification_markdown(result);
         std::cout << text;
-        io::write_file(options.output + "/verification.md", text);
-        io::write_file(options.output + "/verification.json",
-                       comparisons::verification_json(files::version, result).dump(2) + "\n");
-    });
+        return text;
+    };
+    if (options.output.empty())
+        print();
+    else
+        options.fill({{"verification.md", "verification.json"}}, [&] {
+            options.write("verification.md", print());
+            options.write("verification.json",
+                          comparisons::verification_json(files::version, result).dump(2) + "\n");
+        });
     return result.passed();
+}
+
+}  // namespace
+
+Command verify_command() {
+    return Declared<VerifyOptions>("verify", "Hold the models against exact solutions",
+                                   verify_models)
+        .flag("--short", &VerifyOptions::brief, "On coarse levels, in seconds")
+        .output("Folder for verification.md and .json")
+        .quiet("No progress");
 }
 
 }  // namespace tricontact::app

@@ -3,12 +3,10 @@
 #include <iostream>
 #include <vector>
 
-#include "app/commands/commands.h"
-#include "app/run_model.h"
+#include "app/commands/command.h"
 #include "files/version.h"
 #include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_animation.h"
 #include "walking/report/walk_document.h"
@@ -49,7 +47,7 @@ void write_animation(const std::string& output, const WalkCase& walk_case, const
     walking::write_walk_animation(folder, walk_case, frames, {files::version, walk_again});
 }
 
-void write_report(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
+void write_page(const CommandOptions& options, const WalkCase& walk_case, const Walk& walk) {
     WalkReport report{.walk_case = walk_case,
                       .walk = walk,
                       .files = {{"all numbers", "summary.json"},
@@ -60,30 +58,39 @@ void write_report(const std::string& output, const WalkCase& walk_case, const Wa
                       .version = files::version};
     if (walk_case.output.frames > 0)
         report.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
-    io::write_file(output + "/report.html", report::document_html(walking::walk_document(report)));
+    options.write("report.html", report::document_html(walking::walk_document(report)));
+}
+
+void walk_machine(CommandOptions options) {
+    const WalkCase walk_case = walking::read_walk_case(options.file, options.overrides);
+    options.choose_folder();
+    const std::string resolved = walking::write_walk_case(walk_case);
+    Walk walk;
+    options.fill({{resolved_case_name, "summary.json", "report.html", "windows.csv", "motion.csv",
+                   "animation/machine.pvd"}},
+                 [&] {
+                     options.write(resolved_case_name, resolved);
+                     walk = walking::walk(walk_case, report_recording);
+                     options.write("summary.json",
+                                   walking::walk_summary(walk_case, resolved, walk));
+                     options.write("windows.csv", walking::windows_csv(walk_case, walk));
+                     options.write("motion.csv", walking::motion_csv(walk_case, walk));
+                     write_animation(options.output, walk_case, walk);
+                     if (options.report) write_page(options, walk_case, walk);
+                 });
+    if (!options.quiet) std::cout << walking::walk_text(walk_case, walk);
+    options.say(options.where());
 }
 
 }  // namespace
 
-void walk_command(const WalkOptions& options) {
-    const WalkCase walk_case = walking::read_walk_case(options.case_file, options.overrides);
-    const std::string output = io::output_folder(options.output, options.case_file);
-    const std::string resolved = walking::write_walk_case(walk_case);
-    io::OutputFolder folder(output, {{resolved_case_name, "summary.json", "report.html",
-                                      "windows.csv", "motion.csv", "animation/machine.pvd"}});
-    Walk walk;
-    folder.fill([&] {
-        io::write_file(output + "/" + resolved_case_name, resolved);
-        walk = walking::walk(walk_case, report_recording);
-        io::write_file(output + "/summary.json", walking::walk_summary(walk_case, resolved, walk));
-        io::write_file(output + "/windows.csv", walking::windows_csv(walk_case, walk));
-        io::write_file(output + "/motion.csv", walking::motion_csv(walk_case, walk));
-        write_animation(output, walk_case, walk);
-        if (options.report) write_report(output, walk_case, walk);
-    });
-    if (options.quiet) return;
-    std::cout << walking::walk_text(walk_case, walk);
-    std::cerr << "results in " << output << (options.report ? " (open report.html)" : "") << '\n';
+Command walk_command() {
+    return Declared<CommandOptions>("walk", "Run a micro-walking machine and judge its motion",
+                                    walk_machine)
+        .on_case()
+        .output("Folder (results/<case>)")
+        .quiet("No table, no closing line")
+        .no_report();
 }
 
 }  // namespace tricontact::app

@@ -1,83 +1,218 @@
-#include <algorithm>
-#include <utility>
+#include <fmt/format.h>
 
-#include "app/studies/point_runs.h"
-#include "app/studies/study_run.h"
-#include "app/studies/sweep_points.h"
-#include "app/studies/sweep_report.h"
-#include "app/studies/sweep_table.h"
-#include "comparisons/quantities/results.h"
-#include "comparisons/run/sweep_document.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/case_run.h"
+#include "app/roll_models.h"
+#include "app/studies/point_key.h"
+#include "app/studies/study_combinations.h"
+#include "app/studies/study_kind.h"
 #include "contact/error.h"
+#include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "io/results/atomic_file.h"
+#include "report/format.h"
 
 namespace tricontact::app {
 
 namespace {
 
-void check_files(const std::vector<SweepPoint>& points) {
-    for (const SweepPoint& point : points)
-        if (point.output.vtk == contact::Case::VtkOutput::none)
-            throw contact::InputError(
-                "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
-                "\"quarters\" "
-                "in the case or in [set], or omit --vtk");
+using contact::Case;
+using io::Study;
+using json = nlohmann::ordered_json;
+
+std::string metres_text(double value) {
+    return fmt::format("\"{} m\"", value);
 }
 
-class ContactStudy : public StudyRun {
+/// The resolution of a model on level k, as overrides; see RefinementPlan, which does the same.
+std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
+    const double factor = std::pow(2., k / 2.);
+    if (model == "mdr-layer")
+        throw contact::InputError(
+            "levels: mdr-layer chooses its elements by itself; omit levels, or leave it out");
+    if (model == "mdr") return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
+    if (model.starts_with("bem"))
+        return {c.bem.spacing
+                    ? "bem.spacing=" + metres_text(*c.bem.spacing / factor)
+                    : fmt::format("bem.cells_per_radius={}", *c.bem.cells_per_radius * factor)};
+    if (!c.fem.size)
+        throw contact::InputError(
+            "levels: fem is refined from fem.size, which is not given; give it, or omit levels");
+    constexpr double least_growth = 1.05;  // that a case file may ask for
+    const double growth = std::max(std::pow(c.fem.growth, 1 / factor), least_growth);
+    return {"fem.size=" + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
+}
+
+std::string key_of(const Case& c) {
+    Case content = c;
+    content.fem.cache.clear();  // where things are kept changes no number
+    return point_key(io::write_case(content) + file_digests(content));
+}
+
+io::Entry models_entry(const std::string& model) {
+    return {.path = "models",
+            .value = std::vector<std::string>{model},
+            .place = "models",
+            .key_place = "models"};
+}
+
+void check_models(const Study& study) {
+    for (const std::string& name : study.models)
+        if (std::none_of(known_models().begin(), known_models().end(),
+                         [&](const auto& known) { return known.name == name; }))
+            throw contact::InputError(
+                fmt::format("{}: models: this program was built without the model {}; name others",
+                            study.name, name));
+}
+
+StudyPoint point_of(const Study& study, const Combination& combination, const std::string& model,
+                    int level) {
+    try {
+        std::vector<io::Entry> entries = combination.entries;
+        entries.push_back(models_entry(model));
+        StudyPoint point =
+            make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
+        refuse_rolling_on(point.contact(), study.base.name);
+        point.values = combination.values;
+        return point;
+    } catch (const contact::InputError& error) {
+        const std::string values = text_of(study, combination);
+        throw contact::InputError(fmt::format("{}: point {}{}{}, level {}: {}", study.name, values,
+                                              values.empty() ? "" : ", ", model, level,
+                                              error.what()));
+    }
+}
+
+std::string folder_of(const StudyPoint& point) {
+    return "points/" + point.key;
+}
+
+contact::History history_with_files(const StudyPoint& point, const std::string& folder) {
+    Case c = point.contact();
+    c.output = point.output;
+    const std::string text = io::write_case(c);
+    RunOptions options;
+    options.output = folder + '/' + folder_of(point);
+    options.quiet = true;
+    io::make_output_folder(options.output);
+    options.write(resolved_case_name, text);
+    return run_model(point.model, c, text, options);
+}
+
+comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStore& store,
+                                   const std::string& folder) {
+    comparisons::Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
+    for (const std::string& value : point.values) result.values.push_back(cell_of(value));
+    const auto outcome = store.find(point.key);
+    if (outcome && outcome->results) result.results = results_of(*outcome);
+    if (const auto why = failure_of(outcome); !why.empty()) result.error = why;
+    if (std::filesystem::exists(folder + '/' + surface_file(point)))
+        result.surface = surface_file(point);
+    return result;
+}
+
+/// Every point by every model.
+class ContactKind : public StudyKind {
   public:
-    ContactStudy(io::Study study, const Shard& shard, const SweepOptions& options)
-        : study_(std::move(study)), options_(options), points_(sweep_points(study_)) {
-        std::erase_if(points_, [&](const SweepPoint& point) { return !shard.has(point.key); });
-        if (options.vtk) check_files(points_);
+    StudyPoints points(const Study& study) const override {
+        check_models(study);
+        const std::size_t n_each = study.models.size() * static_cast<std::size_t>(study.levels);
+        StudyPoints points;
+        for_each_combination(study, n_each, [&](const Combination& combination) {
+            for (const std::string& model : study.models)
+                for (int level = 0; level < study.levels; ++level)
+                    points.push_back(point_of(study, combination, model, level));
+        });
+        return points;
     }
 
-    std::vector<std::string> keys() const override {
-        std::vector<std::string> keys;
-        for (const SweepPoint& point : points_) keys.push_back(point.key);
-        return keys;
+    void require_files(const StudyPoints& points) const override {
+        for (const StudyPoint& point : points)
+            if (point.output.vtk == Case::VtkOutput::none)
+                throw contact::InputError(
+                    "--vtk: output.vtk = \"none\" leaves nothing to write; set output.vtk = "
+                    "\"quarters\" in the case or in [set], or omit --vtk");
     }
 
-    void compute(io::ResultStore& store, const std::string& folder) override {
-        compute_missing(points_, store,
-                        {.name = "sweep",
-                         .jobs = options_.jobs,
-                         .retry_failed = options_.retry_failed,
-                         .quiet = options_.quiet,
-                         .folder = options_.vtk ? folder : "",
-                         .attend = options_.attend});
+    std::vector<Places> lots(const StudyPoints&, const Places& open) const override {
+        std::vector<Places> lots;
+        for (const std::size_t i : open) lots.push_back({i});
+        return lots;
     }
 
-    std::string table(const io::ResultStore& store) const override {
-        std::vector<std::string> headings;
-        for (const auto& axis : study_.axes) headings.push_back(io::table_heading(*axis.key));
-        headings.insert(headings.end(), {"model", "level"});
-        std::vector<TableRow> rows;
-        for (const SweepPoint& point : points_) {
-            TableRow& row = rows.emplace_back(point.values, point.key);
-            row.fields.insert(row.fields.end(), {point.model, std::to_string(point.level)});
-        }
+    std::string compute(const StudyPoints& points, const Places& lot,
+                        const std::string& folder) const override {
+        const StudyPoint& point = points[lot.front()];
+        const contact::History history =
+            folder.empty() ? history_of(point.model, point.contact(), 1, [](const std::string&) {})
+                           : history_with_files(point, folder);
+        return json{{"results", comparisons::stored_results({point.contact(), history})},
+                    {"cpu_s", history.cpu_s},
+                    {"wall_s", history.wall_s}}
+            .dump();
+    }
+
+    std::string memory_remedy() const override {
+        return "use fewer --jobs or a coarser resolution";
+    }
+
+    std::vector<std::string> result_names() const override {
         std::vector<std::string> names;
         for (const auto* quantity : comparisons::column_quantities())
             names.emplace_back(quantity->key);
-        return sweep_table(headings, names, rows, store);
+        return names;
     }
 
-    report::Document report(const io::ResultStore& store,
+    report::Document report(const Study& study, const StudyPoints& points,
+                            const io::ResultStore& store,
                             const std::string& folder) const override {
-        return comparisons::sweep_document(sweep_of(study_, points_, store, folder));
+        comparisons::Sweep sweep{.title = {},
+                                 .settings = {{"case", study.base.name},
+                                              {"models", report::display_names(study.models)}},
+                                 .levels = study.levels,
+                                 .axes = {},
+                                 .points = {}};
+        if (study.levels > 1) sweep.settings.emplace_back("levels", std::to_string(study.levels));
+        describe(study, sweep);
+        for (const StudyPoint& point : points)
+            sweep.points.push_back(reported(point, store, folder));
+        return comparisons::sweep_document(sweep);
     }
-
-  private:
-    io::Study study_;
-    SweepOptions options_;
-    std::vector<SweepPoint> points_;
 };
 
 }  // namespace
 
-std::unique_ptr<StudyRun> contact_study(io::Study study, const Shard& shard,
-                                        const SweepOptions& options) {
-    return std::make_unique<ContactStudy>(std::move(study), shard, options);
+const StudyKind& contact_kind() {
+    static const ContactKind kind;
+    return kind;
+}
+
+StudyPoint make_point(const Case& c, const std::string& model, int level, const std::string& name) {
+    Case of_point = c;
+    of_point.title.clear();
+    of_point.models = {model};
+    of_point.output = {
+        .vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none, .volume_depth = {}};
+    if (level > 0)
+        of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
+    return {.model = model,
+            .level = level,
+            .c = of_point,
+            .output = c.output,
+            .resolved = io::write_case(of_point),
+            .key = key_of(of_point)};
+}
+
+std::string surface_file(const StudyPoint& point) {
+    return folder_of(point) + '/' + point.model + "/surface.pvd";
+}
+
+comparisons::Results results_of(const io::PointOutcome& outcome) {
+    return comparisons::read_stored_results(json::parse(*outcome.results));
 }
 
 }  // namespace tricontact::app

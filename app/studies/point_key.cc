@@ -1,9 +1,7 @@
 #include "app/studies/point_key.h"
 
 #include <array>
-#include <cstdint>
-#include <cstdlib>
-#include <string_view>
+#include <string>
 
 #include "app/numerics.h"
 #include "contact/error.h"
@@ -43,11 +41,6 @@ std::string file_digests(const contact::Case& c) {
     for (const auto* name : {&c.indenter.file, &c.bem.influence, &c.fem.mesh})
         if (*name) digests += digest_of_file(**name) + '\n';
     return digests;
-}
-
-bool Shard::has(const std::string& key) const {
-    const std::uint64_t front = std::strtoull(key.substr(0, 16).c_str(), nullptr, 16);
-    return front % static_cast<std::uint64_t>(n) == static_cast<std::uint64_t>(i - 1);
 }
 
 }  // namespace tricontact::app

@@ -18,12 +18,4 @@ std::string point_key(const std::string& resolved);
 /// one cannot be read.
 std::string file_digests(const contact::Case& c);
 
-/// Shard i of n, from 1, of a study's points.
-struct Shard {
-    int i = 1, n = 1;
-
-    /// By the point's key, so that a study that is extended keeps its shards.
-    bool has(const std::string& key) const;
-};
-
 }  // namespace tricontact::app

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
-#include "app/studies/sweep_points.h"
+#include "app/studies/study_kind.h"
 #include "io/results/result_store.h"
 
 namespace tricontact::app {
@@ -25,13 +23,9 @@ struct PointRuns {
 io::ResultStore open_results(const std::string& folder);
 
 /// Computes the points that the store has not yet, or whose files are asked for and not there, in
-/// processes side by side, each stored as it ends; prints how far it is. The BLAS of the processes
-/// has one thread each. Throws contact::InputError if the store cannot
-/// be written.
-void compute_missing(const std::vector<SweepPoint>& points, io::ResultStore& store,
+/// processes side by side, each lot stored as it ends; prints how far it is. The BLAS of the
+/// processes has one thread each. Throws contact::InputError if the store cannot be written.
+void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
                      const PointRuns& runs);
-
-/// How many of the points with these keys have failed, or have not been computed.
-std::size_t n_without_result(const std::vector<std::string>& keys, const io::ResultStore& store);
 
 }  // namespace tricontact::app

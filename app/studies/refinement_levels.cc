@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/commands/commands.h"
+#include "app/roll_models.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"
@@ -55,21 +55,21 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
         throw contact::InputError(
             fmt::format("{}: fem.mesh = {}: a mesh from a file cannot be refined; give fem.size or "
                         "fem.accuracy instead",
-                        options.case_file, *c.fem.mesh));
+                        options.file, *c.fem.mesh));
     return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
 }
 
 Start read_start(const RefineOptions& options, const Say& say) {
-    const Case all = io::read_case(options.case_file, options.overrides);
-    refuse_rolling_on(all, options.case_file);
+    const Case all = io::read_case(options.file, options.overrides);
+    refuse_rolling_on(all, options.file);
     if (std::find(all.models.begin(), all.models.end(), options.model) == all.models.end())
         throw contact::InputError(fmt::format(
             "{}: models: {} is not among the models of the case; add it, or name another with "
             "--model",
-            options.case_file, options.model));
+            options.file, options.model));
     Overrides overrides = options.overrides;
     std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
-    const Case c = io::read_case(options.case_file, overrides, {options.model});
+    const Case c = io::read_case(options.file, overrides, {options.model});
     return {c, start_size(c, options, say)};
 }
 
@@ -117,12 +117,10 @@ RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
         const double size = start.size * std::pow(2., -k / 2.);
         plan.levels.push_back(make_level(start.c, fmt::format("level_{}", k),
                                          fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size), size,
-                                         resolution(start.c, plan.key, size, k),
-                                         options.case_file));
+                                         resolution(start.c, plan.key, size, k), options.file));
     }
     if (options.model == "fem")
-        plan.wide =
-            wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.case_file, say);
+        plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.file, say);
     return plan;
 }
 

@@ -9,7 +9,10 @@
 
 namespace tricontact::app {
 
-struct RefineOptions;
+struct RefineOptions : CommandOptions {
+    std::string model = "fem";  ///< or "bem"
+    int levels = 3;             ///< 3 to 8
+};
 
 /// One level of a refinement: a case of its own.
 struct Level {

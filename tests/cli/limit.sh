@@ -40,7 +40,7 @@ says "first ratcheting" load/report.html
 expect 0 "$case_file" --vary amplitude --models mdr --set load.tangential_ratio=0.3013255 \
     "${coarse[@]}" --output amplitude
 brackets mdr 0.51 amplitude/limit.csv
-says "results in amplitude" err
+says "report: amplitude/report.html" err
 
 # 3. Bad input, nothing written.
 static=static.toml

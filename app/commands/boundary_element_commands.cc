@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include "app/commands/command.h"
+#include "app/roll_models.h"
+#include "bem/case_compliance.h"
+#include "bem/contact_program_influence.h"
+#include "bem/influence_file.h"
+#include "contact/error.h"
+#include "io/case/case_reader.h"
+#include "io/contact_program/sequence.h"
+#include "io/contact_program/sequence_text.h"
+#include "io/results/atomic_file.h"
+#include "io/results/output_target.h"
+
+namespace tricontact::app {
+
+namespace {
+
+struct BoundaryElementOptions : CommandOptions {
+    std::string model;  ///< "bem" or "bem-layer"; empty: the only one of these of the case
+};
+
+/// A case and which of its boundary element models is meant.
+struct BoundaryElementCase {
+    contact::Case c;
+    std::string model;
+
+    bem::Body body() const {
+        return model == "bem-layer" ? bem::Body::layer : bem::Body::half_space;
+    }
+};
+
+std::string only_model_of(const contact::Case& c) {
+    std::string found;
+    for (const auto& model : c.models) {
+        if (model != "bem" && model != "bem-layer") continue;
+        if (!found.empty())
+            throw contact::InputError(
+                "the case names both bem and bem-layer; choose one by --model");
+        found = model;
+    }
+    if (found.empty())
+        throw contact::InputError(
+            "models: no boundary elements, which this needs, are among them; choose bem or "
+            "bem-layer by --model");
+    return found;
+}
+
+BoundaryElementCase read_boundary_elements(const BoundaryElementOptions& options) {
+    std::vector<std::string> models;
+    if (!options.model.empty()) models = {options.model};
+    const contact::Case c = io::read_case(options.file, options.overrides, models);
+    return {c, models.empty() ? only_model_of(c) : options.model};
+}
+
+/// Writes the influence coefficients (docs/influence-format.md).
+void write_influence(const BoundaryElementOptions& options) {
+    const auto read = read_boundary_elements(options);
+    io::check_output_file(options.output, bem::influence_file_title);
+    const auto table = bem::case_influence(read.c, options.threads, read.body());
+    io::write_file(options.output, bem::influence_text(table));
+    std::cout << fmt::format(
+        "model                {}\n"
+        "spacing              {:.6g} mm\n"
+        "positions            {} x {}\n"
+        "written              {}\n",
+        read.model, 1e3 * table.spacing, table.n_x, table.n_y, options.output);
+}
+
+/// The files of an export, and what is told about them.
+struct ExportedSequence {
+    std::string input;                     ///< of CONTACT
+    std::optional<std::string> influence;  ///< its numerical coefficients
+    std::size_t n_steps = 0;
+    int n_x = 0, n_y = 0;
+};
+
+ExportedSequence export_case(const BoundaryElementCase& read, int threads,
+                             const std::string& influence_name) {
+    const contact::Case& c = read.c;
+    const bem::Body body = read.body();
+    io::sequence_of(c, false);  // what cannot be said at all, before anything is computed
+    const auto compliance = bem::case_compliance(c, threads, body);
+    const contact::ContactPoints& grid = compliance->points();
+    ExportedSequence out;
+    out.n_x = grid.n_x;
+    out.n_y = grid.n_y;
+    out.n_steps = io::sequence_of(c, compliance->is_coupled()).size();
+    std::optional<std::string> name;
+    if (body == bem::Body::layer || c.bem.influence) {
+        name = influence_name;
+        out.influence = bem::contact_program_influence(bem::case_influence(c, threads, body),
+                                                       io::shear_moduli(c).combined(),
+                                                       compliance->is_coupled());
+    }
+    out.input = io::sequence_text(c, grid, compliance->is_coupled(), name);
+    return out;
+}
+
+// The case with the place of the file in what is wrong with it.
+ExportedSequence export_case(const BoundaryElementCase& read, const CommandOptions& options,
+                             const std::string& influence_name) {
+    try {
+        return export_case(read, options.threads, influence_name);
+    } catch (const contact::InputError& error) {
+        throw contact::InputError(options.file + ": " + error.what());
+    }
+}
+
+/// Writes the steps of a case as input of the program CONTACT (docs/contact-program.md).
+void export_to_contact_program(BoundaryElementOptions options) {
+    const auto read = read_boundary_elements(options);
+    refuse_rolling_on(read.c, options.file);
+    const std::string name = std::filesystem::path(options.file).stem().string();
+    const std::string influence_name = name + ".influence";
+    options.choose_folder("_contact");
+    ExportedSequence sequence;
+    options.fill({{influence_name, name + ".inp"}}, [&] {
+        sequence = export_case(read, options, influence_name);
+        if (sequence.influence) options.write(influence_name, *sequence.influence);
+        options.write(name + ".inp", sequence.input);
+    });
+    std::cout << fmt::format(
+        "model                {}\n"
+        "cases of CONTACT     {}\n"
+        "cells                {} x {}\n"
+        "written              {}/{}.inp{}\n",
+        read.model, sequence.n_steps, sequence.n_x, sequence.n_y, options.output, name,
+        sequence.influence ? ", " + influence_name : "");
+}
+
+}  // namespace
+
+Command influence_command() {
+    return Declared<BoundaryElementOptions>(
+               "influence", "Write the influence coefficients of a case to a file", write_influence)
+        .on_case()
+        .required("--output", &CommandOptions::output, "The file", "FILE")
+        .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
+              {"bem", "bem-layer"})
+        .threads();
+}
+
+Command export_command() {
+    return Declared<BoundaryElementOptions>(
+               "export", "Write a case as input of the program CONTACT", export_to_contact_program)
+        .on_case()
+        .output("Folder (results/<case>_contact)")
+        .word("--model", &BoundaryElementOptions::model, "Model (the one of the case)",
+              {"bem", "bem-layer"})
+        .threads();
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/options.h"
+
+namespace tricontact::app {
+
+/// An option or a positional argument of a command, and where its value goes.
+struct Option {
+    using Place = std::variant<bool*, int*, double*, std::string*, std::optional<double>*,
+                               std::optional<std::string>*, std::vector<std::string>*>;
+    std::string name;  ///< positional without "--"
+    Place place;
+    std::string text, type;
+    bool required = false;
+    bool flag_value = true;  ///< what a flag sets
+    std::optional<std::pair<double, double>> range = {};
+    std::vector<std::string> words = {};  ///< one of these
+    char delimiter = 0;                   ///< of a list in one argument
+};
+
+/// A subcommand of the program, its options in the order in which the help names them.
+struct Command {
+    std::string name, text;
+    std::vector<Option> options;
+    std::function<bool()> run;           ///< false if it failed
+    std::function<void()> prepare = {};  ///< called before its options are read
+};
+
+/// Declares a command with its struct of options (CommandOptions and its own), which `run` gets.
+template <class Options>
+class Declared {
+  public:
+    template <class Run>
+    Declared(const char* name, const char* text, Run run)
+        : options_(std::make_shared<Options>()), command_{name, text, {}, {}} {
+        command_.run = [options = options_, run]() -> bool {
+            if constexpr (std::is_same_v<decltype(run(*options)), bool>)
+                return run(*options);
+            else
+                return run(*options), true;
+        };
+    }
+    operator Command() const { return command_; }
+
+    template <class T, class Base>
+    Declared& option(const char* name, T Base::*place, const char* text, const char* type = "") {
+        command_.options.push_back({name, &((*options_).*place), text, type});
+        return *this;
+    }
+    template <class T, class Base>
+    Declared& required(const char* name, T Base::*place, const char* text, const char* type) {
+        option(name, place, text, type);
+        command_.options.back().required = true;
+        return *this;
+    }
+    template <class T, class Base>
+    Declared& number(const char* name, T Base::*place, const char* text, double low, double high) {
+        option(name, place, text);
+        command_.options.back().range = {low, high};
+        return *this;
+    }
+    template <class Base>
+    Declared& flag(const char* name, bool Base::*place, const char* text, bool value = true) {
+        option(name, place, text);
+        command_.options.back().flag_value = value;
+        return *this;
+    }
+    /// One of some words, which stand in the help as the type.
+    template <class Base>
+    Declared& word(const char* name, std::string Base::*place, const char* text,
+                   std::vector<std::string> words) {
+        option(name, place, text);
+        command_.options.back().words = std::move(words);
+        return *this;
+    }
+
+    Declared& on_file(const char* name, const char* text, const char* type) {
+        return required(name, &CommandOptions::file, text, type);
+    }
+    /// The case file and --set.
+    Declared& on_case() {
+        return on_file("case", "Case file (TOML)", "CASE.toml")
+            .option("--set", &CommandOptions::overrides,
+                    "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");
+    }
+    Declared& output(const char* text) {
+        return option("--output", &CommandOptions::output, text, "DIR");
+    }
+    Declared& models(const char* text) {
+        option("--models", &CommandOptions::models, text, "NAME,NAME");
+        command_.options.back().delimiter = ',';
+        return *this;
+    }
+    Declared& threads() { return cores("--threads", "Threads for large grids (all cores)"); }
+    Declared& jobs() { return cores("--jobs", "Processes side by side (all cores)"); }
+    Declared& quiet(const char* text = "No progress, no closing line") {
+        return flag("--quiet", &CommandOptions::quiet, text);
+    }
+    Declared& no_report(const char* text = "Skip report.html") {
+        return flag("--no-report", &CommandOptions::report, text, false);
+    }
+
+  private:
+    Declared& cores(const char* name, const char* text) {
+        options_->threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        return number(name, &CommandOptions::threads, text, 1, 1024);
+    }
+
+    std::shared_ptr<Options> options_;
+    Command command_;
+};
+
+// The commands, each declared in a file of its own beside what it does, which throws
+// contact::InputError and contact::NotConverged; mesh, condense and cache in fem_loader.cc.
+Command run_command();
+Command check_command();
+Command mesh_command();
+Command condense_command();
+Command cache_command();
+Command refine_command();
+Command influence_command();
+Command export_command();
+Command import_command();
+Command limit_command();
+Command verify_command();
+Command walk_command();
+Command roll_command();
+Command sweep_command();
+Command experiment_command();
+Command deviation_command();
+Command fit_command();
+Command merge_command();
+Command identify_command();
+Command rig_command();
+Command keys_command();
+Command list_command();
+
+}  // namespace tricontact::app

@@ -1,0 +1,153 @@
+#include "app/studies/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "app/studies/point_runs.h"
+#include "contact/error.h"
+#include "report/csv.h"
+#include "walking/input/walk_keys.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+using report::csv_field;
+
+constexpr const char* table_name = "results.csv";
+
+/// Shard i of n, from 1, of a study's points.
+struct Shard {
+    int i = 1, n = 1;
+
+    /// By the point's key, so that a study that is extended keeps its shards.
+    bool has(const std::string& key) const {
+        const std::uint64_t front = std::strtoull(key.substr(0, 16).c_str(), nullptr, 16);
+        return front % static_cast<std::uint64_t>(n) == static_cast<std::uint64_t>(i - 1);
+    }
+};
+
+Shard shard_of(const std::string& text) {
+    constexpr int most = 100'000;
+    Shard shard;
+    if (text.empty()) return shard;
+    const char* const end = text.data() + text.size();
+    const auto i = std::from_chars(text.data(), end, shard.i);
+    const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
+    const auto n = std::from_chars(slash ? i.ptr + 1 : end, end, shard.n);
+    if (!slash || n.ec != std::errc() || n.ptr != end || shard.i < 1 || shard.n < shard.i ||
+        shard.n > most)
+        throw contact::InputError(fmt::format(
+            "--shard {}: must be i/n with 1 <= i <= n <= {}; write for example --shard 1/8", text,
+            most));
+    return shard;
+}
+
+std::string field(const json& value) {
+    if (value.is_null()) return {};
+    return value.is_string() ? csv_field(value.get<std::string>()) : value.dump();
+}
+
+/// The results as CSV: a row per point, its values under their headings, then results by name, and
+/// error. The same points give the same bytes, however they came about.
+std::string table_of(const StudyKind& kind, const io::Study& study, const StudyPoints& points,
+                     const io::ResultStore& store) {
+    const std::vector<std::string> result_names = kind.result_names();
+    std::vector<std::string> headings;
+    for (const auto& axis : study.axes) headings.push_back(io::table_heading(*axis.key));
+    if (!study.walks) headings.insert(headings.end(), {"model", "level"});
+    headings.insert(headings.end(), result_names.begin(), result_names.end());
+    headings.emplace_back("error");
+    std::string table = report::csv_line(headings);
+    for (const StudyPoint& point : points) {
+        std::vector<std::string> fields;
+        for (const std::string& value : point.values) fields.push_back(csv_field(value));
+        if (!study.walks)
+            fields.insert(fields.end(), {csv_field(point.model), std::to_string(point.level)});
+        const auto outcome = store.find(point.key);
+        json results = json::object();
+        if (outcome && outcome->results) results = json::parse(*outcome->results);
+        for (const std::string& name : result_names)
+            fields.push_back(field(results.value(name, json())));
+        fields.push_back(outcome && outcome->error ? csv_field(*outcome->error) : "");
+        table += report::csv_line(fields);
+    }
+    return table;
+}
+
+}  // namespace
+
+void sweep(SweepOptions options) {
+    const Shard shard = shard_of(options.shard);
+    const bool is_part = !options.shard.empty();
+    options.choose_folder(is_part ? fmt::format("_shard_{}_of_{}", shard.i, shard.n) : "");
+    const io::Study study = io::read_study(options.file, walking::walk_key_list());
+    const StudyKind& kind = study.walks ? walking_kind() : contact_kind();
+    StudyPoints points = kind.points(study);
+    std::erase_if(points, [&](const StudyPoint& point) { return !shard.has(point.key); });
+    if (options.vtk) kind.require_files(points);
+
+    io::OutputNames names{{table_name, "report.html", map_page_name}, io::result_store_files()};
+    names.kept.push_back("points/");
+    std::ptrdiff_t n_failed = 0;
+    options.fill(names, [&] {
+        io::ResultStore store = open_results(options.output);
+        compute_missing(kind, points, store,
+                        {.name = "sweep",
+                         .jobs = options.threads,
+                         .retry_failed = options.retry_failed,
+                         .quiet = options.quiet,
+                         .folder = options.vtk ? options.output : "",
+                         .attend = options.attend});
+        options.write(table_name, table_of(kind, study, points, store));
+        if (options.report) {
+            report::Document document = kind.report(study, points, store, options.output);
+            if (is_part) document.settings.emplace_back("shard", options.shard);
+            document.files.insert(document.files.end(), {{"table of all points", table_name},
+                                                         {"everything that is stored, for SQLite",
+                                                          io::result_store_name}});
+            options.write_report(document, "tricontact sweep " + study.name +
+                                               (is_part ? " --shard " + options.shard : ""));
+        }
+        n_failed = std::ranges::count_if(
+            points, [&](const auto& point) { return !failure_of(store.find(point.key)).empty(); });
+    });
+    const std::string table = options.output + '/' + table_name;
+    options.say(fmt::format("{} points in {}", points.size(), table) +
+                (options.report ? "; " + options.where() : ""));
+    if (n_failed > 0)
+        throw std::runtime_error(
+            fmt::format("{} of {} points failed: their errors stand in {}; --retry-failed computes "
+                        "them again",
+                        n_failed, points.size(), table));
+}
+
+report::Cell cell_of(const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) return number;
+    return text;
+}
+
+comparisons::Sweep::Axis axis_of(const io::Study::Axis& axis) {
+    const auto* range = std::get_if<io::Study::Range>(&axis.values);
+    const io::Dimension dimension = axis.key->dimension;
+    const bool has_unit = dimension != io::Dimension::none;
+    return {.key = std::string(axis.key->path),
+            .unit = std::string(has_unit ? io::si_unit(dimension) : ""),
+            .logarithmic = range && range->logarithmic};
+}
+
+std::string failure_of(const std::optional<io::PointOutcome>& outcome) {
+    return outcome ? outcome->error.value_or("") : "not computed";
+}
+
+}  // namespace tricontact::app
