@@ -6,8 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/loading_study.h"
-#include "app/relaxation_study.h"
+#include "app/further_runs.h"
 #include "app/studies/point_key.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/summary.h"

@@ -38,11 +38,6 @@ struct FemEntries {
     bool (*is_further_process)();
 };
 
-// Of the module, in commands/.
-void write_mesh_of(const CommandOptions& options);
-void condense_layer(const CondenseOptions& options);
-void list_or_clear_cache(const CacheOptions& options);
-
 /// The module's only symbol.
 inline constexpr const char* fem_entries_symbol = "tricontact_fem_entries";
 using FemEntriesFunction = const FemEntries*();

@@ -1,6 +1,236 @@
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
 #include "app/fem_entries.h"
+#include "contact/error.h"
 #include "fem/distributed/layer.h"
+#include "fem/layer_cache.h"
+#include "fem/layer_folder.h"
 #include "fem/model.h"
+#include "fem/workshop.h"
+#include "files/partial_file.h"
+#include "files/version.h"
+#include "io/case/case_reader.h"
+#include "io/results/atomic_file.h"
+#include "io/results/mesh_vtu.h"
+#include "io/results/output_folder.h"
+#include "meshes/mesh_file.h"
+#include "meshes/mesh_quality.h"
+
+namespace tricontact::app {
+
+namespace {
+
+/// Enumerators as the indices that a mesh view holds.
+template <class T, class Get>
+std::vector<std::uint8_t> indices(const std::vector<T>& items, Get get) {
+    std::vector<std::uint8_t> result;
+    for (const T& item : items) result.push_back(static_cast<std::uint8_t>(get(item)));
+    return result;
+}
+
+void write_view(const meshes::HexMesh& mesh, const std::string& path,
+                const std::string& command_line) {
+    std::vector<std::array<int, 4>> faces;
+    for (const auto& face : mesh.faces) faces.push_back(face.nodes);
+    const auto regions = indices(mesh.regions, [](meshes::Region region) { return region; });
+    const auto boundaries =
+        indices(mesh.faces, [](const meshes::HexMesh::Face& face) { return face.boundary; });
+    io::MeshView view{.points = mesh.nodes,
+                      .hexes = mesh.hexes,
+                      .regions = regions,
+                      .faces = faces,
+                      .boundaries = boundaries,
+                      .region_names = {},
+                      .boundary_names = {}};
+    for (int k = 0; k < meshes::n_regions; ++k)
+        view.region_names.emplace_back(name_of(static_cast<meshes::Region>(k)));
+    for (int k = 0; k < meshes::n_boundaries; ++k)
+        view.boundary_names.emplace_back(name_of(static_cast<meshes::Boundary>(k)));
+    io::write_mesh_vtu(path, view, {files::version, command_line});
+}
+
+void print_quality(const meshes::HexMesh& mesh) {
+    const meshes::MeshQuality q = meshes::quality(mesh);
+    std::cout << fmt::format(
+        "hexahedra            {}\n"
+        "nodes                {}\n"
+        "contact faces        {}\n"
+        "element at contact   {:.6g} mm\n"
+        "block                {:.6g} x {:.6g} x {:.6g} mm{}\n"
+        "least Jacobian       {:.4g} (1: a box)\n"
+        "aspect ratio         {:.4g} at worst\n",
+        q.n_hexes, q.n_nodes, q.n_contact_faces, 1e3 * q.contact_size, 1e3 * (q.high[0] - q.low[0]),
+        1e3 * (q.high[1] - q.low[1]), 1e3 * (q.high[2] - q.low[2]),
+        mesh.has_symmetry() ? " (half, plane of symmetry y = 0)" : "", q.least_jacobian,
+        q.largest_aspect_ratio);
+}
+
+// `geometry` stays empty where the mesh is the user's.
+void make_mesh(const contact::Case& c, meshes::HexMesh& mesh, std::string& geometry) {
+    const fem::Say say = [](const std::string& line) { std::cerr << line << '\n'; };
+    if (c.fem.mesh) {
+        mesh = fem::make_mesh(c, say);
+        return;
+    }
+    const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say);
+    mesh = make_layer_mesh(spec);
+    geometry = layer_geometry(spec);
+}
+
+void say(const std::string& line) {
+    std::cerr << "fem: " << line << '\n';
+}
+
+/// A case's layer on its way into the cache.
+class Order {
+  public:
+    explicit Order(const CondenseOptions& options)
+        : case_(io::read_case(options.file, options.overrides)), cache_(case_.fem.cache) {
+        if (cache_.folder().empty())
+            throw contact::InputError(
+                "fem.cache: condense keeps the layer for later runs, but nothing is to be kept; "
+                "name a folder");
+    }
+
+    /// Empty when the layer is there already.
+    std::optional<fem::LayerProblem> problem() {
+        const fem::Say raw = [](const std::string& line) { std::cerr << line << '\n'; };
+        auto problem = fem::problem_of(case_, fem::make_mesh(case_, raw));
+        key_ = fem::LayerCache::key(problem);
+        n_elements_ = problem.mesh.hexes.size();
+        std::string why;
+        if (const auto layer = cache_.load(key_, &why)) {
+            say(fmt::format("condensed layer is there already: {} ({} contact nodes)",
+                            cache_.path_of(key_), layer->points.size()));
+            return std::nullopt;
+        }
+        if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
+        return problem;
+    }
+
+    void keep(const fem::CondensedLayer& layer) const {
+        std::string why;
+        if (!cache_.store(key_, layer, &why))
+            throw std::runtime_error("condensed layer not kept: " + why);
+        const auto taken = std::chrono::steady_clock::now() - start_;
+        say(
+            fmt::format("layer of {} elements condensed to {} contact nodes in {:.1f} s, kept in "
+                        "{}",
+                        n_elements_, layer.points.size(),
+                        std::chrono::duration<double>(taken).count(), cache_.path_of(key_)));
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    contact::Case case_;
+    fem::LayerCache cache_;
+    std::string key_;
+    std::size_t n_elements_ = 0;
+};
+
+void condense_alone(const CondenseOptions& options) {
+    Order order(options);
+    if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
+}
+
+/// The first rank reads, prints and writes; all condense.
+void condense_together(const CondenseOptions& options, const fem::distributed::Session& session) {
+    std::optional<Order> order;
+    std::optional<fem::LayerProblem> problem;
+    session.agree_on_first([&] {
+        order.emplace(options);
+        problem = order->problem();
+    });
+    bool is_needed = problem.has_value();
+    session.share(&is_needed, sizeof(is_needed));
+    if (!is_needed) return;
+    problem = fem::distributed::share(std::move(problem).value_or(fem::LayerProblem{}), session);
+    const auto layer = fem::distributed::condense(*problem, session, say);
+    session.agree_on_first([&] { order->keep(layer); });
+}
+
+namespace fs = std::filesystem;
+
+std::string summary_of(const std::vector<fem::KeptLayer>& layers) {
+    return fmt::format("{} condensed layer{}, {}", layers.size(), layers.size() == 1 ? "" : "s",
+                       fem::size_text(fem::bytes_of(layers)));
+}
+
+std::string line_of(const fem::KeptLayer& layer) {
+    return fmt::format("{:>8}  {:%Y-%m-%d %H:%M}  {}\n", fem::size_text(layer.bytes),
+                       fmt::localtime(layer.used.tv_sec), fs::path(layer.path).stem().string());
+}
+
+void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers) {
+    for (const fem::KeptLayer& layer : layers) {
+        std::error_code error;
+        fs::remove(layer.path, error);
+        if (error)
+            throw contact::InputError(fmt::format(
+                "{}: cannot be removed ({}); check the permissions", layer.path, error.message()));
+    }
+    std::cout << fmt::format("{}: removed {}\n", folder, summary_of(layers));
+}
+
+void write_mesh_of(const CommandOptions& options) {
+    const contact::Case c = io::read_case(options.file, options.overrides);
+    const std::string output = io::output_folder(options.output, options.file);
+    io::OutputFolder folder(output, {{"mesh.msh", "mesh.geo", "mesh.vtu"}});
+    std::string geometry;
+    meshes::HexMesh mesh;
+    folder.fill([&] {
+        make_mesh(c, mesh, geometry);
+        write_mesh(mesh, output + "/mesh.msh");
+        if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
+        write_view(mesh, output + "/mesh.vtu",
+                   "tricontact mesh " + std::filesystem::path(options.file).filename().string());
+    });
+    print_quality(mesh);
+    std::cout << "written              " << output << "/mesh.msh, mesh.vtu"
+              << (geometry.empty() ? "" : ", mesh.geo") << '\n';
+}
+
+void condense_layer(const CondenseOptions& options) {
+    if (!options.distributed && !fem::distributed::started_by_launcher())
+        return condense_alone(options);
+    std::exception_ptr failure;
+    {
+        const fem::distributed::Session session;
+        try {
+            session.together([&] { condense_together(options, session); });
+        } catch (...) {
+            failure = std::current_exception();  // MPI is to end before this goes on
+        }
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+void list_or_clear_cache(const CacheOptions& options) {
+    const std::string folder = fem::LayerCache(options.folder).folder();
+    if (folder.empty())
+        throw contact::InputError(
+            "cache: layers are kept nowhere (neither XDG_CACHE_HOME nor HOME is set, or the folder "
+            "is \"none\"); name one by --folder");
+    files::remove_left_partial_files(folder);
+    const std::vector<fem::KeptLayer> layers = fem::kept_layers(folder);
+    if (options.clear) return clear(folder, layers);
+    std::cout << fmt::format("{}: {}, at most {} (TRICONTACT_CACHE_LIMIT)\n", folder,
+                             summary_of(layers), fem::size_text(fem::cache_limit()));
+    for (const fem::KeptLayer& layer : layers) std::cout << line_of(layer);
+}
+
+}  // namespace
+
+}  // namespace tricontact::app
 
 extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     using namespace tricontact;

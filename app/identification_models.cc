@@ -8,7 +8,6 @@
 #include <optional>
 #include <variant>
 
-#include "app/measured_values.h"
 #include "app/models.h"
 #include "contact/error.h"
 #include "report/lazy_table.h"

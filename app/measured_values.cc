@@ -1,8 +1,7 @@
-#include "app/measured_values.h"
-
 #include <algorithm>
 
 #include "app/case_run.h"
+#include "app/identification_models.h"
 #include "app/models.h"
 #include "comparisons/half_space/layer.h"
 #include "contact/load_path.h"

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/studies/point_runs.h"
+#include "app/studies/study_kind.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "contact/error.h"
 #include "files/version.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "app/commands/command.h"
-#include "app/studies/point_runs.h"
+#include "app/studies/study_kind.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/line_fit_document.h"
 #include "comparisons/shakedown/study_fit.h"

@@ -7,7 +7,6 @@
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "app/measured_values.h"
 #include "contact/error.h"
 #include "experiments/identification/identification_reader.h"
 #include "experiments/identification/identification_report.h"

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/studies/point_runs.h"
+#include "app/studies/study_kind.h"
 #include "app/studies/sweep.h"
 #include "contact/error.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/commands/command.h"
 #include "app/models.h"
-#include "app/verification/verification_problems.h"
+#include "app/verification/verification_rows.h"
 #include "files/version.h"
 
 namespace tricontact::app {

@@ -1,5 +1,3 @@
-#include "app/studies/point_runs.h"
-
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -11,6 +9,7 @@
 #include <numeric>
 #include <set>
 
+#include "app/studies/study_kind.h"
 #include "app/studies/worker_pool.h"
 #include "files/version.h"
 #include "io/results/progress.h"

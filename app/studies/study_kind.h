@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -75,6 +76,26 @@ comparisons::Results results_of(const io::PointOutcome& outcome);
 
 /// Name of the page that the report of walking machines over two axes has beside it.
 inline constexpr const char* map_page_name = "map.html";
+
+/// How points are computed.
+struct PointRuns {
+    std::string name;           ///< of the command, before its progress
+    int jobs = 1;               ///< processes side by side
+    bool retry_failed = false;  ///< points whose failure the store has
+    bool quiet = false;         ///< no progress
+    std::string folder = {};    ///< of the sweep, if points write files of their own (ParaView)
+    std::function<void()> attend = {};  ///< called while points are computed; may throw
+};
+
+/// The store in the folder of a sweep, for writing; says on standard error if rows of it were
+/// damaged and are computed again. Throws contact::InputError.
+io::ResultStore open_results(const std::string& folder);
+
+/// Computes the points that the store has not yet, or whose files are asked for and not there, in
+/// processes side by side, each lot stored as it ends; prints how far it is. The BLAS of the
+/// processes has one thread each. Throws contact::InputError if the store cannot be written.
+void compute_missing(const StudyKind& kind, const StudyPoints& points, io::ResultStore& store,
+                     const PointRuns& runs);
 
 // For reports.
 

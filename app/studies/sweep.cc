@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "app/studies/point_runs.h"
+#include "app/studies/study_kind.h"
 #include "contact/error.h"
 #include "report/csv.h"
 #include "walking/input/walk_keys.h"

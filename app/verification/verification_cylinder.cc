@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
 #include "contact/bodies/line_contact_scales.h"
 #include "theory/line_contact.h"
@@ -101,15 +100,14 @@ void verify_fem_line(const Say& say, Verification& all) {
 
 void verify_cylinder(bool brief, const Say& say, Verification& all) {
     const double cells = brief ? 10 : 40, coarser = brief ? 8 : 1;
-    const SetLevel set_cells = [&](Case& c, int factor) {
-        c.bem.cells_per_radius = cells * factor;
+    const auto run = [&](const char* model, const Case& c) {
+        return run_levels(model, c, cells_in_radius(cells), cell_in_radius, say);
     };
-    const Size size = [](const Case& c) { return 1 / *c.bem.cells_per_radius; };
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
     const Case c = line_layer_case();
-    add_half_space(run_levels("bem", cylinder_case(), set_cells, size, say), allowed, all);
-    add_layer(run_levels("bem-layer", c, set_cells, size, say), c, allowed, all);
+    add_half_space(run("bem", cylinder_case()), allowed, all);
+    add_layer(run("bem-layer", c), c, allowed, all);
 }
 
 }  // namespace tricontact::app

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -133,22 +132,20 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
 void verify_half_space(bool brief, const Say& say, Verification& all) {
     verify_mdr(brief, say, all);
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1;
-    const SetLevel set_cells = [&](Case& c, int factor) {
-        c.bem.cells_per_radius = cells * factor;
-    };
-    const Size size = [](const Case& c) { return 1 / *c.bem.cells_per_radius; };
+    const SetLevel set_cells = cells_in_radius(cells);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
-    add_closed_forms(run_levels("bem", rolling_case(amplitude, force), set_cells, size, say),
-                     {{5e-4 * coarser, allowed.order},
-                      allowed,
-                      allowed,
-                      allowed,
-                      allowed,
-                      {.02 * coarser},
-                      allowed},
-                     all);
-    add_cycle("bem", set_cells, size, {2e-3 * coarser, allowed.order}, say, all);
+    add_closed_forms(
+        run_levels("bem", rolling_case(amplitude, force), set_cells, cell_in_radius, say),
+        {{5e-4 * coarser, allowed.order},
+         allowed,
+         allowed,
+         allowed,
+         allowed,
+         {.02 * coarser},
+         allowed},
+        all);
+    add_cycle("bem", set_cells, cell_in_radius, {2e-3 * coarser, allowed.order}, say, all);
 }
 
 }  // namespace tricontact::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/run/peer_shifts.h"

@@ -2,7 +2,6 @@
 
 #include <numbers>
 
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
 #include "comparisons/run/peer_shifts.h"
 

@@ -1,8 +1,14 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
+#include "contact/run.h"
+#include "contact/solvers/subsurface.h"
+#include "theory/axisymmetric_interior.h"
 #include "theory/friction_pressing.h"
 
 namespace tricontact::app {
@@ -40,13 +46,11 @@ std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
 void add_pressing(VerificationRow row, const Case& base, int cells, int steps, const Say& say,
                   Verification& all, double (*value)(const Case&, const std::vector<StepRecord>&)) {
     row.model = "bem";
-    for (const int factor : {1, 2, 4}) {
+    add_row(std::move(row), all, [&](int factor) -> LevelValue {
         Case c = base;
-        c.bem.cells_per_radius = cells * factor;
-        row.sizes.push_back(1 / *c.bem.cells_per_radius);
-        row.values.push_back(value(c, press(c, steps * factor, say)));
-    }
-    all.rows.push_back(std::move(row));
+        cells_in_radius(cells)(c, factor);
+        return {cell_in_radius(c), value(c, press(c, steps * factor, say))};
+    });
 }
 
 double stick_ratio(const Case&, const std::vector<StepRecord>& records) {
@@ -59,6 +63,43 @@ double stiffness_ratio(const Case& c, const std::vector<StepRecord>& records) {
     const double a = std::sqrt((last.contact_area + before.contact_area) / 2 / std::numbers::pi);
     return (last.normal_force - before.normal_force) / (last.indentation - before.indentation) /
            (4 * c.substrate.shear_modulus() * a);
+}
+
+constexpr double ratio = 1.7, relaxes_in = .3, time = 3 * relaxes_in;
+
+Case rubber() {
+    Case c;
+    c.indenter.radius = 40e-3;
+    c.substrate = {4.5e6, .5};
+    c.relaxation = contact::Relaxation{{{ratio, relaxes_in}}, {}};
+    c.friction_coefficient = .5;
+    c.contact.coupling = false;
+    c.load.normal_force = 21.1;
+    c.load.tangential_force = 0;
+    return c;
+}
+
+/// d [mm] under F_N that was applied at once and stays.
+double creep(contact::Model& model, const Case& c, int n_steps) {
+    contact::LoadStep step = contact::press_step(c);
+    step.duration = 0;
+    model.advance(step);
+    step.duration = time / n_steps;
+    double d = 0;
+    for (int k = 0; k < n_steps; ++k) d = model.advance(step).indentation;
+    return d * 1e3;
+}
+
+/// Von Mises' stress over p0 on the axis of Hertz' contact, at the depth z.
+double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
+    const double a = hertz.contact_radius, p0 = hertz.peak_pressure;
+    const auto line_load = [&](double t) {
+        return std::numbers::pi / 2 * p0 * (a - t) * (a + t) / a;
+    };
+    const auto response = theory::axisymmetric_interior(c.substrate, line_load, a, 0, 0, z);
+    std::array<double, 6> stress{};
+    for (int k = 0; k < 6; ++k) stress[k] = response.stress[k][2] / p0;
+    return contact::von_mises(stress);
 }
 
 }  // namespace
@@ -80,6 +121,56 @@ void verify_friction_pressing(const Say& say, Verification& all) {
                               .reference = theory::stuck_normal_stiffness_ratio(0),
                               .tolerance = 8e-3};
     add_pressing(stiffness, pressing_case(0, 5), 12, 8, say, all, stiffness_ratio);
+}
+
+void verify_creep(bool brief, const Say& say, Verification& all) {
+    const Case base = rubber();
+    // d^(3/2) follows the creep function 1 - g/(1+g) exp(-t/((1+g) tau)).
+    const double crept = 1 - ratio / (1 + ratio) * std::exp(-time / ((1 + ratio) * relaxes_in));
+    const double exact =
+        contact::half_space_scales(base).indentation * std::pow(crept, 2. / 3) * 1e3;
+    const int steps = brief ? 3 : 8, coarser = brief ? 8 : 1;
+    for (const char* const model : {"mdr", "bem"}) {
+        const VerificationRow row{.problem = "Creep under F_N",
+                                  .quantity = "d, mm, after 3 tau",
+                                  .model = model,
+                                  .source = "Lee and Radok (1960), J. Appl. Mech. 27, 438",
+                                  .reference = exact,
+                                  .tolerance = 5e-4 * coarser,
+                                  .least_order = 1.6};
+        add_row(row, all, [&](int factor) -> LevelValue {
+            Case c = base;
+            c.bem.cells_per_radius = (brief ? 5 : 8) * factor;
+            const int n = steps * factor;
+            say(fmt::format("{}, creep in {} steps", model, n));
+            return {time / n / relaxes_in, creep(*make_model(model, c, 1, say), c, n)};
+        });
+    }
+}
+
+void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all) {
+    const Case base = rig_sphere(0.3, 0);  // nu as in the textbooks
+    const auto hertz = contact::half_space_scales(base);
+    const double a = hertz.contact_radius;
+    const auto lowest = boost::math::tools::brent_find_minima(
+        [&](double z) { return -on_axis(base, hertz, z); }, .2 * a, a, 40);
+    const VerificationRow row{
+        .problem = "Below Hertz' contact",
+        .quantity = "largest von Mises stress over p0, nu = 0.3",
+        .model = "bem",
+        .source = "Huber (1904); Johnson, Contact Mechanics (1985), eq. 3.45; at 0.48 a",
+        .reference = -lowest.second,
+        .tolerance = brief ? 4e-3 : 1e-3,
+        .least_order = 0};  // points lie a/25 apart, wherever the peak is
+    add_row(row, all, [&](int factor) -> LevelValue {
+        Case c = base;
+        c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+        say("bem, inside");
+        const auto model = make_model("bem", c, 1, say);
+        contact::run(c, *model);
+        const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
+        return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
+    });
 }
 
 }  // namespace tricontact::app

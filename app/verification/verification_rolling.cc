@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/roll_models.h"
-#include "app/verification/verification_problems.h"
 #include "app/verification/verification_rows.h"
 #include "bem/case_compliance.h"
 #include "contact/load_path.h"
@@ -41,6 +40,13 @@ Case cylinder() {
     return c;
 }
 
+/// Of bem, with so many cells in the radius, which `c` keeps.
+rolling::RollingState steady_state(Case& c, double cells, const char* what, const Say& say) {
+    c.bem.cells_per_radius = cells;
+    say(fmt::format("bem, {}, {} cells", what, cells));
+    return roll_grid("bem", c, {.points = 0}).history.steady;
+}
+
 /// Errors of cells are of the first order: what two grids, one half as fine as the other, lead to.
 /// One value fewer than given.
 std::vector<double> led_to(const std::vector<double>& values) {
@@ -57,17 +63,16 @@ void verify_springs(bool brief, const Say& say, Verification& all) {
                         .reference = 0,
                         .tolerance = brief ? 2e-2 : 2e-3,
                         .least_order = .9};
-    for (const int factor : {1, 2, 4}) {
+    for (const auto& theory : rolling::creep_theories(rolling_on(.5)))
+        if (theory.key == "mdr_closed_form") row.reference = theory.creepage(rolling_force);
+    add_row(row, all, [&](int factor) -> LevelValue {
         Case c = rolling_on(.5);
         c.tractive_rolling->distance = 5;
         c.mdr.springs = (brief ? 400 : 2500) * factor;
         say(fmt::format("mdr, rolling on, {} springs", c.mdr.springs));
-        row.sizes.push_back(7. / c.mdr.springs);
-        row.values.push_back(roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal);
-        for (const auto& theory : rolling::creep_theories(c))
-            if (theory.key == "mdr_closed_form") row.reference = theory.creepage(rolling_force);
-    }
-    all.rows.push_back(std::move(row));
+        return {7. / c.mdr.springs,
+                roll_springs(c, {.points = 0}).history.steady.creepage.longitudinal};
+    });
 }
 
 void verify_carter(bool brief, const Say& say, Verification& all) {
@@ -87,14 +92,11 @@ void verify_carter(bool brief, const Say& say, Verification& all) {
     std::vector<double> creepages, sticks;
     for (const int factor : {1, 2, 4, 8}) {
         Case c = cylinder();
-        c.bem.cells_per_radius = (brief ? 10 : 40) * factor;
-        say(fmt::format("bem, rolling cylinder, {} cells", *c.bem.cells_per_radius));
-        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
+        const auto steady = steady_state(c, (brief ? 10 : 40) * factor, "rolling cylinder", say);
         creepages.push_back(steady.creepage.longitudinal / rolling::creepage_unit(c));
         sticks.push_back(steady.stick_area / steady.contact_area);
         if (factor == 1) continue;
-        for (VerificationRow* row : {&creepage, &stick})
-            row->sizes.push_back(1 / *c.bem.cells_per_radius);
+        for (VerificationRow* row : {&creepage, &stick}) row->sizes.push_back(cell_in_radius(c));
     }
     creepage.values = led_to(creepages);
     stick.values = led_to(sticks);
@@ -128,7 +130,7 @@ void verify_kalker(const Say& say, Verification& all) {
                             *c.bem.cells_per_radius));
             const auto found = coefficients(c);
             for (std::size_t i = 0; i < 4; ++i) values[i].push_back(found[i]);
-            if (factor > 1) sizes.push_back(1 / *c.bem.cells_per_radius);
+            if (factor > 1) sizes.push_back(cell_in_radius(c));
         }
         const theory::KalkerCoefficients table = theory::kalker_coefficients(1, nu);
         const double expected[] = {table.longitudinal, table.lateral, table.spin, table.moment};
@@ -162,14 +164,10 @@ void verify_hunter(bool brief, const Say& say, Verification& all) {
                         .tolerance = brief ? 1e-2 : 2e-3};
     for (const auto& theory : rolling::resistance_theories(c))
         if (theory.key == "hunter") row.reference = 1e3 * theory.ratio;
-    for (const int factor : {1, 2, 4}) {
-        c.bem.cells_per_radius = (brief ? 6 : 10) * factor;
-        say(fmt::format("bem, relaxing, {} cells", *c.bem.cells_per_radius));
-        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
-        row.sizes.push_back(1 / *c.bem.cells_per_radius);
-        row.values.push_back(1e3 * steady.resistance / *c.load.normal_force);
-    }
-    all.rows.push_back(std::move(row));
+    add_row(row, all, [&](int factor) -> LevelValue {
+        const auto steady = steady_state(c, (brief ? 6 : 10) * factor, "relaxing", say);
+        return {cell_in_radius(c), 1e3 * steady.resistance / *c.load.normal_force};
+    });
 }
 
 /// A rigid cylinder on a half-space of nu = 0, the most dissimilar that there is, without F_T; so
@@ -189,15 +187,12 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
                             "order of mu/beta",
                         .reference = theory::smooth_free_creepage(.5),
                         .tolerance = brief ? 2e-2 : 5e-3};
-    for (const int factor : {1, 2, 4}) {
-        c.bem.cells_per_radius = (brief ? 15 : 30) * factor;
-        say(fmt::format("bem, dissimilar cylinders, {} cells", *c.bem.cells_per_radius));
-        const auto steady = roll_grid("bem", c, {.points = 0}).history.steady;
-        row.sizes.push_back(1 / *c.bem.cells_per_radius);
-        row.values.push_back(steady.creepage.longitudinal * c.indenter.radius /
-                             contact::half_space_scales(c).contact_radius);
-    }
-    all.rows.push_back(std::move(row));
+    add_row(row, all, [&](int factor) -> LevelValue {
+        const auto steady =
+            steady_state(c, (brief ? 15 : 30) * factor, "dissimilar cylinders", say);
+        return {cell_in_radius(c), steady.creepage.longitudinal * c.indenter.radius /
+                                       contact::half_space_scales(c).contact_radius};
+    });
 }
 
 }  // namespace

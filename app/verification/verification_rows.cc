@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "contact/run.h"
 
@@ -50,6 +51,23 @@ Levels run_level(const std::string& model, const Case& c, double size, const Say
     Levels levels{model, {}, {}};
     add_level(levels, c, size, say);
     return levels;
+}
+
+SetLevel cells_in_radius(double cells) {
+    return [cells](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; };
+}
+double cell_in_radius(const Case& c) {
+    return 1 / *c.bem.cells_per_radius;
+}
+
+void add_row(comparisons::VerificationRow row, comparisons::Verification& all,
+             const std::function<LevelValue(int factor)>& level) {
+    for (const int factor : {1, 2, 4}) {
+        const LevelValue found = level(factor);
+        row.sizes.push_back(found.size);
+        row.values.push_back(found.value);
+    }
+    all.rows.push_back(std::move(row));
 }
 
 Case rig_sphere(double poisson, double tangential_ratio) {

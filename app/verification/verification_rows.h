@@ -30,6 +30,18 @@ Levels run_levels(const std::string& model, const contact::Case& base, const Set
 /// As the case is: beside numbers that hold for its resolution.
 Levels run_level(const std::string& model, const contact::Case& c, double size, const Say& say);
 
+/// Levels by cells in Hertz' radius, `cells` on the coarsest, and their size over that radius.
+SetLevel cells_in_radius(double cells);
+double cell_in_radius(const contact::Case& c);
+
+/// A level computed by itself.
+struct LevelValue {
+    double size, value;
+};
+/// Adds a row from values at factors of 1, 2 and 4 of the resolution.
+void add_row(comparisons::VerificationRow row, comparisons::Verification& all,
+             const std::function<LevelValue(int factor)>& level);
+
 /// Finest level's relative error, and the least order; 0: none can be relied on, since the errors
 /// depend on how edges fall between cells.
 struct Allowed {
@@ -87,5 +99,32 @@ double static_ratio(const contact::History& history);
 double settled_ratio(const contact::History& history);
 /// Radius of a disc of the stick zone's area over the contact radius, before rolling.
 double stick_ratio(const contact::History& history);
+
+// Problems of `tricontact verify`. `brief`: on coarse levels, in seconds.
+
+/// mdr and bem where half-spaces have closed forms.
+void verify_half_space(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr-layer and bem-layer beside exact frictionless contact with the layer.
+void verify_layer(bool brief, const Say& say, comparisons::Verification& all);
+/// bem and bem-layer under a cylinder: line contact and its oscillating rolling.
+void verify_cylinder(bool brief, const Say& say, comparisons::Verification& all);
+/// What bem finds below Hertz' contact.
+void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr and bem on a relaxing half-space under a constant force.
+void verify_creep(bool brief, const Say& say, comparisons::Verification& all);
+/// mdr and bem in steady rolling beside closed forms and Kalker's table.
+void verify_rolling(bool brief, const Say& say, comparisons::Verification& all);
+/// bem pressed with friction, the pressure dragging the surface sideways.
+void verify_friction_pressing(const Say& say, comparisons::Verification& all);
+/// Shifts of bem and bem-layer beside those of other programs (comparisons/run/peer_shifts.h).
+void verify_peer_shifts(const Say& say, comparisons::Verification& all);
+
+/// Velocity Verlet beside closed forms and the event-driven integrator.
+void verify_walking(const Say& say, comparisons::Verification& all);
+
+/// fem under a cylinder on a layer.
+void verify_fem_line(const Say& say, comparisons::Verification& all);
+/// fem beside the same; no rows where the program has no finite elements.
+void verify_fem(const Say& say, comparisons::Verification& all);
 
 }  // namespace tricontact::app

@@ -4,7 +4,7 @@
 #include <complex>
 #include <numbers>
 
-#include "app/verification/verification_problems.h"
+#include "app/verification/verification_rows.h"
 #include "walking/machine/linear_stability.h"
 #include "walking/machine/steady_sliding.h"
 #include "walking/machine/verlet_energy.h"

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "app/models.h"
-#include "comparisons/run/loading_study.h"
-#include "contact/case.h"
-#include "contact/history.h"
+#include "app/case_run.h"
 #include "contact/model.h"
+
+// What runs beside the models of a case find.
 
 namespace tricontact::app {
 
@@ -21,5 +20,14 @@ namespace tricontact::app {
 void study_loading(const contact::Case& c, const contact::Model& model,
                    const contact::History& history, const Say& say,
                    comparisons::LoadingStudy& study);
+
+/// Adds to `study` what the drive means for a relaxing case and, if `options` want studies, the
+/// comparison of `history`, that of the case's run with a model, with a run on the elastic twin of
+/// the substrate. The first model that comes here then also looks for the slowest drive speed at
+/// which the twin errs by 1 % (find_speed_limit). Finite elements are too dear for either. Elastic
+/// cases add nothing.
+void study_relaxation(const contact::Case& c, const contact::History& history,
+                      const RunOptions& options, const Say& say,
+                      comparisons::RelaxationStudy& study);
 
 }  // namespace tricontact::app
