@@ -112,14 +112,19 @@ class ShiftTable {
 };
 
 Case with_change(Case c, const io::CaseKey& key, double change) {
-    const io::Field field = key.field(c);
-    if (auto* const* value = std::get_if<double*>(&field)) **value += change;
-    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
-        **value = ***value + change;
+    *number_of(key, c) += change;
     return c;
 }
 
 }  // namespace
+
+double* number_of(const io::CaseKey& key, Case& c) {
+    const io::Field field = key.field(c);
+    if (auto* const* value = std::get_if<double*>(&field)) return *value;
+    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
+        return *value && **value ? &***value : nullptr;
+    return nullptr;
+}
 
 experiments::Prediction prediction_of(const std::string& model,
                                       const experiments::IdentificationInput& input, int threads) {

@@ -9,6 +9,9 @@
 
 namespace tricontact::app {
 
+/// The number of the case that a key stands for; null where the case states another one instead.
+double* number_of(const io::CaseKey& key, contact::Case& c);
+
 /// Rigid shifts U [m] of a rig's indenter under its normal force and each of these tangential ones
 /// [N], applied once, by a model of models.h. Throws InputError (a force reaches mu F_N),
 /// NotConverged.

@@ -1,12 +1,12 @@
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/special_values.h"
 #include "io/results/case_json.h"
 #include "rolling/creep_theory.h"
 #include "rolling/readings.h"
@@ -59,25 +59,18 @@ RollingProblem problem_of(const Case& c, const contact::Substrate& substrate) {
     return problem;
 }
 
-/// Rolls from rest; keeps the lines at line_distances.
-void roll_on(const Case& c, rolling::TransientRolling& rolling, const RollRuns& runs,
-             RollingRun& run) {
+/// Rolls from rest.
+void roll_on(const Case& c, rolling::TransientRolling& rolling, RollRecorder& recorder) {
     const double a = contact::half_space_scales(c).contact_radius, cell = rolling.cell();
     const int n_steps = static_cast<int>(std::lround(c.tractive_rolling->distance * a / cell));
-    LineSchedule schedule;
+    const auto surface = [&] { return rolling.surface(); };
     const auto note = [&](const rolling::RollingState& state) {
-        run.history.transient.push_back(state);
-        const double way = state.distance / a;
-        const bool line = schedule.due(way + cell / a / 2);  // the nearest step
-        if (line)
-            run.lines.push_back(
-                centre_line(rolling.surface(), c.friction_coefficient, state.distance));
-        if (runs.show && (line || runs.show_all)) runs.show(way, rolling.surface());
+        recorder.note(state, state.distance / a, surface, cell / a / 2);  // the nearest step
     };
     note(rolling.press());
     for (int step = 1; step <= n_steps; ++step) {
         note(rolling.roll());
-        runs.tell(step, n_steps);
+        recorder.tell(step, n_steps);
     }
 }
 
@@ -98,29 +91,22 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     const auto substrate = bem::make_substrate(
         c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer, aside);
     RollingProblem problem = problem_of(c, *substrate);
-    RollingRun run{.model = model, .history = {}, .lines = {}, .creep_curve = {}};
+    RollRecorder recorder(c, runs, model);
     rolling::TransientRolling rolling(*substrate, problem);
-    roll_on(c, rolling, runs, run);
-    rolling::SteadyRolling steady = substrate->relaxes()
-                                        ? rolling::roll_until_steady(rolling, run.history.transient)
-                                        : rolling::steady_rolling(substrate->compliance(), problem);
-    run.lines.push_back(centre_line(steady.surface, c.friction_coefficient,
-                                    std::numeric_limits<double>::infinity()));
-    run.history.steady = steady.state;
-    run.history.surface = std::move(steady.surface);
-    if (runs.show) runs.show(std::numeric_limits<double>::infinity(), run.history.surface);
+    roll_on(c, rolling, recorder);
+    rolling::SteadyRolling steady =
+        substrate->relaxes() ? rolling::roll_until_steady(rolling, recorder.run.history.transient)
+                             : rolling::steady_rolling(substrate->compliance(), problem);
+    recorder.note_steady(steady.state, std::move(steady.surface));
     // Who rolls freely has a curve about the creepage that it has by itself.
     const bool free =
         !problem.drive.creepage[0] && !problem.drive.force_ratio && problem.drive.force[0] == 0;
-    const double begin = free ? run.history.steady.creepage.longitudinal : 0;
-    const std::size_t n_steps = run.history.transient.size() - 1;
-    for (const double creepage :
-         curve_creepages(drive_sign(c) * sliding_creepage(c), runs.points)) {
-        problem.drive.creepage[0] = begin + creepage;
-        run.creep_curve.push_back(rolling::run(*substrate, problem).steady);
-        runs.tell(n_steps + run.creep_curve.size(), n_steps);
-    }
-    return run;
+    recorder.add_curve(free ? recorder.run.history.steady.creepage.longitudinal : 0,
+                       drive_sign(c) * sliding_creepage(c), [&](double creepage) {
+                           problem.drive.creepage[0] = creepage;
+                           return rolling::run(*substrate, problem).steady;
+                       });
+    return std::move(recorder.run);
 }
 
 }  // namespace
@@ -161,19 +147,45 @@ void require_rolling_on(const contact::Case& c, const std::string& case_file) {
                                   "tricontact run computes it, or add that section");
 }
 
-bool LineSchedule::due(double way) {
+RollRecorder::RollRecorder(const Case& c, const RollRuns& runs, const std::string& model)
+    : run{.model = model, .history = {}, .lines = {}, .creep_curve = {}},
+      runs_(runs),
+      friction_coefficient_(c.friction_coefficient) {}
+
+void RollRecorder::note(const rolling::RollingState& state, double way, const Surface& surface,
+                        double tolerance) {
     using rolling::line_distances;
-    const std::size_t before = next_;
-    while (next_ < std::size(line_distances) && way >= line_distances[next_]) ++next_;
-    return next_ > before;
+    run.history.transient.push_back(state);
+    const std::size_t before = next_line_;
+    while (next_line_ < std::size(line_distances) && way + tolerance >= line_distances[next_line_])
+        ++next_line_;
+    const bool line = next_line_ > before;
+    if (!line && !(runs_.show && runs_.show_all)) return;
+    const contact::Surface now = surface();
+    if (line) run.lines.push_back(centre_line(now, friction_coefficient_, state.distance));
+    if (runs_.show) runs_.show(way, now);
 }
 
-std::vector<double> curve_creepages(double sliding, int n) {
+void RollRecorder::tell(int step, int steps) const {
+    if (runs_.progress) runs_.progress(step, steps + runs_.points);
+}
+
+void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surface surface) {
+    run.lines.push_back(centre_line(surface, friction_coefficient_, contact::infinity));
+    run.history.steady = state;
+    run.history.surface = std::move(surface);
+    if (runs_.show) runs_.show(contact::infinity, run.history.surface);
+}
+
+void RollRecorder::add_curve(double begin, double sliding,
+                             const std::function<rolling::RollingState(double)>& steady_at) {
     constexpr double beyond = 1.25;  // the cubic law ends early for most
-    std::vector<double> creepages;
-    for (int i = 1; i <= n; ++i)
-        creepages.push_back(beyond * sliding * (1 - std::cbrt(1 - i / static_cast<double>(n))));
-    return creepages;
+    const int n = runs_.points, n_steps = static_cast<int>(run.history.transient.size()) - 1;
+    for (int i = 1; i <= n; ++i) {
+        const double creepage = beyond * sliding * (1 - std::cbrt(1 - i / static_cast<double>(n)));
+        run.creep_curve.push_back(steady_at(begin + creepage));
+        tell(n_steps + i, n_steps);
+    }
 }
 
 }  // namespace tricontact::app

@@ -10,16 +10,6 @@
 
 namespace tricontact::app {
 
-/// Which states of a transient the report draws: the first at each of its ways.
-class LineSchedule {
-  public:
-    /// `way` rolled over the half length a, growing from call to call.
-    bool due(double way);
-
-  private:
-    std::size_t next_ = 0;
-};
-
 /// How the models of a case roll on.
 struct RollRuns {
     int points = 12;  ///< of the creep curve; 0: none
@@ -33,11 +23,33 @@ struct RollRuns {
     /// Called before the contact rolls anew from rest, on a larger grid than has proved too small:
     /// what was shown before is void.
     std::function<void()> begin_again = {};
+};
 
-    /// Says that `done` of `steps` from rest and the points after them are done.
-    void tell(std::size_t done, std::size_t steps) const {
-        if (progress) progress(static_cast<int>(done), static_cast<int>(steps) + points);
-    }
+/// What a model's run consists of, as it comes about.
+class RollRecorder {
+  public:
+    using Surface = std::function<contact::Surface()>;
+
+    RollRecorder(const contact::Case& c, const RollRuns& runs, const std::string& model);
+
+    /// A state from rest; `way` rolled over the half length a, growing from call to call. Of the
+    /// first state at each of the report's ways, less a tolerance, a line is kept.
+    void note(const rolling::RollingState& state, double way, const Surface& surface,
+              double tolerance = 0);
+    /// Says that so many of `steps` from rest are done.
+    void tell(int step, int steps) const;
+    void note_steady(const rolling::RollingState& state, contact::Surface surface);
+    /// Adds the points of the creep curve: creepages [-] from `begin` to beyond `sliding` from
+    /// there, at which all slides; where the cubic law holds, at equal steps of the force.
+    void add_curve(double begin, double sliding,
+                   const std::function<rolling::RollingState(double creepage)>& steady_at);
+
+    rolling::RollingRun run;
+
+  private:
+    const RollRuns& runs_;
+    double friction_coefficient_;
+    std::size_t next_line_ = 0;
 };
 
 /// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
@@ -60,9 +72,5 @@ void require_rolling_on(const contact::Case& c, const std::string& case_file);
 
 /// summary.json of all runs, `resolved` being the case as io::write_case has it.
 std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved);
-
-/// Creepages of a curve of `n` points [-]: from small ones to beyond `sliding`, at which all
-/// slides; where the cubic law holds, at equal steps of the force.
-std::vector<double> curve_creepages(double sliding, int n);
 
 }  // namespace tricontact::app

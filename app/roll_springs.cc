@@ -17,7 +17,6 @@ namespace {
 
 using contact::Case;
 using contact::TangentialControl;
-using rolling::centre_line;
 using rolling::drive_sign;
 using rolling::RollingRun;
 using rolling::RollingState;
@@ -176,17 +175,12 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const Case::TractiveRolling& given = *c.tractive_rolling;
     const double a = contact::half_space_scales(c).contact_radius;
     RollingBed bed(c, given.distance * a);
-    RollingRun run{.model = "mdr", .history = {}, .lines = {}, .creep_curve = {}};
-    LineSchedule schedule;
-    const auto keep = [&](double way, double distance) {
-        const contact::Surface surface = bed.model().surface();
-        run.lines.push_back(centre_line(surface, c.friction_coefficient, distance));
-        if (runs.show) runs.show(way, surface);
-    };
+    RollRuns lines_only = runs;
+    lines_only.show_all = false;
+    RollRecorder recorder(c, lines_only, "mdr");
     const auto note = [&](const RollingState& state, int step) {
-        run.history.transient.push_back(state);
-        const double way = step / static_cast<double>(bed.steps_per_radius());
-        if (schedule.due(way)) keep(way, state.distance);
+        recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
+                      [&] { return bed.model().surface(); });
     };
     double force = 0;
     if (!given.longitudinal_creepage)
@@ -196,18 +190,14 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const int n_steps = static_cast<int>(std::lround(given.distance * bed.steps_per_radius()));
     for (int step = 1; step <= n_steps; ++step) {
         note(bed.roll(given.longitudinal_creepage), step);
-        runs.tell(step, n_steps);
+        recorder.tell(step, n_steps);
     }
-    run.history.steady = steady_state(bed, given.longitudinal_creepage, rolling::creepage_unit(c));
-    run.history.steady.distance = contact::infinity;
-    run.history.surface = bed.model().surface();
-    keep(contact::infinity, contact::infinity);
-    for (const double creepage :
-         curve_creepages(drive_sign(c) * spring_sliding_creepage(c), runs.points)) {
-        run.creep_curve.push_back(steady_state_at(c, creepage));
-        runs.tell(n_steps + run.creep_curve.size(), n_steps);
-    }
-    return run;
+    RollingState steady = steady_state(bed, given.longitudinal_creepage, rolling::creepage_unit(c));
+    steady.distance = contact::infinity;
+    recorder.note_steady(steady, bed.model().surface());
+    recorder.add_curve(0, drive_sign(c) * spring_sliding_creepage(c),
+                       [&](double creepage) { return steady_state_at(c, creepage); });
+    return std::move(recorder.run);
 }
 
 }  // namespace tricontact::app

@@ -4,6 +4,7 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
+#include "app/identification_models.h"
 #include "contact/error.h"
 #include "experiments/records/experiment_reader.h"
 #include "experiments/records/experiment_report.h"
@@ -26,15 +27,6 @@ constexpr int enough_limit_periods =
 struct Loads {
     double normal_force = 0, amplitude = 0;
 };
-
-// The number of the case that a key stands for; null where the case states another one instead.
-double* number_of(const io::CaseKey& key, Case& c) {
-    const io::Field field = key.field(c);
-    if (auto* const* value = std::get_if<double*>(&field)) return *value;
-    if (auto* const* value = std::get_if<std::optional<double>*>(&field))
-        return *value && **value ? &***value : nullptr;
-    return nullptr;
-}
 
 // Of an error of f_T or w the force or the length that the rig sets, see as_the_rig_sets.
 std::optional<CaseQuantity> set_quantity(const experiments::ExperimentInput::CaseError& error,

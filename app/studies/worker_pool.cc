@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <list>
 #include <system_error>
 #include <utility>
 
@@ -68,18 +69,8 @@ class Worker {
         ::kill(pid_, SIGKILL);
         wait();
     }
-    Worker(Worker&& other) noexcept
-        : task_(other.task_),
-          pid_(other.pid_),
-          fd_(std::exchange(other.fd_, -1)),
-          text_(std::move(other.text_)) {}
-    Worker& operator=(Worker&& other) noexcept {
-        std::swap(task_, other.task_);
-        std::swap(pid_, other.pid_);
-        std::swap(fd_, other.fd_);
-        std::swap(text_, other.text_);
-        return *this;
-    }
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
 
     std::size_t task() const { return task_; }
     int fd() const { return fd_; }
@@ -121,30 +112,31 @@ class Worker {
 };
 
 // Until one of them has something to say, a signal comes, or the patience ends [ms]; -1: never.
-void wait_for_any(const std::vector<Worker>& workers, std::vector<pollfd>& ends, int patience) {
-    ends.clear();
+std::vector<pollfd> wait_for_any(const std::list<Worker>& workers, int patience) {
+    std::vector<pollfd> ends;
     for (const Worker& worker : workers) ends.push_back({worker.fd(), POLLIN, 0});
     if (::poll(ends.data(), ends.size(), patience) < 0 && errno != EINTR)
         fail("waiting for processes");
+    return ends;
 }
 
 void run_once(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
               const Done& done, const std::function<void()>& attend) {
     constexpr int patience = 100;  // between two calls of `attend` [ms]
-    std::vector<Worker> workers;
-    std::vector<pollfd> ends;
+    std::list<Worker> workers;
     std::size_t next = 0;
     while (next < tasks.size() || !workers.empty()) {
         while (next < tasks.size() && workers.size() < static_cast<std::size_t>(n_workers))
             workers.emplace_back(tasks[next++], task);
-        wait_for_any(workers, ends, attend ? patience : -1);
+        const std::vector<pollfd> ends = wait_for_any(workers, attend ? patience : -1);
         if (attend) attend();
-        // From behind: a worker that goes is replaced by none that has not been looked at.
-        for (std::size_t k = workers.size(); k-- > 0;) {
-            if (ends[k].revents == 0 || workers[k].read()) continue;
-            const std::size_t i = workers[k].task();
-            const WorkerReport report = workers[k].report();
-            workers.erase(workers.begin() + static_cast<std::ptrdiff_t>(k));
+        auto worker = workers.begin();
+        for (const pollfd& end : ends) {
+            const auto one = worker++;
+            if (end.revents == 0 || one->read()) continue;
+            const std::size_t i = one->task();
+            const WorkerReport report = one->report();
+            workers.erase(one);
             done(i, report);
         }
     }
