@@ -258,12 +258,11 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     comparison.drive = comparisons::drive_values(c, history.amplitude);
     comparison.relaxing = comparisons::run_values(history);
     if (!options.studies)
-        comparison.why_none = "left out (--no-studies)";
+        comparison.why_none = "skipped (--no-studies)";
     else if (std::abs(comparisons::tangential_ratio(history)) < no_load)
         comparison.why_none = "without F_T there is no shift to be compared";
     else if (history.model == "fem")
-        comparison.why_none =
-            "finite elements do not run again for it; name another model beside them";
+        comparison.why_none = "too costly with fem; add bem-layer to get one";
     else
         run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);

@@ -40,7 +40,7 @@ std::unique_ptr<CondensedCompliance> Workshop::make(meshes::HexMesh mesh) {
                         layer->points.size()));
         return compliance_of(std::move(*layer));
     }
-    if (!why.empty()) say(fmt::format("condensed layer made anew: {}", why));
+    if (!why.empty()) say(fmt::format("condensed layer recomputed: {}", why));
     const auto start = std::chrono::steady_clock::now();
     CondensedLayer layer = condense(*problem);
     why.clear();

@@ -88,7 +88,7 @@ void check_assumptions(CommandOptions options) {
 }  // namespace
 
 Command rig_command() {
-    return Declared<CommandOptions>("rig", "Check what an experiment takes for granted",
+    return Declared<CommandOptions>("rig", "Check the assumptions of an experiment",
                                     check_assumptions)
         .on_file("rig", "Rig file (TOML)", "RIG.toml")
         .output("Folder (results/<rig>)");

@@ -115,8 +115,8 @@ for _ in $(seq 1 "$flips"); do
     flip "${layers[RANDOM % ${#layers[@]}]}"
     sound 0 layer --output damaged
     same
-    diff -r whole_cache cache >/dev/null || complain "$flipped: not made anew"
-    count 'made anew'
+    diff -r whole_cache cache >/dev/null || complain "$flipped: not recomputed"
+    count 'recomputed'
 done
 [ "$harmless" -eq 0 ] || complain "$harmless flipped bits of a layer went unnoticed"
 tell "condensed layer"

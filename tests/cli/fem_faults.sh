@@ -80,11 +80,11 @@ wait "$child" 2>/dev/null
 layer --output early --quiet || complain "the run after a kill while condensing"
 same whole/fem/history.csv early/fem/history.csv
 
-# 5. Damaged, truncated and foreign layers are noticed and made anew.
+# 5. Damaged, truncated and foreign layers are noticed and recomputed.
 spoil() {
     for file in cache/*.layer; do "$@" "$file"; done
     layer --output spoiled 2>spoiled.txt || complain "the run over a spoilt cache ($*)"
-    grep -q 'made anew' spoiled.txt || complain "not noticed ($*): $(cat spoiled.txt)"
+    grep -q 'recomputed' spoiled.txt || complain "not noticed ($*): $(cat spoiled.txt)"
     same whole/fem/history.csv spoiled/fem/history.csv
 }
 flip() { printf '\xff' | dd of="$1" bs=1 seek=50000 conv=notrunc 2>/dev/null; }
