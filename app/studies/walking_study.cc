@@ -25,6 +25,7 @@ namespace tricontact::app {
 namespace {
 
 using walking::WalkCase;
+using json = nlohmann::ordered_json;
 
 /// Points of a lot: vectors are full while most of them stand upright, and a lot of 2e7 steps each
 /// ends after some ten seconds.
@@ -64,8 +65,7 @@ walking::WalkSweep::Point reported_walk(const StudyPoint& point, const io::Resul
     for (const std::string& value : point.values) result.values.push_back(cell_of(value));
     const auto outcome = store.find(point.key);
     if (outcome && outcome->results)
-        result.outcome =
-            walking::read_walk_results(nlohmann::ordered_json::parse(*outcome->results));
+        result.outcome = walking::read_walk_results(json::parse(*outcome->results));
     else
         result.error = failure_of(outcome);
     return result;
@@ -109,7 +109,6 @@ class WalkingKind : public StudyKind {
 
     std::string compute(const StudyPoints& points, const Places& lot,
                         const std::string&) const override {
-        using json = nlohmann::ordered_json;
         const std::clock_t began = std::clock();
         std::vector<WalkCase> cases;
         for (const std::size_t i : lot) cases.push_back(points[i].walk());

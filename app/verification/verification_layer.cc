@@ -53,12 +53,11 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
     add_pressed(levels, allowed, all);
     const Case c = layer_case();
     const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
-    const double amplitude =
+    const double rolled =
         *c.rolling->amplitude_ratio * contact::half_space_scales(c).contact_radius;
     Rows(levels, all)
         .add("Layer b = 1.8 a, limit of shakedown", "f_T,lim", "line load of that equation",
-             theory::shakedown_limit(exact, amplitude / exact.contact_radius), allowed.limit,
-             limit);
+             theory::shakedown_limit(exact, rolled / exact.contact_radius), allowed.limit, limit);
 }
 
 void verify_mdr_layer(const Say& say, Verification& all) {
