@@ -45,15 +45,15 @@ struct Check {
 void print(const experiments::RigReport& report) {
     std::cout << report.title << '\n';
     for (const experiments::Assumption& one : report.assumptions) {
-        std::cout << fmt::format("{:<12} {}\n", experiments::word_of(one.standing()), one.claim);
+        std::cout << fmt::format("{}: {}\n", experiments::finding_of(one.standing()), one.claim);
         for (const experiments::Criterion& criterion : one.criteria)
             std::cout << fmt::format(
-                "{:13}{} = {}, {}: {}\n", "", criterion.calculation.symbol,
+                "{:4}{} = {}, {}: {}\n", "", criterion.calculation.symbol,
                 experiments::text_of(criterion.calculation.result, criterion.calculation.unit),
                 experiments::threshold_text(criterion), experiments::word_of(criterion.standing()));
         for (const std::string& missing : one.missing)
-            std::cout << fmt::format("{:13}not given: {}\n", "", missing);
-        if (!one.consequence.empty()) std::cout << fmt::format("{:13}{}\n", "", one.consequence);
+            std::cout << fmt::format("{:4}not given: {}\n", "", missing);
+        if (!one.consequence.empty()) std::cout << fmt::format("{:4}{}\n", "", one.consequence);
     }
     if (!report.printed.empty()) std::cout << "printed numbers\n";
     for (const experiments::PrintedCheck& check : report.printed) {

@@ -1,10 +1,11 @@
 #include "experiments/assumptions/check_rig.h"
 
-#include "experiments/assumptions/printed.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "experiments/assumptions/walking_parts.h"
 
 namespace tricontact::experiments {
+
+namespace {
 
 ForceCurves force_curves(const RollingRig& rig) {
     constexpr int n_points = 31;
@@ -15,8 +16,8 @@ ForceCurves force_curves(const RollingRig& rig) {
     for (int i = 0; i < n_points; ++i) {
         const double force = rig.normal_force.value * 1.5 * (i + 1) / n_points;
         loaded.normal_force = {force};
-        const contact::HalfSpaceScales hertz = hertz_of(values_of(hertz_given(loaded)));
-        const theory::LayerContact layer = layer_of(values_of(layer_given(loaded)));
+        const contact::HalfSpaceScales hertz = hertz_of(values_of(given(loaded, hertz_keys)));
+        const theory::LayerContact layer = layer_of(values_of(given(loaded, layer_keys)));
         curves.force.push_back(force);
         curves.hertz_diameter.push_back(2 * hertz.contact_radius);
         curves.layer_diameter.push_back(2 * layer.contact_radius);
@@ -25,6 +26,8 @@ ForceCurves force_curves(const RollingRig& rig) {
     }
     return curves;
 }
+
+}  // namespace
 
 RigReport check_rig(const RollingRig& rig, const StaticShift& static_shift) {
     RigReport report{.title = rig.title};

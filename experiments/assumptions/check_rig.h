@@ -1,12 +1,32 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "experiments/assumptions/printed.h"
-#include "experiments/assumptions/rolling_rig.h"
-#include "experiments/assumptions/walking_rig.h"
+#include "experiments/assumptions/rig.h"
 
 namespace tricontact::experiments {
+
+/// The contact of a rig's sphere over the normal force, by both theories: what a measurement of
+/// either would have to tell apart. SI units.
+struct ForceCurves {
+    std::vector<double> force;  ///< up to one and a half times that of the rig [N]
+    std::vector<double> hertz_diameter, layer_diameter;        ///< 2 a [m]
+    std::vector<double> hertz_indentation, layer_indentation;  ///< d [m]
+    statistics::Uncertain rig_force;                           ///< F_N [N]
+    std::optional<statistics::Uncertain> measured_diameter;    ///< at that force [m]
+};
+
+/// What follows about an experiment.
+struct RigReport {
+    std::string title;
+    std::vector<Assumption> assumptions = {};
+    std::vector<PrintedCheck> printed = {};
+    std::optional<ForceCurves> curves = {};  ///< of a sphere
+};
 
 /// F_T/(mu F_N) at which the effect of the layer's coupling is told.
 inline constexpr double coupling_tangential_ratio = 0.56;

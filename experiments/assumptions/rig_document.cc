@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "contact/sentence.h"
 #include "experiments/assumptions/rig_report.h"
@@ -17,18 +18,6 @@ using report::Figure;
 using report::Verdict;
 using Agreement = PrintedCheck::Agreement;
 
-Verdict::Standing standing_of(Standing standing) {
-    switch (standing) {
-        case Standing::holds:
-            return Verdict::Standing::holds;
-        case Standing::fails:
-            return Verdict::Standing::fails;
-        case Standing::cannot_tell:
-            break;
-    }
-    return Verdict::Standing::cannot_tell;
-}
-
 std::string missing_text(const Assumption& assumption) {
     std::string text;
     for (const std::string& one : assumption.missing)
@@ -36,12 +25,23 @@ std::string missing_text(const Assumption& assumption) {
     return text.empty() ? text : text + '.';
 }
 
-// Claim, what follows, what is missing.
-std::string sentence_of(const Assumption& assumption) {
-    std::string text = assumption.claim + '.';
+// What follows, and what is missing.
+std::vector<std::string> remarks(const Assumption& assumption) {
+    std::vector<std::string> parts;
     for (const std::string& part : {assumption.consequence, missing_text(assumption)})
-        if (!part.empty()) text += ' ' + part;
-    return text;
+        if (!part.empty()) parts.push_back(part);
+    return parts;
+}
+
+Verdict verdict_on(const Assumption& assumption) {
+    constexpr Verdict::Standing standings[] = {Verdict::Standing::holds, Verdict::Standing::fails,
+                                               Verdict::Standing::cannot_tell};
+    const Standing standing = assumption.standing();
+    std::string text = finding_of(standing);
+    text.front() = static_cast<char>(std::toupper(text.front()));
+    text += ": " + assumption.claim + '.';
+    for (const std::string& part : remarks(assumption)) text += ' ' + part;
+    return {standings[static_cast<int>(standing)], text};
 }
 
 DocumentTable criteria_table(const Assumption& assumption) {
@@ -77,10 +77,9 @@ DocumentTable background_table(const Assumption& assumption) {
 DocumentSection section_of(const Assumption& assumption) {
     DocumentSection section{
         .id = assumption.name,
-        .heading = fmt::format("{}: {}", assumption.title, word_of(assumption.standing()))};
-    section.paragraphs.push_back(assumption.claim + '.');
-    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
-        if (!part.empty()) section.paragraphs.push_back(part);
+        .heading = fmt::format("{}: {}", assumption.title, finding_of(assumption.standing())),
+        .paragraphs = remarks(assumption)};
+    section.paragraphs.insert(section.paragraphs.begin(), assumption.claim + '.');
     if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
     if (!assumption.background.empty()) section.tables.push_back(background_table(assumption));
     return section;
@@ -249,7 +248,7 @@ report::Document rig_document(const RigReport& report, const std::string& comman
         .command = command,
         .version = files::version};
     for (const Assumption& assumption : report.assumptions) {
-        document.verdicts.push_back({standing_of(assumption.standing()), sentence_of(assumption)});
+        document.verdicts.push_back(verdict_on(assumption));
         document.sections.push_back(section_of(assumption));
         if (report.curves && assumption.name == "half_space")
             add_figures(document.sections.back(), *report.curves);

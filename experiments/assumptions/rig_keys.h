@@ -4,8 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "experiments/assumptions/rolling_rig.h"
-#include "experiments/assumptions/walking_rig.h"
+#include "experiments/assumptions/rig.h"
 #include "io/keys/key.h"
 
 namespace tricontact::experiments {

@@ -4,8 +4,7 @@
 #include <string_view>
 #include <variant>
 
-#include "experiments/assumptions/rolling_rig.h"
-#include "experiments/assumptions/walking_rig.h"
+#include "experiments/assumptions/rig.h"
 
 namespace tricontact::experiments {
 

@@ -57,6 +57,11 @@ const char* word_of(Standing standing) {
     return words[static_cast<int>(standing)];
 }
 
+const char* finding_of(Standing standing) {
+    constexpr const char* findings[] = {"holds", "assumption violated", "not testable"};
+    return findings[static_cast<int>(standing)];
+}
+
 const char* word_of(PrintedCheck::Agreement agreement) {
     constexpr const char* words[] = {"agrees", "within its error", "differs", "not computed"};
     return words[static_cast<int>(agreement)];

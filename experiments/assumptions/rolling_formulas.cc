@@ -9,92 +9,50 @@ namespace tricontact::experiments {
 
 namespace {
 
-theory::ElasticLayer layer_with(const std::vector<double>& x) {
+using statistics::Uncertain;
+using Rolling = const RollingRig&;
+
+/// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
+Uncertain half_size(Rolling rig) {
+    const Values x = values_of(contact_given(rig, hertz_keys));
+    return {x.size() > 6 ? line_half_width_of(x) : hertz_of(x).contact_radius};
+}
+
+const std::vector<RigQuantity<RollingRig>>& rolling_quantities() {
+    static const std::vector<RigQuantity<RollingRig>> table{
+        {"R", "m", [](Rolling r) { return r.roller.radius; }},
+        {"L", "m", [](Rolling r) { return *r.roller.length; }},
+        {"E_1", "Pa", [](Rolling r) { return r.roller.young; }},
+        {"nu_1", "1", [](Rolling r) { return r.roller.poisson; }},
+        {"b", "m", [](Rolling r) { return r.substrate.thickness; }},
+        {"E_2", "Pa", [](Rolling r) { return r.substrate.young; }},
+        {"nu_2", "1", [](Rolling r) { return r.substrate.poisson; }},
+        {"rho", "kg/m3", [](Rolling r) { return *r.substrate.density; }},
+        {"eta", "Pa s", [](Rolling r) { return *r.substrate.viscosity; }},
+        {"G_2/G_1", "1", [](Rolling r) { return *r.substrate.maxwell_ratio; }},
+        {"mu", "1", [](Rolling r) { return r.friction_coefficient; }},
+        {"F_N", "N", [](Rolling r) { return r.normal_force; }},
+        {"v", "m/s", [](Rolling r) { return r.drive.speed; }},
+        {"f_1", "Hz", [](Rolling r) { return *r.drive.eigenfrequency; }},
+        // Amplitudes: the least of the drive; ' that at which the pivot was measured.
+        {"w", "1", [](Rolling r) { return r.drive.smallest_amplitude_ratio; }},
+        {"w'", "1", [](Rolling r) { return r.pivot->amplitude_ratio; }},
+        {"DU", "m", [](Rolling r) { return r.pivot->displacement; }},
+        {"a", "m", half_size},
+        // That which amplitude ratios refer to.
+        {"a'", "m",
+         [](Rolling r) {
+             return r.drive.reference_radius ? *r.drive.reference_radius : half_size(r);
+         }},
+        {"D_c", "m", [](Rolling r) {
+             return r.measured_contact_size.value_or(Uncertain{2 * half_size(r).value});
+         }}};
+    return table;
+}
+
+theory::ElasticLayer layer_with(const Values& x) {
     return {{x[3], x[4]}, x[2], theory::LayerBase::bonded};
 }
-}  // namespace
-
-std::vector<Given> hertz_given(const RollingRig& rig) {
-    return {{"R", rig.roller.radius, "m"},      {"F_N", rig.normal_force, "N"},
-            {"E_1", rig.roller.young, "Pa"},    {"nu_1", rig.roller.poisson, "1"},
-            {"E_2", rig.substrate.young, "Pa"}, {"nu_2", rig.substrate.poisson, "1"}};
-}
-
-std::vector<Given> layer_given(const RollingRig& rig) {
-    return {{"R", rig.roller.radius, "m"},
-            {"F_N", rig.normal_force, "N"},
-            {"b", rig.substrate.thickness, "m"},
-            {"E_2", rig.substrate.young, "Pa"},
-            {"nu_2", rig.substrate.poisson, "1"}};
-}
-
-std::vector<Given> with(std::vector<Given> given, Given one) {
-    given.push_back(std::move(one));
-    return given;
-}
-
-std::vector<Given> with_length(std::vector<Given> given, const RollingRig& rig) {
-    return with(std::move(given), {"L", *rig.roller.length, "m"});
-}
-
-contact::MaterialPair materials_of(const std::vector<double>& x) {
-    return {contact::Material{x[2], x[3]}, contact::Material{x[4], x[5]}};
-}
-
-contact::HalfSpaceScales hertz_of(const std::vector<double>& x) {
-    contact::Case c;
-    c.indenter.radius = x[0];
-    c.indenter.material = contact::Material{x[2], x[3]};
-    c.load.normal_force = x[1];
-    c.substrate = {x[4], x[5]};
-    c.friction_coefficient = 1;
-    return contact::half_space_scales(c);
-}
-
-double line_half_width_of(const std::vector<double>& x) {
-    return contact::line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
-}
-
-theory::LayerContact layer_of(const std::vector<double>& x) {
-    return theory::solve_layer_contact(layer_with(x), contact::Paraboloid(x[0]),
-                                       {contact::NormalControl::Kind::force, x[1]});
-}
-
-theory::LineContact layer_line_of(const std::vector<double>& x) {
-    return theory::solve_line_contact(layer_with(x), x[0],
-                                      {theory::LineControl::Kind::load, x[1] / x[5]});
-}
-
-double half_size(const RollingRig& rig) {
-    if (rig.roller.shape == RollingRig::Shape::cylinder)
-        return line_half_width_of(values_of(with_length(hertz_given(rig), rig)));
-    return hertz_of(values_of(hertz_given(rig))).contact_radius;
-}
-
-statistics::Uncertain reference_radius(const RollingRig& rig) {
-    return rig.drive.reference_radius.value_or(statistics::Uncertain{half_size(rig)});
-}
-
-bool roller_is_rigid(const RollingRig& rig) {
-    const contact::MaterialPair pair = materials_of(values_of(hertz_given(rig)));
-    const contact::Material roller{rig.roller.young.value, rig.roller.poisson.value};
-    return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
-}
-
-std::string percent_text(double share, int digits) {
-    return contact::significant(100 * share, digits) + " %";
-}
-
-std::string beside_hertz(double ratio) {
-    return percent_text(std::abs(ratio - 1)) + (ratio < 1 ? " below Hertz" : " above Hertz");
-}
-
-const PrintedValue* find_printed(const RollingRig& rig, const char* name) {
-    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
-    return found == rig.printed.end() ? nullptr : &*found;
-}
-
-namespace {
 
 struct ThesisRig {
     RollingRig::Shape shape;
@@ -106,11 +64,67 @@ constexpr ThesisRig thesis_rigs[] = {
     {RollingRig::Shape::sphere, 40e-3, 8e-3, 4.35e6, 0.93, 21.19},   // table 5.1.2
     {RollingRig::Shape::cylinder, 40e-3, 5e-3, 3.6e6, 0.79, 32.3}};  // table 5.1.3
 
-bool same(const statistics::Uncertain& given, double value) {
+bool same(const Uncertain& given, double value) {
     return std::abs(given.value / value - 1) < 1e-9;  // rounding of units
 }
 
 }  // namespace
+
+std::vector<Given> given(const RollingRig& rig, std::string_view keys) {
+    return given_by(rolling_quantities(), keys, rig);
+}
+
+Calculation calculate(const RollingRig& rig, const Formula& f) {
+    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
+                     f.function);
+}
+
+std::vector<Given> contact_given(const RollingRig& rig, const char* keys) {
+    const bool line = rig.roller.shape == RollingRig::Shape::cylinder;
+    return given(rig, line ? std::string(keys) + " L" : keys);
+}
+
+contact::MaterialPair materials_of(const Values& x) {
+    return {contact::Material{x[2], x[3]}, contact::Material{x[4], x[5]}};
+}
+
+contact::HalfSpaceScales hertz_of(const Values& x) {
+    contact::Case c;
+    c.indenter.radius = x[0];
+    c.indenter.material = contact::Material{x[2], x[3]};
+    c.load.normal_force = x[1];
+    c.substrate = {x[4], x[5]};
+    c.friction_coefficient = 1;
+    return contact::half_space_scales(c);
+}
+
+double line_half_width_of(const Values& x) {
+    return contact::line_half_width(x[1] / x[6], x[0], materials_of(x).effective_modulus());
+}
+
+theory::LayerContact layer_of(const Values& x) {
+    return theory::solve_layer_contact(layer_with(x), contact::Paraboloid(x[0]),
+                                       {contact::NormalControl::Kind::force, x[1]});
+}
+
+theory::LineContact layer_line_of(const Values& x) {
+    return theory::solve_line_contact(layer_with(x), x[0],
+                                      {theory::LineControl::Kind::load, x[1] / x[5]});
+}
+
+bool roller_is_rigid(const RollingRig& rig) {
+    const contact::MaterialPair pair = materials_of(values_of(given(rig, hertz_keys)));
+    const contact::Material roller{rig.roller.young.value, rig.roller.poisson.value};
+    return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
+}
+
+std::string percent_text(double share, int digits) {
+    return contact::significant(100 * share, digits) + " %";
+}
+
+std::string beside_hertz(double ratio) {
+    return percent_text(std::abs(ratio - 1)) + (ratio < 1 ? " below Hertz" : " above Hertz");
+}
 
 bool is_thesis_rig(const RollingRig& rig) {
     return std::ranges::any_of(thesis_rigs, [&](const ThesisRig& one) {

@@ -19,27 +19,19 @@ using contact::quantity;
 using contact::Sentence;
 using contact::significant;
 
-Calculation dundurs_beta(const RollingRig& rig) {
-    return calculate("dundurs_beta", "|beta|",
-                     "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]",
-                     "(2.1.1)", "1", hertz_given(rig),
-                     [](const auto& x) { return std::abs(materials_of(x).dundurs_beta()); });
-}
+constexpr Formula dundurs_beta(
+    "dundurs_beta", "|beta|",
+    "1/2 |(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1|/[(1 - nu_1)/G_1 + (1 - nu_2)/G_2]", "(2.1.1)", "1",
+    hertz_keys, [](const Values& x) { return std::abs(materials_of(x).dundurs_beta()); });
 
-Calculation layer_coupling(const RollingRig& rig) {
-    return calculate("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
-                     "surface compliances of the bonded layer at the wave number 1/a",
-                     "docs/models/bem-layer.md", "1",
-                     {{"b", rig.substrate.thickness, "m"},
-                      {"a", {half_size(rig)}, "m"},
-                      {"E_2", rig.substrate.young, "Pa"},
-                      {"nu_2", rig.substrate.poisson, "1"}},
-                     [](const auto& x) {
-                         const auto c = theory::layer_compliance(
-                             {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
-                         return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
-                     });
-}
+constexpr Formula layer_coupling("layer_coupling", "|C_13|/sqrt(C_11 C_33)",
+                                 "surface compliances of the bonded layer at the wave number 1/a",
+                                 "docs/models/bem-layer.md", "1", "b a E_2 nu_2",
+                                 [](const Values& x) {
+                                     const auto c = theory::layer_compliance(
+                                         {{x[2], x[3]}, x[0], theory::LayerBase::bonded}, 1 / x[1]);
+                                     return std::abs(c.coupling) / std::sqrt(c.along * c.normal);
+                                 });
 
 Calculation coupling_effect(double coupled, double uncoupled) {
     return calculate(
@@ -50,34 +42,28 @@ Calculation coupling_effect(double coupled, double uncoupled) {
         [](const auto& x) { return std::abs(x[0] / x[1] - 1); });
 }
 
-// U_max/mu of the layer for values in the order of layer_given.
-double layer_shift_of(std::vector<double> x, double young) {
-    x[3] = young;
-    return *layer_of(x).unit_shift;
-}
-
-// The modulus for which the layer has the half-space's U_max; values of hertz_given and b behind.
-double layer_modulus_of(const std::vector<double>& x) {
+// The modulus for which the layer has the half-space's U_max; values of hertz_keys and b behind.
+double layer_modulus_of(const Values& x) {
     const double wanted = hertz_of(x).unit_shift;
     const auto excess = [&](double log_factor) {
-        return std::log(layer_shift_of({x[0], x[1], x[6], 0, x[5]}, x[4] * std::exp(log_factor)) /
-                        wanted);
+        const Values layer{x[0], x[1], x[6], x[4] * std::exp(log_factor), x[5]};
+        return std::log(*layer_of(layer).unit_shift / wanted);
     };
     // A layer is stiffer than its half-space, by less than the thickness effect of 20.
     return x[4] * std::exp(theory::bracketed_root(excess, -3., 0.5, 40));
 }
 
-Calculation layer_modulus(const RollingRig& rig, bool as_factor) {
-    return calculate(as_factor ? "fitted_modulus_error" : "layer_modulus",
-                     as_factor ? "E_2/E_2,layer - 1" : "E_2,layer",
-                     "E_2,layer: the layer's U_max equals mu d E*/G* of E_2",
-                     "(3.1.5), exact contact with a bonded layer", as_factor ? "1" : "Pa",
-                     with(hertz_given(rig), {"b", rig.substrate.thickness, "m"}),
-                     [as_factor](const auto& x) {
-                         const double young = layer_modulus_of(x);
-                         return as_factor ? x[4] / young - 1 : young;
-                     });
-}
+constexpr const char* of_layer_modulus = "E_2,layer: the layer's U_max equals mu d E*/G* of E_2";
+constexpr const char* layer_source = "(3.1.5), exact contact with a bonded layer";
+constexpr const char* hertz_and_layer_keys = "R F_N E_1 nu_1 E_2 nu_2 b";
+
+constexpr Formula layer_modulus("layer_modulus", "E_2,layer", of_layer_modulus, layer_source, "Pa",
+                                hertz_and_layer_keys, layer_modulus_of);
+constexpr Formula fitted_modulus_error("fitted_modulus_error", "E_2/E_2,layer - 1",
+                                       of_layer_modulus, layer_source, "1", hertz_and_layer_keys,
+                                       [](const Values& x) {
+                                           return x[4] / layer_modulus_of(x) - 1;
+                                       });
 
 /// Whether normal and tangential contact couple, on half-spaces and on the layer.
 struct CouplingSubject {
@@ -87,16 +73,6 @@ struct CouplingSubject {
 
 // What the solver's tolerance leaves of a shift.
 constexpr double least_effect = 1e-5;
-
-bool effect_is_nothing(const CouplingSubject& s) {
-    return s.effect && *s.effect < least_effect;
-}
-bool effect_is_accepted(const CouplingSubject& s) {
-    return s.effect && *s.effect >= least_effect && *s.effect <= accepted_difference;
-}
-bool effect_is_not_accepted(const CouplingSubject& s) {
-    return s.effect && *s.effect > accepted_difference;
-}
 
 constexpr Sentence<CouplingSubject> coupling_sentences[] = {
     {contact::always,
@@ -111,18 +87,16 @@ constexpr Sentence<CouplingSubject> coupling_sentences[] = {
              "wave number 1/a.",
              percent_text(s.layer, 2));
      }},
-    {effect_is_nothing,
-     [](const CouplingSubject& /*s*/) {
+    {[](const CouplingSubject& s) { return s.effect && *s.effect < least_effect; },
+     [](const CouplingSubject&) {
          return fmt::format("Coupling changes the static shift by less than {}.",
                             percent_text(least_effect, 1));
      }},
-    {effect_is_accepted,
+    {[](const CouplingSubject& s) { return s.effect && *s.effect >= least_effect; },
      [](const CouplingSubject& s) {
-         return fmt::format("Coupling changes the static shift by {} only.",
-                            percent_text(*s.effect, 2));
-     }},
-    {effect_is_not_accepted, [](const CouplingSubject& s) {
-         return fmt::format("Coupling changes the static shift by {}.", percent_text(*s.effect, 2));
+         return fmt::format("Coupling changes the static shift by {}{}.",
+                            percent_text(*s.effect, 2),
+                            *s.effect <= accepted_difference ? " only" : "");
      }}};
 
 /// The criterion where the model has a shift for both; empty where it has none.
@@ -135,7 +109,7 @@ std::optional<double> effect_of_coupling(const RollingRig& rig, const StaticShif
     } catch (const contact::NotConverged&) {
         return {};
     }
-    return a.criteria.back().calculation.result.value;
+    return a.deciding_value();
 }
 
 }  // namespace
@@ -145,7 +119,7 @@ Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
     Assumption a{.name = "uncoupled",
                  .title = "Normal and tangential contact uncoupled",
                  .claim = "Normal and tangential contact do not couple",
-                 .background = {dundurs_beta(rig), layer_coupling(rig)}};
+                 .background = {calculate(rig, dundurs_beta), calculate(rig, layer_coupling)}};
     CouplingSubject subject{
         a.background.front().result.value, a.background.back().result.value, {}};
     subject.effect = effect_of_coupling(rig, static_shift, a);
@@ -165,7 +139,8 @@ Assumption fitted_constants(const RollingRig& rig) {
         a.missing = {theory_of_elastic_roller};
         return a;
     }
-    const Calculation error = layer_modulus(rig, true), modulus = layer_modulus(rig, false);
+    const Calculation error = calculate(rig, fitted_modulus_error),
+                      modulus = calculate(rig, layer_modulus);
     a.criteria = {{error, Criterion::Relation::at_most, accepted_difference, accepted_reason}};
     a.background = {modulus};
     a.consequence = fmt::format(

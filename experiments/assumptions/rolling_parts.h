@@ -5,44 +5,39 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "experiments/assumptions/calculation.h"
+#include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/check_rig.h"
-#include "experiments/assumptions/rolling_rig.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/line_contact.h"
 
-// The contact of a rolling rig from its quantities, as several assumptions need it.
+// The quantities of a rolling rig, its contact, and its assumptions, one function each.
 namespace tricontact::experiments {
 
-/// R, F_N, E_1, nu_1, E_2, nu_2: what Hertz' contact follows from.
-std::vector<Given> hertz_given(const RollingRig& rig);
-/// R, F_N, b, E_2, nu_2 of the contact with the layer; the roller is rigid.
-std::vector<Given> layer_given(const RollingRig& rig);
-/// The same with one more behind.
-std::vector<Given> with(std::vector<Given> given, Given one);
-/// Either with a cylinder's L behind.
-std::vector<Given> with_length(std::vector<Given> given, const RollingRig& rig);
+/// By the keys of rolling_formulas.cc.
+std::vector<Given> given(const RollingRig& rig, std::string_view keys);
+/// A formula with the rig's numbers put in.
+Calculation calculate(const RollingRig& rig, const Formula& formula);
 
-/// Of values in the order of `hertz_given`, at mu = 1.
-contact::HalfSpaceScales hertz_of(const std::vector<double>& x);
-contact::MaterialPair materials_of(const std::vector<double>& x);
-/// Hertz' half width [m] of values in the order of `with_length(hertz_given)`.
-double line_half_width_of(const std::vector<double>& x);
-/// Of values in the order of `layer_given`, with a length for the line.
-theory::LayerContact layer_of(const std::vector<double>& x);
-theory::LineContact layer_line_of(const std::vector<double>& x);
+/// What Hertz' contact follows from, and that with the layer, whose roller is rigid. A cylinder has
+/// L behind.
+inline constexpr const char* hertz_keys = "R F_N E_1 nu_1 E_2 nu_2";
+inline constexpr const char* layer_keys = "R F_N b E_2 nu_2";
+std::vector<Given> contact_given(const RollingRig& rig, const char* keys);
 
-/// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
-double half_size(const RollingRig& rig);
-/// The radius [m] that amplitude ratios of the rig refer to.
-statistics::Uncertain reference_radius(const RollingRig& rig);
+/// Of values in the order of `hertz_keys`, at mu = 1.
+contact::HalfSpaceScales hertz_of(const Values& x);
+contact::MaterialPair materials_of(const Values& x);
+/// Hertz' half width [m] of a cylinder.
+double line_half_width_of(const Values& x);
+/// Of values in the order of `layer_keys`.
+theory::LayerContact layer_of(const Values& x);
+theory::LineContact layer_line_of(const Values& x);
+
 /// The layer's theory takes the roller as rigid: that is so where the roller has less than 1 % of
 /// the compliance, a fifth of what counts as a difference here.
 bool roller_is_rigid(const RollingRig& rig);
 inline constexpr const char* theory_of_elastic_roller =
     "a theory of the layer under a roller that is not rigid beside it";
-/// The printed value of this name, if the rig has it.
-const PrintedValue* find_printed(const RollingRig& rig, const char* name);
 
 /// Relative differences up to here count as none: the scatter of repeated runs of such rigs.
 inline constexpr double accepted_difference = 0.05;
@@ -53,24 +48,22 @@ std::string percent_text(double share, int digits = 3);
 /// "36.3 % below Hertz", of a quantity over Hertz'.
 std::string beside_hertz(double ratio);
 
-/// A quantity of the contact, by both theories: of values in the order of `hertz_given` and of
-/// `layer_given`, of a cylinder with L behind.
+/// A quantity of the contact, by both theories: of values in the order of `hertz_keys` and of
+/// `layer_keys`.
 struct ComparedQuantity {
     const char *name, *symbol, *formula, *source, *unit;
-    double (*half_space)(const std::vector<double>&);
-    double (*layer)(const std::vector<double>&);
+    double (*half_space)(const Values&);
+    double (*layer)(const Values&);
 };
+/// What a theory of the layer is called, and what the comparison says where the roller is rigid.
 struct LayerTheory {
     const char *formula, *source;
+    std::string (*consequence)(const RollingRig&);
 };
-/// Either with a cylinder's L behind.
-std::vector<Given> contact_given(const RollingRig& rig, std::vector<Given> given);
 /// Of both shapes: the thesis' rule for b/D_c, and both theories of all that is compared.
 Assumption half_space_assumption(const RollingRig& rig, Calculation thickness_ratio,
                                  std::span<const ComparedQuantity> compared,
-                                 const LayerTheory& theory, std::string consequence);
-
-// The assumptions of a rolling rig, one function each.
+                                 const LayerTheory& theory);
 
 Assumption quasi_static_drive(const RollingRig& rig);
 Assumption ideal_rolling(const RollingRig& rig);

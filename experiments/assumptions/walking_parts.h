@@ -1,34 +1,30 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "experiments/assumptions/assumption.h"
-#include "experiments/assumptions/calculation.h"
-#include "experiments/assumptions/walking_rig.h"
+#include "experiments/assumptions/rig.h"
 
-// Stiffnesses of a micro-walking rig, as several assumptions need them.
-// The assumptions of a micro-walking rig, one function each.
+// The quantities and formulas of a micro-walking rig, and its assumptions, one function each.
 namespace tricontact::experiments {
 
 inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
+/// By the keys of walking_formulas.cc.
+std::vector<Given> given(const WalkingRig& rig, std::string_view keys);
+/// A formula with the rig's numbers put in.
+Calculation calculate(const WalkingRig& rig, const Formula& formula);
+
 /// E_1, nu_1, E_2, nu_2 of disc and substrate.
-std::vector<Given> material_given(const WalkingRig& rig);
+inline constexpr const char* material_keys = "E_1 nu_1 E_2 nu_2";
 /// Of values that begin in this order [Pa].
-double effective_modulus_of(const std::vector<double>& x);
-double effective_shear_modulus_of(const std::vector<double>& x);
+double effective_modulus_of(const Values& x);
+double effective_shear_modulus_of(const Values& x);
 
-Given mass(const WalkingRig& rig);
-Given diameter(const WalkingRig& rig);
-
-/// k_x = G* D_c [N/m] of one contact (5.2.3).
-Calculation tangential_stiffness(const WalkingRig& rig);
-/// k_z = E* D_c [N/m] of one contact (5.2.3).
-Calculation normal_stiffness(const WalkingRig& rig);
-/// b = l_1/2 + l_2 [m] of the model, half the distance of the discs' outer faces.
-Calculation half_width(const WalkingRig& rig);
-/// a = D/(2 sqrt(2)) [m] of the model: height of the axis over the contacts at 45 degrees.
-Calculation half_height(const WalkingRig& rig);
+/// k_x, k_z [N/m] of one contact; b [m], half the distance of the discs' outer faces; a [m], height
+/// of the axis over the contacts at 45 degrees.
+extern const Formula tangential_stiffness, normal_stiffness, half_width, half_height;
 /// Of spring and sensor in series [N/m]; the spring's own without a sensor.
 Calculation spring_stiffness(const WalkingRig& rig);
 

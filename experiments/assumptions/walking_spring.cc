@@ -12,71 +12,67 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::significant;
-using Relation = Criterion::Relation;
+using enum Criterion::Relation;
+using std::numbers::pi;
 
 constexpr double least_kappa1 = 0.1, largest_kappa1 = 10;
 constexpr double least_series_ratio = 0.95;
 constexpr double largest_beam_ratio = 0.01;
 
-Calculation kappa1(const WalkingRig& rig) {
-    return calculate("kappa1", "kappa_1", "k_s/k_x", "(5.2.19)", "1",
-                     {{"k_s", spring_stiffness(rig).result, "N/m"},
-                      {"k_x", tangential_stiffness(rig).result, "N/m"}},
-                     [](const auto& x) { return x[0] / x[1]; });
-}
+constexpr Formula kappa1("kappa1", "kappa_1", "k_s/k_x", "(5.2.19)", "1", "k_s k_x",
+                         [](const Values& x) { return x[0] / x[1]; });
 
-Calculation series_ratio(const WalkingRig& rig) {
-    return calculate(
-        "series_ratio", "k_s/k", "1/(1 + k/k_sensor)", "(5.2.16)", "1",
-        {{"k", rig.spring.stiffness, "N/m"}, {"k_sensor", *rig.spring.sensor_stiffness, "N/m"}},
-        [](const auto& x) { return 1 / (1 + x[0] / x[1]); });
-}
+constexpr Formula series_ratio("series_ratio", "k_s/k", "1/(1 + k/k_sensor)", "(5.2.16)", "1",
+                               "k k_sensor", [](const Values& x) { return 1 / (1 + x[0] / x[1]); });
 
-std::vector<Given> rod_given(const WalkingRig& rig) {
-    return {{"k", rig.spring.stiffness, "N/m"},
-            {"l_s", *rig.spring.length, "m"},
-            {"E_s", *rig.spring.young, "Pa"}};
+// Of a round rod: its radius from k = E_s pi r_s^2/l_s, of values that begin with k, l_s, E_s.
+double rod_radius_of(const Values& x) {
+    return std::sqrt(x[0] * x[1] / (pi * x[2]));
 }
-
-// Radius of a round rod from k = E_s pi r_s^2/l_s.
-double rod_radius_of(const std::vector<double>& x) {
-    return std::sqrt(x[0] * x[1] / (std::numbers::pi * x[2]));
-}
-
-Calculation of_rod(const WalkingRig& rig, const char* name, const char* symbol, const char* formula,
-                   const char* source, const char* unit, statistics::Quantity function,
-                   std::vector<Given> further = {}) {
-    std::vector<Given> given = rod_given(rig);
-    given.insert(given.end(), further.begin(), further.end());
-    return calculate(name, symbol, formula, source, unit, std::move(given), std::move(function));
-}
-
-double slender(const std::vector<double>& x) {
+double slender(const Values& x) {
     return 0.75 * std::pow(rod_radius_of(x) / x[1], 2);
 }
-double over_width(const std::vector<double>& x) {
+double over_width(const Values& x) {
     return 0.25 * std::pow(rod_radius_of(x) / x[3], 2);
 }
 
-Calculation tilting_ratio(const WalkingRig& rig) {
-    return calculate("tilting_ratio", "mu/mu_c", "mu kappa_3 (1 + kappa_8)", "(4.3.3)", "1",
-                     {{"mu", rig.friction_coefficient, "1"},
-                      {"a", half_height(rig).result, "m"},
-                      {"b", half_width(rig).result, "m"},
-                      {"kappa_8", *rig.spring.height_ratio, "1"}},
-                     [](const auto& x) { return x[0] * x[1] / x[2] * (1 + x[3]); });
-}
+constexpr Formula bending_force_ratio("bending_force_ratio", "F_bZ/F_cZ",
+                                      "3 E_s I_s/(l_s^3 k_z) = 3/4 (r_s/l_s)^2 k/k_z", "(5.2.41)",
+                                      "1", "k l_s E_s k_z",
+                                      [](const Values& x) { return slender(x) * x[0] / x[3]; });
+constexpr Formula bending_moment_ratio("bending_moment_ratio", "M_b/M_c",
+                                       "E_s I_s/(l_s k_z b^2) = 1/4 (r_s/b)^2 k/k_z", "(5.2.41)",
+                                       "1", "k l_s E_s b k_z",
+                                       [](const Values& x) { return over_width(x) * x[0] / x[4]; });
+constexpr Formula of_rod[] = {Formula("rod_radius", "r_s", "sqrt(k l_s/(pi E_s))", "(5.2.12)", "m",
+                                      "k l_s E_s", rod_radius_of),
+                              Formula("beam_force_ratio", "F_bZ/F_cZ, k_z = k", "3/4 (r_s/l_s)^2",
+                                      "(5.2.42)", "1", "k l_s E_s", slender),
+                              Formula("beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2",
+                                      "(5.2.42)", "1", "k l_s E_s b", over_width)};
+
+constexpr Formula tilting_ratio("tilting_ratio", "mu/mu_c", "mu kappa_3 (1 + kappa_8)", "(4.3.3)",
+                                "1", "mu a b kappa_8",
+                                [](const Values& x) { return x[0] * x[1] / x[2] * (1 + x[3]); });
+
+constexpr Formula sampling_ratio("sampling_ratio", "f_samp/(2 Omega_exp)",
+                                 "f_samp/(2 Omega_exp), Omega_exp in cycles per second", "(5.2.1)",
+                                 "1", "f_samp Omega_exp",
+                                 [](const Values& x) { return x[0] / (2 * x[1]); });
+constexpr Formula nyquist_rate("nyquist_rate", "2 Omega_exp/(2 pi)", "2 Omega_exp/(2 pi)",
+                               "(5.2.1)", "Hz", "Omega_exp",
+                               [](const Values& x) { return 2 * x[0] / (2 * pi); });
 
 }  // namespace
 
 Assumption similar_stiffness(const WalkingRig& rig) {
-    const Calculation kappa = kappa1(rig);
+    const Calculation kappa = calculate(rig, kappa1);
     const char* reason = "micro-walking was found for kappa_1 about 1 (5.2.8): within a decade";
     return {.name = "similar_stiffness",
             .title = "Spring and contact",
             .claim = "Spring and contact are of similar stiffness",
-            .criteria = {{kappa, Relation::at_least, least_kappa1, reason},
-                         {kappa, Relation::at_most, largest_kappa1, reason}},
+            .criteria = {{kappa, at_least, least_kappa1, reason},
+                         {kappa, at_most, largest_kappa1, reason}},
             .background = {spring_stiffness(rig)},
             .consequence = fmt::format(
                 "kappa_1 is {}.",
@@ -91,11 +87,10 @@ Assumption rigid_sensor(const WalkingRig& rig) {
         a.missing = {"spring.sensor_stiffness"};
         return a;
     }
-    a.criteria = {{series_ratio(rig), Relation::at_least, least_series_ratio,
+    a.criteria = {{calculate(rig, series_ratio), at_least, least_series_ratio,
                    "5 % of the spring's stiffness"}};
-    a.consequence =
-        fmt::format("With the sensor in series the spring is {} % softer than alone.",
-                    significant(100 * (1 - a.criteria.front().calculation.result.value), 2));
+    a.consequence = fmt::format("With the sensor in series the spring is {} % softer than alone.",
+                                significant(100 * (1 - a.deciding_value()), 2));
     return a;
 }
 
@@ -106,25 +101,13 @@ Assumption rod_as_spring(const WalkingRig& rig) {
         a.missing = {"spring.length and spring.young of a rod"};
         return a;
     }
-    const Given stiffness{"k_z", normal_stiffness(rig).result, "N/m"};
-    const Given width{"b", half_width(rig).result, "m"};
-    a.criteria = {
-        {of_rod(rig, "bending_force_ratio", "F_bZ/F_cZ",
-                "3 E_s I_s/(l_s^3 k_z) = 3/4 (r_s/l_s)^2 k/k_z", "(5.2.41)", "1",
-                [](const auto& x) { return slender(x) * x[0] / x[3]; }, {stiffness}),
-         Relation::at_most, largest_beam_ratio, "1 % of the contact's force"},
-        {of_rod(rig, "bending_moment_ratio", "M_b/M_c",
-                "E_s I_s/(l_s k_z b^2) = 1/4 (r_s/b)^2 k/k_z", "(5.2.41)", "1",
-                [](const auto& x) { return over_width(x) * x[0] / x[4]; }, {width, stiffness}),
-         Relation::at_most, largest_beam_ratio, "1 % of the contact's moment"}};
-    a.background = {
-        of_rod(rig, "rod_radius", "r_s", "sqrt(k l_s/(pi E_s))", "(5.2.12)", "m", rod_radius_of),
-        of_rod(rig, "beam_force_ratio", "F_bZ/F_cZ, k_z = k", "3/4 (r_s/l_s)^2", "(5.2.42)", "1",
-               slender),
-        of_rod(rig, "beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2", "(5.2.42)", "1",
-               over_width, {width})};
+    a.criteria = {{calculate(rig, bending_force_ratio), at_most, largest_beam_ratio,
+                   "1 % of the contact's force"},
+                  {calculate(rig, bending_moment_ratio), at_most, largest_beam_ratio,
+                   "1 % of the contact's moment"}};
+    for (const Formula& formula : of_rod) a.background.push_back(calculate(rig, formula));
     a.consequence = fmt::format("Bending adds {} % to the contact's force and {} % to its moment.",
-                                significant(100 * a.criteria[0].calculation.result.value, 2),
+                                significant(100 * a.deciding_value(), 2),
                                 significant(100 * a.criteria[1].calculation.result.value, 2));
     return a;
 }
@@ -135,11 +118,10 @@ Assumption no_tilting(const WalkingRig& rig) {
         a.missing = {"spring.height_ratio"};
         return a;
     }
-    a.criteria = {{tilting_ratio(rig), Relation::at_most, 1, "at mu_c one contact lifts off"}};
-    a.consequence = fmt::format(
-        "The critical coefficient is {}.",
-        significant(rig.friction_coefficient.value / a.criteria.front().calculation.result.value,
-                    3));
+    a.criteria = {{calculate(rig, tilting_ratio), at_most, 1, "at mu_c one contact lifts off"}};
+    a.consequence =
+        fmt::format("The critical coefficient is {}.",
+                    significant(rig.friction_coefficient.value / a.deciding_value(), 3));
     return a;
 }
 
@@ -149,17 +131,10 @@ Assumption sampled_often(const WalkingRig& rig) {
         a.missing = {"oscillation.sampling_rate"};
         return a;
     }
-    const Given frequency{"Omega_exp", rig.oscillation->frequency, "Hz"};
-    const Given rate{"f_samp", *rig.oscillation->sampling_rate, "Hz"};
-    a.criteria = {{calculate("sampling_ratio", "f_samp/(2 Omega_exp)",
-                             "f_samp/(2 Omega_exp), Omega_exp in cycles per second", "(5.2.1)", "1",
-                             {rate, frequency}, [](const auto& x) { return x[0] / (2 * x[1]); }),
-                   Relation::at_least, 1, "Nyquist and Shannon"}};
-    a.background = {calculate("nyquist_rate", "2 Omega_exp/(2 pi)", "2 Omega_exp/(2 pi)", "(5.2.1)",
-                              "Hz", {frequency},
-                              [](const auto& x) { return 2 * x[0] / (2 * std::numbers::pi); })};
+    a.criteria = {{calculate(rig, sampling_ratio), at_least, 1, "Nyquist and Shannon"}};
+    a.background = {calculate(rig, nyquist_rate)};
     a.consequence = fmt::format("The force is sampled at {} times the least rate.",
-                                significant(a.criteria.front().calculation.result.value, 3));
+                                significant(a.deciding_value(), 3));
     return a;
 }
 

@@ -68,7 +68,7 @@ struct IdentificationStudy {
     std::string command, version;
 };
 
-/// The model whose properties count: the one that leaves out least. Finite elements before boundary
+/// The model whose properties count: the most complete one. Finite elements before boundary
 /// elements of the layer, the layer's theory, the half-space.
 const IdentifiedModel& reference_model(const IdentificationStudy& study);
 

@@ -65,7 +65,7 @@ report::Verdict values_found(const IdentificationStudy& study, const IdentifiedM
     sentence += fmt::format("; intervals of {:g} %, from the likelihood{}.", 100 * found.confidence,
                             what_else(study, model));
     if (&model == &reference_model(study) && study.models.size() > 1)
-        sentence += " This is the model that leaves out least.";
+        sentence += " This is the most complete model.";
     return {report::Verdict::Standing::finding, sentence};
 }
 

@@ -1,4 +1,3 @@
-#include "experiments/assumptions/calculation.h"
 
 #include <gtest/gtest.h>
 
