@@ -9,7 +9,7 @@
 #include "contact/special_values.h"
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
-#include "rolling/readings.h"
+#include "rolling/rolling_report.h"
 
 namespace tricontact::app {
 

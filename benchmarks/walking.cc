@@ -31,8 +31,8 @@ std::vector<Motion> starts_of(const std::vector<Machine>& machines) {
     return starts;
 }
 
-/// Arithmetic vector instructions of a step of the two-spot model, counted in kernel_step.h and
-/// kernel_sums.h: with a fused multiply-add and one instruction for the clamp, with the clamp in
+/// Arithmetic vector instructions of a step of the two-spot model, counted in
+/// kernel_step.h: with a fused multiply-add and one instruction for the clamp, with the clamp in
 /// three, with multiplications and additions apart.
 double instructions(Kernel kernel, Detail detail) {
     const bool all = detail == Detail::everything;

@@ -1,3 +1,5 @@
+#include "walking/run/walk.h"
+
 #include <pybind11/stl.h>
 
 #include "app/studies/sweep.h"
@@ -6,9 +8,6 @@
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_report.h"
-#include "walking/report/walk_text.h"
-#include "walking/run/walk_run.h"
 
 namespace tricontact::python {
 

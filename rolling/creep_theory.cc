@@ -5,7 +5,7 @@
 
 #include "comparisons/quantities/model_assumptions.h"
 #include "contact/substrates/relaxing_case.h"
-#include "rolling/readings.h"
+#include "rolling/rolling_report.h"
 #include "theory/rolling/carter.h"
 #include "theory/rolling/creep_law.h"
 #include "theory/rolling/foundation_rolling.h"

@@ -4,7 +4,7 @@
 
 #include "contact/error.h"
 #include "contact/solvers/moving_frame.h"
-#include "rolling/steady_system.h"
+#include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {
 

@@ -22,6 +22,7 @@
 /// Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact, eq. 1.39. Friction acts on
 /// the substrate along s: force and creepage have the same sign, and a force along +x is that of a
 /// braked indenter.
+
 namespace tricontact::rolling {
 
 using theory::Creepage;
@@ -80,5 +81,10 @@ struct RollingHistory {
         surface;           ///< of the steady state; slip [-] and dissipation [Pa] per rolled way
     contact::Audit audit;  ///< checks of all solutions
 };
+
+/// What follows from the fields of a grid under a body: forces, moments, areas, extent and
+/// friction's dissipation. Slip and dissipation of `surface` are those per rolled way, its offset
+/// is the contact's centre.
+RollingState state_of(const contact::Surface& surface, const contact::Indenter& indenter);
 
 }  // namespace tricontact::rolling

@@ -7,8 +7,7 @@
 
 #include "report/format.h"
 #include "rolling/creep_theory.h"
-#include "rolling/readings.h"
-#include "rolling/rolling_sections.h"
+#include "rolling/rolling_report.h"
 
 namespace tricontact::rolling {
 

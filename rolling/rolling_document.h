@@ -22,4 +22,20 @@ std::string history_csv(const RollingRun& run);
 /// stand at the same creepages as the first model that has a curve.
 std::string creep_csv(const RollingReport& report);
 
+/// The steady state of each model as a table.
+report::DocumentSection steady_section(const RollingReport& report);
+
+/// What a relaxing substrate resists, beside closed forms; empty of elastic ones.
+report::DocumentSection resistance_section(const RollingReport& report);
+
+/// From rest to steady rolling: what follows of creepage and force over the rolled way, and the
+/// tractions on the centre line, a figure per model.
+report::DocumentSection transient_section(const RollingReport& report);
+
+/// Force over creepage of models and theories; empty figures where no curve was computed.
+report::DocumentSection creep_section(const RollingReport& report);
+
+/// Zones of stick and slip with the slip's direction, a figure per model on a grid.
+report::DocumentSection zones_section(const RollingReport& report);
+
 }  // namespace tricontact::rolling

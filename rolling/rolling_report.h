@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,5 +40,39 @@ struct RollingReport {
 
 /// Ways in units of the contact's half length at which the transient is looked at.
 inline constexpr double line_distances[] = {0, .25, .5, 1, 2, 4};
+
+/// F_x/(mu F_N) of a state.
+double force_ratio(const rolling::RollingState& state, double friction_coefficient);
+
+/// |What friction and material dissipate - creepage . force - spin . moment - resistance| over what
+/// mu F_N works on the sliding that creepage and spin prescribe, and the resistance: zero in a
+/// steady state. Empty where nothing creeps or resists.
+std::optional<double> energy_error(const rolling::RollingState& steady,
+                                   double friction_coefficient);
+
+/// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
+/// of xi over (1 - |f|)^(1/3), in which creep curves are nearly straight; empty beyond the curve.
+std::optional<double> creepage_at(const RollingRun& run, double friction_coefficient, double ratio);
+
+/// Ways over the half length until the transient has come to within 1 % of the steady state, in
+/// what is not prescribed along x: creepage under a force, else force; empty if it has not, or
+/// where that is 0.
+std::optional<double> steady_after(const RollingReport& report, const RollingRun& run);
+
+/// The creepage along x is prescribed, the force follows.
+inline bool by_creepage(const contact::Case& c) {
+    return c.tractive_rolling->longitudinal_creepage.has_value();
+}
+
+/// The sign of F_x and xi along the creep curve: -1 where the roller is driven, not braked.
+double drive_sign(const contact::Case& c);
+
+/// Nothing but the longitudinal creepage or force drives the contact: what closed forms assume.
+inline bool straight(const contact::Case& c) {
+    return c.tractive_rolling->spin == 0 && c.tractive_rolling->lateral_creepage.value_or(0) == 0;
+}
+
+/// That of a model; null if the case has none.
+const RollingRun* run_of(const RollingReport& report, const std::string& model);
 
 }  // namespace tricontact::rolling

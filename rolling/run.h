@@ -1,13 +1,45 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/substrates/substrate.h"
+#include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"
 #include "rolling/steady_rolling.h"
-#include "rolling/transient_rolling.h"
 
 namespace tricontact::rolling {
+
+/// Rolling from rest in the frame that moves with the contact, a cell of the grid at a time: each
+/// step is the frictional contact of contact::SurfaceModel, whose fields were carried along before.
+class TransientRolling {
+  public:
+    /// Throws contact::InputError for points that form no grid.
+    TransientRolling(const contact::Substrate& substrate, const RollingProblem& problem);
+
+    /// Presses until a relaxing substrate has relaxed; the forces that drive act already, the
+    /// creepage does not. Called once, before roll(). Throws contact::InputError when the force
+    /// exceeds what friction carries, contact::ContactAtEdge of the grid, contact::NotConverged.
+    RollingState press();
+    /// Rolls on by one cell.
+    RollingState roll();
+    /// Slip [-] and dissipation [Pa] per rolled way; at rest, of the pressing: 0.
+    contact::Surface surface() const;
+    const RollingProblem& problem() const { return problem_; }
+    double cell() const { return cell_; }  ///< rolled in a step [m]
+    /// Checks of all solutions so far.
+    const contact::Audit& audit() const { return model_.audit(); }
+
+  private:
+    contact::LoadStep step() const;
+    RollingState record(const contact::StepRecord& step) const;
+
+    RollingProblem problem_;
+    double cell_;  // rolled in a step [m]
+    contact::SurfaceModel model_;
+    contact::Vector2 shift_{};  // rigid, before the last step [m]
+    int n_rolled_ = 0;          // cells
+};
 
 /// Rolls from rest over problem.distance, and finds the steady state: of elastic bodies directly,
 /// over a relaxing substrate by rolling on until nothing changes any more. Throws

@@ -15,7 +15,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
-#include "rolling/rolling_state.h"
+#include "rolling/rolling_contact.h"
 #include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {

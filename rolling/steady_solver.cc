@@ -11,7 +11,6 @@
 #include "contact/solvers/friction_disc.h"
 #include "contact/solvers/largest.h"
 #include "contact/solvers/moving_frame.h"
-#include "rolling/steady_system.h"
 
 namespace tricontact::rolling {
 

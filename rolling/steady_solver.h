@@ -1,11 +1,80 @@
 #pragma once
 
+#include <Eigen/Dense>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "contact/solvers/compliance.h"
+#include "contact/vector2.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {
+
+/// What the frame's motion by one cell along x adds to the slip of the `active` points, per rolled
+/// way: (u(x + h) - u(x))/h, 0 elsewhere.
+contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
+                                          const std::vector<std::size_t>& active,
+                                          const contact::TangentialField& u);
+
+/// The Newton system of steady rolling for given stick and slip zones. Sticking points have two
+/// unknowns; slipping ones move along the tangent of their friction disc only:
+///   P M z + D z - C w = r,   C' z = c,   M = -d/dx A,
+/// P the projection onto the admissible directions, D = (s.e)/bound on slipping points (the
+/// curvature of the disc), C the total forces in the force-controlled directions, w the creepage.
+/// A commutes with the step of one cell, of which M is the first difference: M is not symmetric,
+/// but t'M t >= 0.
+class SteadySystem {
+  public:
+    struct Result {
+        contact::TangentialField z;  ///< traction [Pa]
+        contact::Vector2 creepage;   ///< w [-], zero in creepage-controlled directions
+        int iterations = 0;          ///< applications of the compliance
+        double residual = 0;         ///< over the right-hand side
+    };
+
+    /// `active`: indices of the points in contact.
+    SteadySystem(const contact::Compliance& compliance, const std::vector<std::size_t>& active,
+                 std::array<bool, 2> force_controlled);
+
+    /// Slip over traction of a cell by itself [1/Pa], the scale of M.
+    double local() const { return local_; }
+    /// What stands per active point: whether it slips, and if so the unit tangent of its friction
+    /// disc and the curvature D [1/Pa]. `relief` r [-]: the force balance becomes
+    /// C' z + r C'C w/local = c, a step of the proximal point method (Rockafellar 1976) for the
+    /// creepage. Where nearly all slip along the force, hardly any rotation carries more of it.
+    void set_zones(std::vector<std::uint8_t> slipping, std::vector<contact::Vector2> tangent,
+                   std::vector<double> curvature, double relief);
+    /// `r` [-] on the points, `c` [N]: right-hand sides. `tolerance`: on the residual over the
+    /// first.
+    Result solve(const contact::TangentialField& r, const contact::Vector2& c,
+                 double tolerance) const;
+
+  private:
+    // Vectors: x components of the active points, their y components, and two more for the creepage
+    // and the force balance.
+    Eigen::Index size() const { return 2 * static_cast<Eigen::Index>(active_.size()) + 2; }
+    Eigen::VectorXd product(const Eigen::VectorXd& z) const;
+    Eigen::VectorXd preconditioned(const Eigen::VectorXd& r) const;
+    Eigen::VectorXd projected(const Eigen::VectorXd& f) const;
+    Eigen::VectorXd without_balance(const Eigen::VectorXd& r) const;
+    Eigen::VectorXd unrolled(const Eigen::VectorXd& r) const;
+    Eigen::VectorXd sliding(const Eigen::VectorXd& z) const;
+    Eigen::Vector2d total(const Eigen::VectorXd& z) const;
+
+    const contact::Compliance& compliance_;
+    const std::vector<std::size_t>& active_;
+    std::array<bool, 2> force_controlled_;
+    double local_;
+    double area_ = 0;  // of the active points [m^2]
+    std::vector<std::uint8_t> slipping_;
+    std::vector<contact::Vector2> tangent_;
+    std::vector<double> curvature_;
+    bool all_stick_ = true;
+    std::array<Eigen::VectorXd, 2> answer_;  // without balance, to a creepage of 1
+    double relief_ = 0;
+    Eigen::Matrix2d force_inverse_;
+};
 
 /// Steady rolling at given pressures: find tractions t on the substrate, |t| <= bound, such that
 /// the slip s of rolling_contact.h, du/dx the difference to the next cell ahead, vanishes where

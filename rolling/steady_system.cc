@@ -1,9 +1,8 @@
-#include "rolling/steady_system.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "rolling/gmres.h"
+#include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {
 

@@ -17,7 +17,7 @@
 #include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
-#include "walking/report/walk_text.h"
+#include "walking/report/walk_document.h"
 
 namespace tricontact::app {
 

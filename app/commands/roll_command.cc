@@ -16,8 +16,8 @@
 #include "io/results/vtk_series.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
-#include "rolling/readings.h"
 #include "rolling/rolling_document.h"
+#include "rolling/rolling_report.h"
 
 namespace tricontact::app {
 

@@ -10,7 +10,6 @@
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_animation.h"
 #include "walking/report/walk_document.h"
-#include "walking/report/walk_text.h"
 
 namespace tricontact::app {
 

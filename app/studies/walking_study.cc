@@ -16,8 +16,7 @@
 #include "walking/kernels/lane.h"
 #include "walking/report/map_page.h"
 #include "walking/report/walk_sweep_document.h"
-#include "walking/run/walk_batch.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
 #include "walking/study/walk_outcome.h"
 
 namespace tricontact::app {

@@ -5,12 +5,11 @@
 #include <numbers>
 
 #include "app/verification/verification_rows.h"
+#include "walking/machine/energy.h"
+#include "walking/machine/event_driven.h"
 #include "walking/machine/linear_stability.h"
-#include "walking/machine/steady_sliding.h"
-#include "walking/machine/verlet_energy.h"
 #include "walking/run/lyapunov.h"
-#include "walking/run/reference_cycle.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::app {
 

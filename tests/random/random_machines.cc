@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "walking/run/walk_batch.h"
+#include "walking/run/walk.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "io/keys/messages.h"
 #include "io/keys/refusal.h"
 #include "walking/input/walk_keys.h"
-#include "walking/machine/stable_step.h"
+#include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking {
 

@@ -1,6 +1,6 @@
 #include <immintrin.h>
 
-#include "walking/kernels/kernel_pack.h"
+#include "walking/kernels/kernel_step.h"
 
 namespace tricontact::walking::kernels {
 namespace {

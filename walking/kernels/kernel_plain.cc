@@ -1,4 +1,4 @@
-#include "walking/kernels/kernel_pack.h"
+#include "walking/kernels/kernel_step.h"
 
 namespace tricontact::walking::kernels {
 namespace {

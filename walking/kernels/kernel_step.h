@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "walking/kernels/kernel_fields.h"
 
@@ -142,5 +143,171 @@ PackStep<Pack> advance(PackState<Pack>& s, PackFields<Pack> k) {
     s.dx = dx, s.dz = dz, s.dp = dp;
     return step;
 }
+
+/// Sums and extremes up to max_rotation.
+template <class Pack>
+struct MotionSums {
+    Pack force = Pack::all(0);
+    Pack z_min = Pack::all(__builtin_inf()), z_max = Pack::all(-__builtin_inf());
+    Pack p_min = Pack::all(__builtin_inf()), p_max = Pack::all(-__builtin_inf());
+
+    void start(const PackState<Pack>&, PackFields<Pack>) {}
+    void add(const PackState<Pack>& s, const PackStep<Pack>& step) {
+        force = force + step.spring_force;
+        z_min = min(z_min, s.z), z_max = max(z_max, s.z);
+        p_min = min(p_min, s.p), p_max = max(p_max, s.p);
+    }
+    void store(PackFields<Pack> fields) const {
+        fields.set(sum_force, force);
+        fields.set(min_height, z_min), fields.set(max_height, z_max);
+        fields.set(min_rotation, p_min), fields.set(max_rotation, p_max);
+    }
+};
+
+/// Velocities by central differences are known a step later, hence what stands beside them is that
+/// of the step before.
+template <class Pack>
+struct SpotPackSums {
+    Pack sticking = Pack::all(0), slip = Pack::all(0), slip_squared = Pack::all(0);
+    Pack bound = Pack::all(0), bound_squared = Pack::all(0), bound_slip = Pack::all(0);
+    Pack last_bound, last_slip;
+
+    void add(const PackSpotStep<Pack>& step) {
+        const Pack both = last_slip + step.slip;
+        sticking = count_zero(sticking, step.slid);
+        slip = slip + both;
+        slip_squared = multiply_add(both, both, slip_squared);
+        bound = bound + last_bound;
+        bound_squared = multiply_add(last_bound, last_bound, bound_squared);
+        bound_slip = multiply_add(last_bound, both, bound_slip);
+        last_bound = step.bound, last_slip = step.slip;
+    }
+    void store(PackFields<Pack> fields, int spot) const {
+        fields.set(sum_sticking_1 + spot, sticking), fields.set(sum_slip_1 + spot, slip);
+        fields.set(sum_slip_squared_1 + spot, slip_squared);
+        fields.set(sum_bound_1 + spot, bound);
+        fields.set(sum_bound_squared_1 + spot, bound_squared);
+        fields.set(sum_bound_slip_1 + spot, bound_slip);
+    }
+};
+
+/// All sums.
+template <class Pack>
+struct AllSums {
+    MotionSums<Pack> motion;
+    SpotPackSums<Pack> left, right;
+    Pack x_squared = Pack::all(0), z_squared = Pack::all(0), p_squared = Pack::all(0);
+
+    void start(const PackState<Pack>& s, PackFields<Pack> k) {
+        left.last_bound = s.left_bound(k), left.last_slip = k[slip_1];
+        right.last_bound = s.right_bound(k), right.last_slip = k[slip_2];
+    }
+    void add(const PackState<Pack>& s, const PackStep<Pack>& step) {
+        motion.add(s, step);
+        left.add(step.left), right.add(step.right);
+        x_squared = multiply_add(step.twice_dx, step.twice_dx, x_squared);
+        z_squared = multiply_add(step.twice_dz, step.twice_dz, z_squared);
+        p_squared = multiply_add(step.twice_dp, step.twice_dp, p_squared);
+    }
+    void store(PackFields<Pack> fields) const {
+        motion.store(fields);
+        left.store(fields, 0), right.store(fields, 1);
+        fields.set(sum_x_squared, x_squared);
+        fields.set(sum_height_squared, z_squared);
+        fields.set(sum_rotation_squared, p_squared);
+    }
+};
+
+template <class Pack, int n_packs>
+PackFields<Pack> fields_of_pack(typename Pack::Number* fields, int pack) {
+    return {fields + pack * Pack::size, n_packs * Pack::size};
+}
+
+/// Several packs of lanes step by step side by side: one waits for its results while others
+/// compute.
+template <class Contact, class Sums, class Pack, int... i>
+void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
+                   std::integer_sequence<int, i...>) {
+    constexpr int n = sizeof...(i);
+    PackState<Pack> states[n];
+    PackStep<Pack> last[n];
+    Sums sums[n];
+    const auto of = [&](int pack) { return fields_of_pack<Pack, n>(fields, pack); };
+    (states[i].load(of(i)), ...);
+    (sums[i].start(states[i], of(i)), ...);
+    for (std::int64_t step = 1; step < n_steps; ++step)
+        (sums[i].add(states[i], advance<Contact>(states[i], of(i))), ...);
+    ((last[i] = advance<Contact>(states[i], of(i))), ...);
+    (sums[i].add(states[i], last[i]), ...);
+    (states[i].store(of(i)), ...);
+    (of(i).set(slip_1, last[i].left.slip), ...);
+    (of(i).set(slip_2, last[i].right.slip), ...);
+    (sums[i].store(of(i)), ...);
+}
+
+template <class Contact, class Sums, class Pack, int n_packs>
+__attribute__((flatten)) void advance_lanes(typename Pack::Number* fields, std::int64_t n_steps) {
+    advance_packs<Contact, Sums, Pack>(fields, n_steps, std::make_integer_sequence<int, n_packs>());
+}
+
+template <class Pack, int n_packs>
+LaneFunctions<typename Pack::Number> lane_functions() {
+    using Flat = FlatContact<Pack>;
+    using Prism = PrismContact<Pack>;
+    return {n_packs * Pack::size, advance_lanes<Flat, MotionSums<Pack>, Pack, n_packs>,
+            advance_lanes<Flat, AllSums<Pack>, Pack, n_packs>,
+            advance_lanes<Prism, MotionSums<Pack>, Pack, n_packs>,
+            advance_lanes<Prism, AllSums<Pack>, Pack, n_packs>};
+}
+
+/// As many numbers as a register of the processor holds. `Instructions` are those of a unit, in a
+/// namespace without name (kernel_step.h): functions of registers.
+template <class Instructions>
+struct Pack {
+    using Number = typename Instructions::Number;
+    using Register = typename Instructions::Register;
+    static constexpr int size = sizeof(Register) / sizeof(Number);
+    static constexpr bool fused = requires(Register a) { Instructions::fmadd(a, a, a); };
+
+    Register v;
+
+    static Pack load(const Number* from) { return {*reinterpret_cast<const Register*>(from)}; }
+    static Pack all(Number value) { return {value + Register{}}; }
+    void store(Number* to) const { *reinterpret_cast<Register*>(to) = v; }
+
+    Pack operator+(Pack b) const { return {v + b.v}; }
+    Pack operator-(Pack b) const { return {v - b.v}; }
+    Pack operator*(Pack b) const { return {v * b.v}; }
+    Pack operator/(Pack b) const { return {v / b.v}; }
+    friend Pack multiply_add(Pack a, Pack b, Pack c) {
+        if constexpr (fused)
+            return {Instructions::fmadd(a.v, b.v, c.v)};
+        else
+            return a * b + c;
+    }
+    friend Pack multiply_subtract(Pack a, Pack b, Pack c) {
+        if constexpr (fused)
+            return {Instructions::fmsub(a.v, b.v, c.v)};
+        else
+            return a * b - c;
+    }
+    friend Pack negative_multiply_add(Pack a, Pack b, Pack c) {
+        if constexpr (fused)
+            return {Instructions::fnmadd(a.v, b.v, c.v)};
+        else
+            return c - a * b;
+    }
+    friend Pack min(Pack a, Pack b) { return {Instructions::min(a.v, b.v)}; }
+    friend Pack max(Pack a, Pack b) { return {Instructions::max(a.v, b.v)}; }
+    friend Pack square_root(Pack a) { return {Instructions::sqrt(a.v)}; }
+    /// Between -bound and bound: the smaller magnitude, with the sign of a.
+    friend Pack clamp(Pack a, Pack bound) {
+        if constexpr (requires { Instructions::clamp(a.v, bound.v); })
+            return {Instructions::clamp(a.v, bound.v)};
+        else
+            return min(max(a, Pack{-bound.v}), bound);
+    }
+    friend Pack count_zero(Pack count, Pack a) { return {Instructions::count_zero(count.v, a.v)}; }
+};
 
 }  // namespace tricontact::walking::kernels

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 
 namespace tricontact::walking {
 

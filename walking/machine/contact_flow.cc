@@ -1,5 +1,3 @@
-#include "walking/machine/contact_flow.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +6,8 @@
 #include <utility>
 
 #include "walking/machine/energy.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/event_driven.h"
+#include "walking/machine/motion.h"
 
 namespace tricontact::walking {
 

@@ -14,13 +14,9 @@
 #include <utility>
 
 #include "contact/error.h"
-#include "walking/machine/stable_step.h"
+#include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking {
-
-namespace odeint = boost::numeric::odeint;
-using State = ContactFlow::State;
-using Stepper = odeint::runge_kutta_fehlberg78<State>;
 
 namespace {
 
@@ -47,7 +43,51 @@ double upper_root(const Function& f, double a, double b, double fa, double fb) {
     return boost::math::tools::toms748_solve(f, a, b, fa, fb, full, n_evaluations).second;
 }
 
+constexpr double patience = 1000;
+
+bool flies(const EventDriven& run) {
+    return std::none_of(run.modes().begin(), run.modes().end(),
+                        [](const ContactMode& mode) { return mode.touches; });
+}
+
+// Advances to the next event but one sample at most, so that the extremes of z are met: between
+// samples z is less than z'' interval^2/8 lower.
+constexpr double interval = 1e-3;
+
+void follow_to_flight(EventDriven& run, ReferenceCycle& cycle) {
+    const double start = run.motion().time, end = start + patience;
+    bool flew = flies(run);
+    for (double time = start; time < end;) {
+        std::vector<bool> sticks;
+        for (const ContactMode& mode : run.modes())
+            sticks.push_back(mode.state == SpotState::stick);
+        run.advance_to_event(time + interval);
+        const Motion motion = run.motion();
+        for (std::size_t i = 0; i < sticks.size(); ++i)
+            if (sticks[i]) cycle.stick_times[i] += motion.time - time;
+        time = motion.time;
+        cycle.period = time - start;
+        cycle.z_min = std::min(cycle.z_min, motion.z);
+        if (flies(run) && !flew) return;
+        flew = flies(run);
+    }
+    throw contact::NotConverged(
+        "event-driven integration: the body did not fly in 1000 units of time");
+}
+
+EnergyBalance difference(const EnergyBalance& after, const EnergyBalance& before) {
+    return {.base = after.base - before.base,
+            .excitation = after.excitation - before.excitation,
+            .geometric = after.geometric - before.geometric,
+            .dissipation = after.dissipation - before.dissipation,
+            .stored = after.stored - before.stored};
+}
+
 }  // namespace
+
+namespace odeint = boost::numeric::odeint;
+using State = ContactFlow::State;
+using Stepper = odeint::runge_kutta_fehlberg78<State>;
 
 EventDriven::EventDriven(const Machine& machine, const Motion& start, double tolerance)
     : flow_(machine, tolerance * static_displacement(machine)),
@@ -182,6 +222,22 @@ void EventDriven::pass(const Crossing& crossing) {
             "event-driven integration: at t = {} the spots change between stick, slip and "
             "release without end: {} events at one time",
             time_, n_stalled_));
+}
+
+ReferenceCycle reference_cycle(EventDriven& run) {
+    const std::size_t n_spots = run.modes().size();
+    ReferenceCycle before{.stick_times = std::vector<double>(n_spots)};
+    follow_to_flight(run, before);
+    const EnergyBalance balance = run.energy_balance();
+    ReferenceCycle cycle{.start = run.motion(),
+                         .stick_times = std::vector<double>(n_spots),
+                         .z_min = run.motion().z};
+    follow_to_flight(run, cycle);
+    for (double& time : cycle.stick_times) time /= cycle.period;
+    cycle.balance = difference(run.energy_balance(), balance);
+    // The work of the base is its way times the mean force.
+    cycle.spring_force = cycle.balance.base / (run.motion().base - cycle.start.base);
+    return cycle;
 }
 
 }  // namespace tricontact::walking

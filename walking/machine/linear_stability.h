@@ -10,6 +10,26 @@
 
 namespace tricontact::walking {
 
+/// Largest angular frequency [sqrt(k_x/m)] of small vibrations with every spot in contact and
+/// sticking: no contact state is stiffer. The moments of second order in phi are left out; they
+/// are smaller by kappa4.
+double highest_frequency(const Machine& machine);
+
+/// Step [sqrt(m/k_x)] above which velocity Verlet blows up: 2/omega of highest_frequency. Hairer,
+/// Lubich, Wanner, Geometric Numerical Integration (2006), section I.5.1.
+double stable_step(const Machine& machine);
+
+/// Motion at time 0 of a machine whose spots all slip forwards at velocity kappa6, with a spring
+/// force that keeps x'' = 0: u = mu kappa2 n at the approaches that `z` and `phi` give; without
+/// coupling at those of rest.
+Motion sliding_motion(const Machine& machine, double z, double phi);
+
+/// Steady sliding: the sliding motion that stays, z'' = phi'' = 0. None where the body tilts: no
+/// |phi| up to tilting_limit balances the moments. For two spots that is friction above
+/// critical_friction, in the prism above 1/sqrt(2) of it (normal_load_factor), but for a share of
+/// the order of kappa4.
+std::optional<Motion> steady_sliding(const Machine& machine);
+
 /// Derivatives of x'', z'' and phi'' with respect to x, z and phi while every spot in contact slips
 /// forwards, u = mu kappa2 n; row by row. Friction makes it unsymmetric.
 /// `motion`: a sliding_motion.

@@ -7,6 +7,26 @@
 
 namespace tricontact::walking {
 
+double resting_indentation(double load) {
+    return 1.5 * load;
+}
+
+std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load) {
+    const double depth = resting_indentation(load);
+    const double contact_radius = std::sqrt(bed.radius * depth);
+    const double spacing = 2 * bed.width / bed.springs;  // over the contact radius
+    std::vector<Spot> springs;
+    for (int i = 0; i < bed.springs; ++i) {
+        const double place = (i + 0.5) * spacing - bed.width;
+        springs.push_back({.position = spot.position,
+                           .height = spot.height + place * place * depth,  // s^2/R
+                           .stiffness = spot.stiffness * spacing / 2,
+                           .offset = place * contact_radius,
+                           .tip_radius = bed.radius});
+    }
+    return springs;
+}
+
 double critical_friction(const Kappas& kappas) {
     const double lever = kappas.kappa3 * (1 + kappas.kappa8);  // (h + a)/b
     return lever > 0 ? 1 / lever : std::numeric_limits<double>::infinity();

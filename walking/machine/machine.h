@@ -3,10 +3,61 @@
 #include <optional>
 #include <vector>
 
-#include "walking/machine/bed.h"
-#include "walking/machine/spot.h"
-
 namespace tricontact::walking {
+
+/// An elastic contact spot at the base of the body, or one spring of the bed of a rounded tip.
+/// Lengths in units of b.
+struct Spot {
+    double position = 0;    ///< along the base, from its middle; negative is left, behind
+    double height = 0;      ///< of its tip above the base plane
+    double stiffness = 1;   ///< normal in units of k_z, tangential of k_x
+    double offset = 0;      ///< of the spring from the tip, along the base
+    double tip_radius = 0;  ///< of curvature; 0: a point, which does not roll
+
+    bool operator==(const Spot&) const = default;
+};
+
+/// Approach of the spot to the ground when the body has sunk by z and turned by `rotation` Phi,
+/// counter-clockwise; lengths in units of b. Wetter (2016), eq. B.4.1.
+///
+/// A rounded tip rolls: turned by Phi, the paraboloid s^2/(2 R) is the same one, its lowest point
+/// moved by -R Phi and R Phi^2/2 lower. With the plane profile s^2/R of the method of
+/// dimensionality reduction (Popov and Hess 2015) its springs approach by
+///   d + R Phi^2/2 - (s + R Phi)^2/R = d - 2 s Phi - s^2/R - R Phi^2/2,
+/// d = z - position Phi; `height` contains s^2/R. Wetter (2016), eq. B.1.1, with W = R Phi.
+inline double approach(const Spot& spot, double z, double rotation) {
+    return z - (spot.position + 2 * spot.offset) * rotation - spot.height -
+           spot.tip_radius / 2 * rotation * rotation;
+}
+
+/// Lever of the normal force about the middle of the base, in units of b: -d approach/d Phi, so
+/// that normal forces conserve energy. Over a rounded tip its mean, weighted with the forces, is
+/// the place of its lowest point, position - R Phi.
+inline double normal_lever(const Spot& spot, double rotation) {
+    return spot.position + 2 * spot.offset + spot.tip_radius * rotation;
+}
+
+/// Contact spots as rounded tips: each is a bed of independent springs by the method of
+/// dimensionality reduction (Popov and Hess 2015), pressed with the plane profile s^2/R, so that
+/// it slips in part. The springs belong to the body, whose spots are the elastic ones.
+///
+/// k_z = E* D_c and k_x = G* D_c of Wetter (2016), eq. 4.1.7, are the stiffnesses of the bed at
+/// rest: D_c is the contact's diameter under an equal share of the weight, d its indentation.
+struct Bed {
+    double radius = 0;  ///< R of the tips, in units of b, >= 0
+    int springs = 0;    ///< per spot, >= 1
+    double width = 3;   ///< of the bed over D_c; a tip ends there. Enough for 9 d upright
+
+    bool operator==(const Bed&) const = default;
+};
+
+/// Indentation d at rest under `load` > 0, the force on a spot over k_z b; in units of b. Hertz:
+/// F = 4/3 E* sqrt(R) d^(3/2) = 2/3 k_z d.
+double resting_indentation(double load);
+
+/// Springs of a spot with its bed, from left to right; `load` as above, of a spot under an equal
+/// share of the weight.
+std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load);
 
 /// Dimensionless parameters of a micro-walking machine: a body of mass m, half height a, half width
 /// b and moment of inertia Theta on contact spots of stiffness k_x and k_z, dragged by a spring k_s

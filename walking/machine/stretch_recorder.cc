@@ -5,9 +5,57 @@
 #include <stdexcept>
 #include <utility>
 
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 
 namespace tricontact::walking {
+
+namespace {
+
+StretchSums nothing(std::size_t n_spots) {
+    StretchSums sums;
+    sums.spots.resize(n_spots);
+    return sums;
+}
+
+/// Wetter (2016), eq. 4.2.16.
+double path(const Motion& motion, const SpotDeflection& spot) {
+    return motion.x + motion.phi - spot.tangential;
+}
+
+}  // namespace
+
+SpotView::SpotView(const Machine& machine) : spots_(spots_of(machine)) {
+    if (machine.bed) springs_ = springs_of(machine);
+    sum_steps_.resize(spots_.size());
+}
+
+void SpotView::look_at(const Motion& motion, const std::vector<SpotStep>& steps) {
+    motion_ = &motion;
+    steps_ = &steps;
+    if (springs_.empty()) return;
+    sums_ = motion;
+    sums_.spots.assign(spots_.size(), {});
+    const std::size_t n = springs_.size() / spots_.size();
+    for (std::size_t spot = 0; spot < spots_.size(); ++spot) {
+        SpotDeflection& sum = sums_.spots[spot];
+        SpotStep& sum_step = sum_steps_[spot];
+        sum_step = {};
+        bool touches = false;
+        for (std::size_t i = spot * n; i < (spot + 1) * n; ++i) {
+            const SpotDeflection& spring = motion.spots[i];
+            if (spring.normal == 0) continue;
+            const double share = springs_[i].stiffness / spots_[spot].stiffness;
+            sum.normal += share * spring.normal;
+            sum.tangential += share * spring.tangential;
+            sum_step.sticks = sum_step.sticks || steps[i].sticks;
+            if (!touches || std::abs(steps[i].slip) < std::abs(sum_step.slip))
+                sum_step.slip = steps[i].slip;
+            touches = true;
+        }
+    }
+    motion_ = &sums_;
+    steps_ = &sum_steps_;
+}
 
 void StretchSums::add(const StretchSums& other) {
     if (steps == 0) spots.resize(other.spots.size());
@@ -44,21 +92,6 @@ double correlation(const SpotSums& spot, std::int64_t steps) {
         return std::numeric_limits<double>::quiet_NaN();
     return covariance / std::sqrt(normal * velocity);
 }
-
-namespace {
-
-StretchSums nothing(std::size_t n_spots) {
-    StretchSums sums;
-    sums.spots.resize(n_spots);
-    return sums;
-}
-
-/// Wetter (2016), eq. 4.2.16.
-double path(const Motion& motion, const SpotDeflection& spot) {
-    return motion.x + motion.phi - spot.tangential;
-}
-
-}  // namespace
 
 StretchRecorder::StretchRecorder(const Machine& machine, const Motion& start, double step)
     : machine_(machine),

@@ -7,7 +7,6 @@
 #include "walking/machine/dimensional_machine.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/motion.h"
-#include "walking/machine/spot_contact.h"
 
 namespace tricontact::walking {
 

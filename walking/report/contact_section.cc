@@ -5,10 +5,9 @@
 #include <limits>
 
 #include "contact/special_values.h"
-#include "walking/machine/forces.h"
-#include "walking/report/motion_series.h"
-#include "walking/report/spot_statistics.h"
+#include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
+#include "walking/report/walk_readings.h"
 
 namespace tricontact::walking {
 
@@ -133,7 +132,7 @@ report::DocumentSection contact_section(const WalkReport& report) {
         section.figures.push_back(share_figure(snapshots));
     for (std::size_t i = 0; !snapshots.empty() && i < n_spots && n_spots <= most_spots; ++i)
         section.figures.push_back(spot_figure(report.walk_case.machine, snapshots, i));
-    const std::vector<SpotStatistics> spots = spot_statistics(report);
+    const std::vector<SpotStatistics> spots = spot_statistics(report.walk);
     if (!spots.empty() && n_spots <= most_spots) section.tables.push_back(spot_table(spots));
     return section;
 }

@@ -6,7 +6,7 @@
 
 #include "contact/error.h"
 #include "report/format.h"
-#include "walking/report/walk_sections.h"
+#include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_factorial.h"
 
 namespace tricontact::walking {

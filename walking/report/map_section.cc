@@ -5,7 +5,7 @@
 
 #include "report/format.h"
 #include "walking/machine/linear_stability.h"
-#include "walking/report/walk_sections.h"
+#include "walking/report/walk_sweep_document.h"
 
 namespace tricontact::walking {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "report/format.h"
-#include "walking/report/walk_sections.h"
-#include "walking/run/drift.h"
+#include "walking/report/walk_sweep_document.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 

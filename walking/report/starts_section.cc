@@ -7,8 +7,7 @@
 #include "report/format.h"
 #include "report/format_share.h"
 #include "statistics/regression.h"
-#include "walking/report/walk_sections.h"
-#include "walking/study/factorial_effects.h"
+#include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_factorial.h"
 
 namespace tricontact::walking {

@@ -6,6 +6,92 @@
 
 namespace tricontact::walking {
 
+namespace {
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+std::string model_of(const Machine& machine) {
+    switch (machine.model) {
+        case Machine::Model::two_spot:
+            return "two spots";
+        case Machine::Model::prism:
+            return "prism of 45°, two contacts a side";
+        case Machine::Model::spots:
+            break;
+    }
+    return fmt::format("{} spots", machine.spots.size());
+}
+
+void add_machine(const Machine& machine, Settings& settings) {
+    const auto& [k1, k2, k3, k4, k5, k6, k7, k8] = machine.kappas;
+    settings.emplace_back("model", model_of(machine));
+    if (machine.bed) settings.back().second += ", beds of springs";
+    settings.emplace_back(
+        "κ_1 to κ_8",
+        fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", report::as_given(k1), report::as_given(k2),
+                    report::as_given(k3), report::as_given(k4), report::as_given(k5),
+                    report::as_given(k6), report::as_given(k7), report::as_given(k8)));
+    settings.emplace_back("z_stat, static displacement",
+                          report::significant(static_displacement(machine)) + " b");
+    settings.emplace_back("μ_c, critical friction",
+                          report::significant(critical_friction(machine)));
+    std::string without;
+    const auto add = [&](bool on, const char* name) {
+        if (!on) without += (without.empty() ? "" : ", ") + std::string(name);
+    };
+    add(machine.mechanisms.vertical, "vertical motion");
+    add(machine.mechanisms.rotation, "rotation");
+    add(machine.mechanisms.coupling, "coupling of friction to normal forces");
+    if (!without.empty()) settings.emplace_back("switched off", without);
+    if (const auto& excitation = machine.excitation; excitation.frequency > 0)
+        settings.emplace_back(
+            "excitation",
+            fmt::format("moment {} k_x b², force {} k_x b, at ω = {} √(k_x/m)",
+                        report::as_given(excitation.moment), report::as_given(excitation.force),
+                        report::as_given(excitation.frequency)));
+}
+
+void add_dimensions(const DimensionalMachine& machine, Settings& settings) {
+    const auto add = [&](const char* name, double value, const char* unit) {
+        settings.emplace_back(name, report::given_quantity(value, unit));
+    };
+    add("mass m", machine.mass, "kg");
+    add("half height a", machine.half_height, "m");
+    add("half width b", machine.half_width, "m");
+    settings.emplace_back("moment of inertia Θ",
+                          report::significant(machine.moment_of_inertia) + " kg m²");
+    add("spring k_s", machine.spring_stiffness, "N/m");
+    add("contact k_z", machine.normal_stiffness, "N/m");
+    add("contact k_x", machine.tangential_stiffness, "N/m");
+    add("base v_0", machine.base_velocity, "m/s");
+    add("lever arm h", machine.lever_arm, "m");
+    settings.emplace_back("unit of time √(m/k_x)",
+                          report::quantity(characteristic_time(machine), "s"));
+}
+
+/// Start, unless it is at rest on the ground.
+std::string start_of(const Start& start) {
+    if (start == Start{}) return "at rest on the ground";
+    return fmt::format(
+        "x, z, φ, x_s = {}, {}, {}, {} z_stat; velocities of x, z, φ = {}, {}, {} κ_6",
+        report::as_given(start.x), report::as_given(start.z), report::as_given(start.phi),
+        report::as_given(start.base), report::as_given(start.x_velocity),
+        report::as_given(start.z_velocity), report::as_given(start.phi_velocity));
+}
+
+}  // namespace
+
+Settings walk_settings(const WalkCase& walk_case) {
+    Settings settings;
+    add_machine(walk_case.machine, settings);
+    if (walk_case.dimensional) add_dimensions(*walk_case.dimensional, settings);
+    settings.emplace_back("start", start_of(walk_case.start));
+    settings.emplace_back("time",
+                          fmt::format("T = {} in steps of {}", report::as_given(walk_case.time.end),
+                                      report::as_given(walk_case.time.step)));
+    return settings;
+}
+
 report::Document walk_document(const WalkReport& report) {
     const auto vibration = vibration_of(report.walk_case.machine, report.walk);
     report::Document document{

@@ -10,12 +10,24 @@
 #include "report/document.h"
 #include "walking/machine/energy.h"
 #include "walking/machine/walk_case.h"
-#include "walking/machine/walk_record.h"
-#include "walking/report/vibration.h"
-#include "walking/report/walk_report.h"
+#include "walking/report/walk_readings.h"
+#include "walking/run/walk.h"
 
-// The report of a run, and its sections.
+// The report of a run, its sections and files.
+
 namespace tricontact::walking {
+
+/// A run of a walking machine and where it came from.
+struct WalkReport {
+    WalkCase walk_case;
+    Walk walk;
+    std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
+    std::string command = {};                                     ///< that makes it again
+    std::string version = {};                                     ///< of the program
+};
+
+/// What the report's figures need of a run: enough of its end for the spectrum of a chaotic one.
+inline constexpr Recording report_recording{.start = 100, .tail = 500, .interval = 0.05};
 
 /// What a machine does after its transient: verdicts, the motion and forces of figures 4.5, 4.6 and
 /// 4.17 to 4.19 of Wetter (2016), the whole run, its section, spectrum and running variance.
@@ -89,5 +101,14 @@ std::string motion_csv(const WalkCase& walk_case, const Walk& walk);
 /// those in SI units, null for a machine without dimensions. Undefined numbers are null. Spots are
 /// numbered from 1, left to right: stick_time_1, correlation_1 ...
 nlohmann::ordered_json walk_json(const WalkCase& walk_case, const Walk& walk);
+
+/// What a run came to, as lines for people.
+std::string walk_text(const WalkCase& walk_case, const Walk& walk);
+
+/// What follows from a case of the walking machine, as comments of a TOML file.
+std::string walk_scales_text(const WalkCase& c);
+
+/// The text of a walking machine's summary.json. `resolved` is the case as text.
+std::string walk_summary(const WalkCase& walk_case, const std::string& resolved, const Walk& walk);
 
 }  // namespace tricontact::walking

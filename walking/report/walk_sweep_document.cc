@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "report/format.h"
-#include "walking/report/walk_sections.h"
-#include "walking/study/walk_grid.h"
+#include "walking/study/walk_sweep.h"
 
 namespace tricontact::walking {
 

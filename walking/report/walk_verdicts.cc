@@ -6,11 +6,10 @@
 
 #include "report/format.h"
 #include "report/format_share.h"
-#include "walking/machine/forces.h"
-#include "walking/report/spot_statistics.h"
+#include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
-#include "walking/run/drift.h"
-#include "walking/run/drive_load.h"
+#include "walking/report/walk_readings.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 
@@ -184,7 +183,7 @@ report::Verdict jump(const WalkReport& report) {
 /// Wetter (2016), section 4.2.2: where friction is much reduced, the spots' velocities and normal
 /// deflections have correlations below -0.5.
 std::optional<report::Verdict> walking(const WalkReport& report) {
-    const std::vector<SpotStatistics> spots = spot_statistics(report);
+    const std::vector<SpotStatistics> spots = spot_statistics(report.walk);
     if (spots.empty() || spots.size() > most_spots) return std::nullopt;
     std::string correlations;
     for (const SpotStatistics& spot : spots) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "statistics/stationarity.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 
 namespace tricontact::walking {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "walking/machine/machine.h"
-#include "walking/machine/walk_record.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking {
 

@@ -7,8 +7,6 @@
 
 #include "statistics/initial_sequence.h"
 #include "statistics/stationarity.h"
-#include "walking/run/drive_load.h"
-#include "walking/run/fall_risk.h"
 #include "walking/run/limit_cycle.h"
 
 namespace tricontact::walking {

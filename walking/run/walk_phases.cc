@@ -1,8 +1,8 @@
-#include "walking/run/walk_phases.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "walking/run/walk.h"
 
 namespace tricontact::walking {
 namespace {

@@ -1,9 +1,25 @@
 #include "walking/run/walk_recorder.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace tricontact::walking {
+
 namespace {
+
+SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
+    if (spot.normal == 0) return SpotState::released;
+    return step.sticks ? SpotState::stick : SpotState::slip;
+}
+
+void take_snapshot(const SpotView& run, Snapshot& snapshot) {
+    snapshot.motion = run.motion();
+    snapshot.spots.resize(run.steps().size());
+    for (std::size_t i = 0; i < snapshot.spots.size(); ++i)
+        snapshot.spots[i] = state_of(run.motion().spots[i], run.steps()[i]);
+}
 
 Motion between(const Motion& a, const Motion& b, double share) {
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
@@ -29,6 +45,38 @@ Motion seen(SpotView& view, const Motion& start) {
 }
 
 }  // namespace
+
+void SnapshotRecorder::add(const VelocityVerlet& run) {
+    if (!view_) view_.emplace(run.machine());
+    view_->look_at(run.motion(), run.spot_steps());
+    if (first_.size() < n_first_) take_snapshot(*view_, first_.emplace_back());
+    if (ring_.size() < n_last_) ring_.emplace_back();
+    // Written over, so that it keeps its memory: a run takes millions.
+    take_snapshot(*view_, ring_[next_]);
+    next_ = (next_ + 1) % n_last_;
+}
+
+std::vector<Snapshot> SnapshotRecorder::last(std::size_t count) const {
+    std::vector<Snapshot> ordered(ring_);
+    if (ring_.size() == n_last_)
+        std::rotate_copy(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(next_),
+                         ring_.end(), ordered.begin());
+    if (ordered.size() > count)
+        ordered.erase(ordered.begin(), ordered.end() - static_cast<std::ptrdiff_t>(count));
+    return ordered;
+}
+
+PeriodRecorder::PeriodRecorder(const Machine& machine, const Motion& start)
+    : start_(start.time), length_(2 * std::numbers::pi / machine.excitation.frequency) {}
+
+void PeriodRecorder::add(const Motion& motion) {
+    ++steps_;
+    const auto in_the_air = [](const SpotDeflection& spot) { return spot.normal == 0; };
+    if (std::any_of(motion.spots.begin(), motion.spots.end(), in_the_air)) ++airborne_;
+    if (motion.time - start_ < static_cast<double>(periods_.size() + 1) * length_) return;
+    periods_.push_back({motion.x + motion.phi, static_cast<double>(airborne_) / steps_});
+    steps_ = airborne_ = 0;
+}
 
 WalkRecorder::WalkRecorder(const Machine& machine, const Motion& start, double step,
                            std::int64_t window)

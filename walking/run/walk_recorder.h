@@ -1,15 +1,54 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "walking/machine/spot_view.h"
+#include "walking/machine/motion.h"
 #include "walking/machine/stretch_recorder.h"
-#include "walking/machine/walk_record.h"
-#include "walking/run/drift.h"
+#include "walking/machine/velocity_verlet.h"
+#include "walking/run/walk.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
+
+/// Keeps the first and the last snapshots of a run, whenever it ends.
+class SnapshotRecorder {
+  public:
+    /// How many are kept of its beginning and, > 0, of its end.
+    SnapshotRecorder(std::size_t first, std::size_t last) : n_first_(first), n_last_(last) {}
+
+    void add(const VelocityVerlet& run);
+
+    const std::vector<Snapshot>& first() const { return first_; }
+    /// The last ones, at most `count` of them, in the order of time.
+    std::vector<Snapshot> last(std::size_t count) const;
+
+  private:
+    std::size_t n_first_, n_last_;
+    std::optional<SpotView> view_;
+    std::vector<Snapshot> first_;
+    std::vector<Snapshot> ring_;
+    std::size_t next_ = 0;  // place of the oldest, once the ring is full
+};
+
+/// Follows an excited machine period by period.
+class PeriodRecorder {
+  public:
+    /// The machine has an excitation of a frequency > 0.
+    PeriodRecorder(const Machine& machine, const Motion& start);
+
+    /// Next step; `motion` as its spots see it.
+    void add(const Motion& motion);
+
+    const std::vector<ExcitedPeriod>& periods() const { return periods_; }
+
+  private:
+    double start_, length_;
+    int steps_ = 0, airborne_ = 0;  // of the open period
+    std::vector<ExcitedPeriod> periods_;
+};
 
 /// Follows a run step by step: windows of equal length and returns to the Poincare section.
 class WalkRecorder {

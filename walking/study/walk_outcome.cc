@@ -12,9 +12,9 @@
 #include "contact/special_values.h"
 #include "report/json_number.h"
 #include "walking/machine/energy.h"
-#include "walking/machine/forces.h"
 #include "walking/machine/machine.h"
-#include "walking/report/vibration.h"
+#include "walking/machine/motion.h"
+#include "walking/report/walk_readings.h"
 
 namespace tricontact::walking {
 

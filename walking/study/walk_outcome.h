@@ -5,11 +5,19 @@
 #include <vector>
 
 #include "walking/machine/walk_case.h"
-#include "walking/machine/walk_record.h"
-#include "walking/report/walk_map.h"
-#include "walking/run/walk_result.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking {
+
+/// Motion of a machine over some of its periods, sampled evenly. Lengths in units of b, times of
+/// sqrt(m/k_x), forces of k_x b. All lists are of one length.
+struct MotionSamples {
+    double interval = 0;              ///< between two samples
+    std::vector<float> displacement;  ///< x - x_s
+    std::vector<float> z;             ///< downwards
+    std::vector<float> phi;           ///< counter-clockwise, (a/b) Phi
+    std::vector<float> spring_force;  ///< f_s
+};
 
 /// What one machine of a study came to. NaN where undefined.
 struct WalkOutcome {

@@ -11,7 +11,6 @@
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"
-#include "rolling/transient_rolling.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/layer/case_layers.h"
 #include "theory/rolling/kalker.h"

@@ -6,9 +6,8 @@
 #include <stdexcept>
 
 #include "rolling/creep_theory.h"
-#include "rolling/readings.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_sections.h"
+#include "rolling/rolling_report.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::rolling::tractive_test {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "rolling/run.h"
-#include "rolling/transient_rolling.h"
 #include "tests/unit/rolling/problems.h"
 
 namespace tricontact::transient_test {

@@ -9,8 +9,8 @@
 #include "bem/model.h"
 #include "contact/solvers/moving_frame.h"
 #include "io/case/case_reader.h"
+#include "rolling/run.h"
 #include "rolling/steady_rolling.h"
-#include "rolling/transient_rolling.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
 

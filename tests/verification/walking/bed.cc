@@ -1,8 +1,6 @@
 // The machine with rounded tips against the quasi-static models: one tip that rolls is the
 // oscillating rolling contact of Wetter (2016), chapter 3; two that rock share their loads.
 
-#include "walking/machine/bed.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,10 +10,11 @@
 
 #include "tests/verification/mdr/roller.h"
 #include "theory/rolling/oscillating_rolling.h"
+#include "walking/machine/machine.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
-#include "walking/run/drift.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::dynamics_bed_test {
 namespace {

@@ -6,10 +6,9 @@
 #include <cmath>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/machine/energy.h"
 #include "walking/machine/velocity_verlet.h"
-#include "walking/machine/verlet_energy.h"
 #include "walking/machine/walk_case.h"
-#include "walking/run/reference_cycle.h"
 
 namespace tricontact::walking::dynamics_event_driven_test {
 namespace {

@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "walking/run/walk_batch.h"
-#include "walking/study/walk_grid.h"
+#include "walking/run/walk.h"
 #include "walking/study/walk_sweep.h"
 
 namespace tricontact::walking::walking_studies_test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "walking/kernels/batch.h"
-#include "walking/run/walk_batch.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::dynamics_walking_test {
 namespace {

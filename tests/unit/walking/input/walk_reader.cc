@@ -9,7 +9,7 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
-#include "walking/machine/stable_step.h"
+#include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking::walk_reader_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "walking/machine/bed.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,8 +6,8 @@
 
 #include "tests/unit/walking/sets.h"
 #include "theory/cattaneo_mindlin.h"
-#include "walking/machine/contact_element.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/machine.h"
+#include "walking/machine/motion.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 

@@ -1,10 +1,9 @@
-#include "walking/machine/contact_flow.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/machine/event_driven.h"
 #include "walking/machine/walk_case.h"
 
 namespace tricontact::walking::contact_flow_test {

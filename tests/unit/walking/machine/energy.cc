@@ -6,8 +6,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/event_driven.h"
-#include "walking/machine/forces.h"
-#include "walking/machine/verlet_energy.h"
+#include "walking/machine/motion.h"
 #include "walking/machine/walk_case.h"
 
 namespace tricontact::walking::energy_test {

@@ -7,8 +7,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/event_driven.h"
-#include "walking/machine/forces.h"
-#include "walking/machine/steady_sliding.h"
+#include "walking/machine/motion.h"
 #include "walking/machine/velocity_verlet.h"
 
 namespace tricontact::walking::linear_stability_test {

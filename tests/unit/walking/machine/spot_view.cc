@@ -1,9 +1,8 @@
-#include "walking/machine/spot_view.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/unit/walking/sets.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
+#include "walking/machine/stretch_recorder.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "tests/unit/walking/sets.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 

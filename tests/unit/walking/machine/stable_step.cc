@@ -1,10 +1,9 @@
-#include "walking/machine/stable_step.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/machine/linear_stability.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/machine/walk_case.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/velocity_verlet.h"
-#include "walking/run/walk_end.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::step_error_test {
 namespace {

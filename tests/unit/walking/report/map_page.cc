@@ -7,7 +7,6 @@
 
 #include "report/chart_library.h"
 #include "tests/unit/walking/sets.h"
-#include "walking/report/map_json.h"
 
 namespace tricontact::walking::map_page_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "walking/report/map_json.h"
+#include "walking/report/map_page.h"
 
 namespace tricontact::walking::packed_samples_test {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "tests/unit/io/results/vtk_files.h"
 #include "tests/unit/walking/sets.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 
 namespace tricontact::walking::walk_animation_test {
 namespace {

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "walking/machine/forces.h"
-#include "walking/machine/steady_sliding.h"
-#include "walking/report/motion_series.h"
-#include "walking/report/spot_statistics.h"
+#include "walking/machine/linear_stability.h"
+#include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
+#include "walking/report/walk_readings.h"
 
 namespace tricontact::walking::walk_figures_test {
 namespace {
@@ -141,9 +140,9 @@ WalkReport windows(double stick_in_transient) {
 }
 
 TEST(WalkFigures, ErrorsOfSpotsDoNotDependOnTheTransient) {
-    const double error = spot_statistics(windows(0)).front().stick_time.error;
+    const double error = spot_statistics(windows(0).walk).front().stick_time.error;
     EXPECT_GT(error, 0);
-    EXPECT_EQ(error, spot_statistics(windows(1)).front().stick_time.error);
+    EXPECT_EQ(error, spot_statistics(windows(1).walk).front().stick_time.error);
 }
 
 TEST(WalkFigures, CourseIsThatOfTheWindows) {

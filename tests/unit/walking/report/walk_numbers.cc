@@ -9,7 +9,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/report/walk_document.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::walk_numbers_test {
 namespace {

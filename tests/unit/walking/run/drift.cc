@@ -1,11 +1,10 @@
-#include "walking/run/drift.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking::drift_test {
 namespace {

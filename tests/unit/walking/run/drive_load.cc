@@ -1,11 +1,10 @@
-#include "walking/run/drive_load.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking::drive_load_test {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/linear_stability.h"
-#include "walking/machine/steady_sliding.h"
 #include "walking/machine/walk_case.h"
 
 namespace tricontact::walking::lyapunov_test {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/walking/sets.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::mechanisms_test {
 namespace {

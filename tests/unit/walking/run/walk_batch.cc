@@ -1,5 +1,3 @@
-#include "walking/run/walk_batch.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "tests/unit/walking/sets.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::walk_batch_test {
 namespace {

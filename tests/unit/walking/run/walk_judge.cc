@@ -9,8 +9,6 @@
 
 #include "tests/unit/statistics/autoregressive.h"
 #include "tests/unit/walking/sets.h"
-#include "walking/run/drive_load.h"
-#include "walking/run/fall_risk.h"
 
 namespace tricontact::walking::walk_judge_test {
 namespace {

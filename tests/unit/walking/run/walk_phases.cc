@@ -1,5 +1,3 @@
-#include "walking/run/walk_phases.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/machine.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::walk_phases_test {
 namespace {

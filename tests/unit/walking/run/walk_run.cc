@@ -1,5 +1,3 @@
-#include "walking/run/walk_run.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <stdexcept>
 
 #include "tests/unit/walking/sets.h"
-#include "walking/run/drive_load.h"
+#include "walking/run/walk.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking::walk_run_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "walking/study/factorial_effects.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <random>
 
 #include "contact/error.h"
+#include "walking/study/walk_factorial.h"
 
 namespace tricontact::walking::factorial_effects_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "tests/unit/walking/sets.h"
-#include "walking/run/walk_run.h"
+#include "walking/run/walk.h"
 
 namespace tricontact::walking::walk_outcome_test {
 namespace {

@@ -1,3 +1,5 @@
+#include "walking/study/walk_sweep.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "tests/unit/walking/sets.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_factorial.h"
-#include "walking/study/walk_grid.h"
 
 namespace tricontact::walking::walk_sweep_test {
 namespace {

@@ -1,13 +1,16 @@
-#include "walking/run/drive_load.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <numeric>
+#include <vector>
 
 #include "statistics/stationarity.h"
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
+
 namespace {
 
 // Over the force of sliding: rounding of the integration, and what is told of a mean at most.
@@ -85,6 +88,20 @@ double lead_of(const Machine& machine, const StretchSums& sums, std::size_t spot
     return sums.spots[spot].velocity / static_cast<double>(sums.steps) / machine.kappas.kappa6 - 1;
 }
 
+double mean_of(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
+}
+
+/// Where the mean of the values is after so many times their number more, if it goes on as from
+/// their first to their last third.
+double continued(std::span<const double> values, double times) {
+    const statistics::Thirds<double> thirds(values);
+    const double last = mean_of(thirds.last), first = mean_of(thirds.first);
+    const double thirds_apart = static_cast<double>(values.size() - thirds.last.size()) /
+                                static_cast<double>(values.size());
+    return last + times * (last - first) / thirds_apart;
+}
+
 }  // namespace
 
 double mean_force(const WalkWindow& window) {
@@ -154,6 +171,54 @@ double loading_time(const Machine& machine) {
         stiffness += spot_force(machine, spot, {.tangential = 1}).tangential;
     const double way = sliding_force(machine) * (1 / machine.kappas.kappa1 + 1 / stiffness);
     return way / machine.kappas.kappa6;
+}
+
+double expected_falls(const Machine& machine, std::span<const WalkWindow> windows, double times) {
+    std::vector<double> rotations;
+    for (const WalkWindow& window : windows)
+        rotations.push_back(std::max(-window.sums.phi_min, window.sums.phi_max) /
+                            tilting_limit(machine));
+    if (rotations.size() < 6) return 0;
+    if (!statistics::stationary(rotations) && continued(rotations, times) >= 1)
+        return std::numeric_limits<double>::infinity();
+    std::ranges::sort(rotations);
+    const auto tail = std::span(rotations).subspan(rotations.size() / 2);
+    const double median = tail.front(), excess = mean_of(tail) - median;
+    if (!(excess > 0)) return 0;
+    return times * static_cast<double>(tail.size()) * std::exp(-(1 - median) / excess);
+}
+
+void judge_drift(const Machine& machine, const std::vector<ExcitedPeriod>& periods,
+                 WalkResult& result) {
+    constexpr std::size_t fewest = 8;
+    if (result.regime == Regime::tilting || periods.size() < fewest) return;
+    // The second half: shakedown takes its time.
+    const std::size_t first = periods.size() / 2 - 1, last = periods.size() - 1;
+    const double n = static_cast<double>(last - first);
+    const double per_period = (periods[last].shift - periods[first].shift) / n;
+    double deviation = 0, airborne = 0;
+    for (std::size_t i = first; i <= last; ++i) {
+        const double even = periods[first].shift + static_cast<double>(i - first) * per_period;
+        deviation = std::max(deviation, std::abs(periods[i].shift - even));
+        if (i > first) airborne += periods[i].airborne / n;
+    }
+    const double unit =
+        machine.kappas.kappa5 * machine.kappas.kappa2 * static_displacement(machine);  // U_max
+    // Vibrations are not damped: both ends may be off by what lies between them. A shift that
+    // comes to rest, if only by a factor of e in this time, bends away by an eighth of itself.
+    WalkResult::Drift drift{per_period / unit, 2 * deviation / n / unit, airborne};
+    const bool moves = std::abs(drift.per_period) > 4 * drift.error;
+    constexpr double settled = 0.01;  // of U_max in a period
+    result.regime = airborne > 0 ? Regime::walking : moves ? Regime::ratcheting : Regime::shakedown;
+    result.transient_over = moves || drift.error < settled;
+    result.drift = drift;
+}
+
+DriftLimits drift_limits(const Machine& machine, double pull) {
+    const double tilt = machine.excitation.moment > 0
+                            ? pull * machine.kappas.kappa5 / critical_friction(machine.kappas)
+                            : 0;
+    return {1 - pull, 1 - std::abs(tilt)};
 }
 
 }  // namespace tricontact::walking

@@ -1,4 +1,4 @@
-#include "walking/machine/forces.h"
+#include "walking/machine/motion.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "rolling/rolling_state.h"
+#include "rolling/rolling_contact.h"
 
 #include <algorithm>
 

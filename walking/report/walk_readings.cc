@@ -1,0 +1,115 @@
+#include "walking/report/walk_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/special_values.h"
+#include "statistics/initial_sequence.h"
+#include "statistics/spectrum.h"
+#include "walking/machine/motion.h"
+
+namespace tricontact::walking {
+
+namespace {
+
+// Of the recorded end, some fifteen swings each: their scatter is the error.
+constexpr int n_parts = 8;
+constexpr std::size_t fewest = n_parts * 100;
+
+/// Every n-th place of the window, so that neighbours differ and resampling is quick.
+std::vector<double> above(const std::vector<double>& variances) {
+    constexpr std::size_t enough = 500;
+    const std::size_t stride = 1 + variances.size() / enough;
+    std::vector<double> result;
+    for (std::size_t i = 0; i < variances.size(); i += stride)
+        result.push_back(variances[i] > instability_threshold ? 1 : 0);
+    return result;
+}
+
+void find_instability(const std::vector<double>& forces, Vibration& vibration) {
+    constexpr double periods = 10;
+    vibration.window = periods / vibration.characteristic.frequency;
+    const double length = std::round(vibration.window / vibration.interval);
+    if (length >= 2 && length < static_cast<double>(forces.size()))
+        vibration.variances =
+            statistics::running_variance(forces, static_cast<std::size_t>(length));
+    vibration.instability = statistics::share_above(vibration.variances, instability_threshold);
+}
+
+/// Of the mean over windows after the transient.
+template <class Value>
+double error_of(const Walk& walk, std::size_t spot, Value value) {
+    if (walk.result.regime == Regime::limit_cycle) return contact::undefined;
+    std::vector<double> values;
+    for (const WalkWindow& window : walk.windows) {
+        if (window.begin < walk.result.transient || spot >= window.sums.spots.size()) continue;
+        const double each = value(window.sums.spots[spot], window.sums.steps);
+        if (std::isfinite(each)) values.push_back(each);  // else the spot never touched
+    }
+    return values.size() > 1 ? statistics::initial_sequence_mean(values).error : contact::undefined;
+}
+
+}  // namespace
+
+MotionSeries motion_series(const Machine& machine, std::span<const Snapshot> snapshots) {
+    MotionSeries series;
+    const double load = machine.kappas.kappa5 * machine.kappas.kappa4;
+    const double rest = static_displacement(machine), sliding = sliding_force(machine);
+    for (const Snapshot& snapshot : snapshots) {
+        const Motion& motion = snapshot.motion;
+        series.time.push_back(motion.time - snapshots.front().motion.time);
+        series.displacement.push_back((motion.x - motion.base) / load);
+        series.z.push_back(motion.z / rest);
+        series.phi.push_back(motion.phi / (machine.kappas.kappa3 * load));
+        series.force.push_back(spring_force(machine, motion) / sliding);
+    }
+    return series;
+}
+
+double sampling_interval(const Walk& walk) {
+    if (walk.tail.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    return walk.tail[1].motion.time - walk.tail[0].motion.time;
+}
+
+std::span<const Snapshot> last_swings(const Walk& walk) {
+    constexpr double shown = 10, without_period = 20;
+    const double period = walk.result.period.value_or(0);
+    const double length = period > 0 ? period * std::ceil(shown / period) : without_period;
+    const double steps = std::round(length / sampling_interval(walk));  // NaN: one snapshot or none
+    const std::size_t n = steps >= 0 ? static_cast<std::size_t>(steps) + 1 : walk.tail.size();
+    return std::span(walk.tail).last(std::min(n, walk.tail.size()));
+}
+
+std::optional<Vibration> vibration_of(const Machine& machine, const Walk& walk) {
+    if (walk.tail.size() < fewest) return std::nullopt;
+    const std::vector<double> forces = motion_series(machine, walk.tail).force;
+    Vibration vibration;
+    vibration.interval = sampling_interval(walk);
+    vibration.spectrum = statistics::mean_spectrum(forces, vibration.interval, n_parts);
+    vibration.characteristic =
+        statistics::characteristic_frequency(forces, vibration.interval, n_parts);
+    vibration.free_flight = free_flight_frequency(machine.kappas);
+    find_instability(forces, vibration);
+    return vibration;
+}
+
+double instability_error(const Vibration& vibration) {
+    const std::vector<double> places = above(vibration.variances);
+    return places.size() < 2 ? std::nan("") : statistics::initial_sequence_mean(places).error;
+}
+
+std::vector<SpotStatistics> spot_statistics(const Walk& walk) {
+    const auto stick_time = [](const SpotSums& spot, std::int64_t steps) {
+        return static_cast<double>(spot.sticking) / static_cast<double>(steps);
+    };
+    std::vector<SpotStatistics> result;
+    const std::vector<WalkResult::Spot>& spots = walk.result.spots;
+    for (std::size_t i = 0; i < spots.size(); ++i)
+        result.push_back({static_cast<int>(i + 1),
+                          {spots[i].stick_time, error_of(walk, i, stick_time)},
+                          {spots[i].correlation, error_of(walk, i, correlation)}});
+    return result;
+}
+
+}  // namespace tricontact::walking
