@@ -97,7 +97,7 @@ std::string windows_csv(const WalkCase& walk_case, const Walk& walk);
 /// forces of k_x b; of a machine with dimensions also the time in s and the spring force in N.
 std::string motion_csv(const WalkCase& walk_case, const Walk& walk);
 
-/// The numbers of a run, dimensionless as walking/run/walk_result.h has them; "dimensional" holds
+/// The numbers of a run, dimensionless as walking/run/walk.h has them; "dimensional" holds
 /// those in SI units, null for a machine without dimensions. Undefined numbers are null. Spots are
 /// numbered from 1, left to right: stick_time_1, correlation_1 ...
 nlohmann::ordered_json walk_json(const WalkCase& walk_case, const Walk& walk);

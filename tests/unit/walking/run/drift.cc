@@ -5,6 +5,7 @@
 
 #include "tests/unit/walking/sets.h"
 #include "walking/run/walk_judge.h"
+#include "walking/run/walk_recorder.h"
 
 namespace tricontact::walking::drift_test {
 namespace {
