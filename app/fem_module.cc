@@ -13,17 +13,16 @@
 #include "contact/error.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
-#include "fem/layer_folder.h"
+#include "fem/layer_condenser.h"
 #include "fem/model.h"
-#include "fem/workshop.h"
 #include "files/partial_file.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/results/atomic_file.h"
 #include "io/results/mesh_vtu.h"
 #include "io/results/output_folder.h"
+#include "meshes/hex_mesh.h"
 #include "meshes/mesh_file.h"
-#include "meshes/mesh_quality.h"
 
 namespace tricontact::app {
 
@@ -151,9 +150,10 @@ void condense_together(const CondenseOptions& options, const fem::distributed::S
         problem = order->problem();
     });
     bool is_needed = problem.has_value();
-    session.share(&is_needed, sizeof(is_needed));
+    session.broadcast(&is_needed, sizeof(is_needed));
     if (!is_needed) return;
-    problem = fem::distributed::share(std::move(problem).value_or(fem::LayerProblem{}), session);
+    problem =
+        fem::distributed::broadcast(std::move(problem).value_or(fem::LayerProblem{}), session);
     const auto layer = fem::distributed::condense(*problem, session, say);
     session.agree_on_first([&] { order->keep(layer); });
 }
@@ -206,7 +206,7 @@ void condense_layer(const CondenseOptions& options) {
     {
         const fem::distributed::Session session;
         try {
-            session.together([&] { condense_together(options, session); });
+            session.abort_on_local_error([&] { condense_together(options, session); });
         } catch (...) {
             failure = std::current_exception();  // MPI is to end before this goes on
         }

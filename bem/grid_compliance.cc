@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bem/layer_influence.h"
+#include "bem/influence.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 
@@ -14,6 +14,7 @@ namespace tricontact::bem {
 namespace {
 
 using Symbol2 = GridConvolution::Symbol2;
+using Phase = GridConvolution::Phase;
 
 /// Below this many cells a thread costs more than it brings.
 constexpr std::size_t cells_worth_threads = 100000;
@@ -27,19 +28,56 @@ int positions(int n) {
 
 }  // namespace
 
+const ConvolvedCompliance::Symbols& ConvolvedCompliance::symbols() const {
+    if (!symbols_) symbols_ = make_symbols();
+    return *symbols_;
+}
+
+void ConvolvedCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
+    convolution().apply<1, 1>({{{&normal_}}}, {p}, {u_z});
+}
+
+void ConvolvedCompliance::tangential(const contact::TangentialField& t,
+                                     contact::TangentialField& u) const {
+    const Symbol2& s = symbols().tangential;
+    convolution().apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {t.x, t.y}, {u.x, u.y});
+}
+
+void ConvolvedCompliance::tangential_from_normal(std::span<const double> p,
+                                                 contact::TangentialField& u) const {
+    if (!coupled_) return Compliance::tangential_from_normal(p, u);
+    const Symbols& s = symbols();
+    convolution().apply<2, 1, Phase::forward>({{{&s.from_normal_x}, {&s.from_normal_y}}}, {p},
+                                              {u.x, u.y});
+}
+
+void ConvolvedCompliance::normal_from_tangential(const contact::TangentialField& t,
+                                                 std::span<double> u_z) const {
+    if (!coupled_) return Compliance::normal_from_tangential(t, u_z);
+    const Symbols& s = symbols();
+    convolution().apply<1, 2, Phase::backward>({{{&s.from_normal_x, &s.from_normal_y}}}, {t.x, t.y},
+                                               {u_z});
+}
+
+void ConvolvedCompliance::precondition_tangential(const contact::TangentialField& r,
+                                                  contact::TangentialField& z) const {
+    const Symbol2& s = symbols().inverse;
+    preconditioner().apply<2, 2>({{{&s.xx, &s.xy}, {&s.xy, &s.yy}}}, {r.x, r.y}, {z.x, z.y});
+}
+
 GridCompliance::GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled,
                                int n_threads)
-    : influence_(std::move(influence)),
-      grid_(std::move(grid)),
-      coupled_(coupled),
+    : ConvolvedCompliance(std::move(grid), coupled),
+      influence_(std::move(influence)),
       n_threads_(grid_.size() < cells_worth_threads ? 1 : n_threads),
       linear_(grid_.n_x, grid_.n_y, good_fft_size(2 * grid_.n_x - 1),
               good_fft_size(2 * grid_.n_y - 1), n_threads_),
       periodic_(grid_.n_x, grid_.n_y, good_fft_size(grid_.n_x), good_fft_size(grid_.n_y),
                 n_threads_),
       columns_(positions(grid_.n_x)),
-      rows_(positions(grid_.n_y)),
-      normal_(symbol(linear_, quadrants({&InfluenceCoefficients::zz})[0], 1, 1)) {}
+      rows_(positions(grid_.n_y)) {
+    normal_ = symbol(linear_, quadrants({&InfluenceCoefficients::zz})[0], 1, 1);
+}
 
 /// Some coefficients at all relative positions of i, j >= 0 cells, i fastest.
 std::vector<std::vector<double>> GridCompliance::quadrants(
@@ -70,40 +108,18 @@ GridConvolution::Symbol GridCompliance::symbol(const GridConvolution& convolutio
         parity);
 }
 
-void GridCompliance::prepare_tangential() const {
+ConvolvedCompliance::Symbols GridCompliance::make_symbols() const {
     using K = InfluenceCoefficients;
     const auto k = quadrants({&K::xx, &K::xy, &K::yy, &K::xz, &K::yz});
     auto symbol2 = [&](const GridConvolution& convolution) {
         return Symbol2{symbol(convolution, k[0], 1, 1), symbol(convolution, k[1], -1, -1),
                        symbol(convolution, k[2], 1, 1)};
     };
-    tangential_ = symbol2(linear_);
-    inverse_ = inverse(symbol2(periodic_));
-    if (coupled_) from_normal_ = {symbol(linear_, k[3], -1, 1), symbol(linear_, k[4], 1, -1)};
-}
-
-void GridCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
-    linear_.apply(normal_, p, u_z);
-}
-
-void GridCompliance::tangential(const contact::TangentialField& t,
-                                contact::TangentialField& u) const {
-    if (!tangential_) prepare_tangential();
-    linear_.apply(*tangential_, t.x, t.y, u.x, u.y);
-}
-
-void GridCompliance::tangential_from_normal(std::span<const double> p,
-                                            contact::TangentialField& u) const {
-    if (!coupled_) return Compliance::tangential_from_normal(p, u);
-    if (!from_normal_) prepare_tangential();
-    linear_.apply(*from_normal_, p, u.x, u.y);
-}
-
-void GridCompliance::normal_from_tangential(const contact::TangentialField& t,
-                                            std::span<double> u_z) const {
-    if (!coupled_) return Compliance::normal_from_tangential(t, u_z);
-    if (!from_normal_) prepare_tangential();
-    linear_.apply_adjoint(*from_normal_, t.x, t.y, u_z);
+    Symbols made{.tangential = symbol2(linear_), .inverse = inverse(symbol2(periodic_))};
+    if (!coupled_) return made;
+    made.from_normal_x = symbol(linear_, k[3], -1, 1);
+    made.from_normal_y = symbol(linear_, k[4], 1, -1);
+    return made;
 }
 
 InfluenceTable GridCompliance::influence() const {
@@ -116,12 +132,6 @@ InfluenceTable GridCompliance::influence() const {
 
 double GridCompliance::local_tangential() const {
     return influence_(0, 0).xx;
-}
-
-void GridCompliance::precondition_tangential(const contact::TangentialField& r,
-                                             contact::TangentialField& z) const {
-    if (!inverse_) prepare_tangential();
-    periodic_.apply(*inverse_, r.x, r.y, z.x, z.y);
 }
 
 std::unique_ptr<const contact::Interior> GridCompliance::interior(

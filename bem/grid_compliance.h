@@ -14,18 +14,9 @@
 
 namespace tricontact::bem {
 
-/// Elastic bodies under piecewise constant tractions on a regular grid, displacements at the cells'
-/// centres, from influence coefficients; zero-padded FFT convolution (Ju & Farris 1996; Liu, Wang &
-/// Liu 2000).
-class GridCompliance final : public contact::Compliance {
+/// Compliances whose products are convolutions on a regular grid.
+class ConvolvedCompliance : public contact::Compliance {
   public:
-    /// The coefficients of one cell at a relative position [m].
-    using Influence = std::function<InfluenceCoefficients(double x, double y)>;
-
-    /// `influence` is asked for x, y >= 0 only; of isotropic bodies the rest follows by symmetry.
-    /// `coupled`: use the coefficients between normal and tangential.
-    GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled, int n_threads);
-
     const contact::ContactPoints& points() const override { return grid_; }
     bool is_coupled() const override { return coupled_; }
     void normal(std::span<const double> p, std::span<double> u_z) const override;
@@ -34,11 +25,48 @@ class GridCompliance final : public contact::Compliance {
                                 contact::TangentialField& u) const override;
     void normal_from_tangential(const contact::TangentialField& t,
                                 std::span<double> u_z) const override;
+    void precondition_tangential(const contact::TangentialField& r,
+                                 contact::TangentialField& z) const override;
+
+  protected:
+    /// All but that of normal displacements by pressures.
+    struct Symbols {
+        GridConvolution::Symbol2 tangential, inverse;
+        GridConvolution::Symbol from_normal_x{}, from_normal_y{};  ///< of coupled bodies
+    };
+    ConvolvedCompliance(contact::ContactPoints grid, bool coupled)
+        : grid_(std::move(grid)), coupled_(coupled) {}
+    /// Of the symbols; and of the inverse, on the bare grid.
+    virtual const GridConvolution& convolution() const = 0;
+    virtual const GridConvolution& preconditioner() const { return convolution(); }
+    /// Called once, unless `symbols_` has them before.
+    virtual Symbols make_symbols() const { return {}; }
+
+    contact::ContactPoints grid_;
+    bool coupled_;
+    GridConvolution::Symbol normal_;
+    /// Made when first needed: normal contact alone takes half the memory.
+    mutable std::optional<Symbols> symbols_;
+
+  private:
+    const Symbols& symbols() const;
+};
+
+/// Elastic bodies under piecewise constant tractions on a regular grid, displacements at the cells'
+/// centres, from influence coefficients; zero-padded FFT convolution (Ju & Farris 1996; Liu, Wang &
+/// Liu 2000).
+class GridCompliance final : public ConvolvedCompliance {
+  public:
+    /// The coefficients of one cell at a relative position [m].
+    using Influence = std::function<InfluenceCoefficients(double x, double y)>;
+
+    /// `influence` is asked for x, y >= 0 only; of isotropic bodies the rest follows by symmetry.
+    /// `coupled`: use the coefficients between normal and tangential.
+    GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled, int n_threads);
+
     double local_tangential() const override;
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
-    void precondition_tangential(const contact::TangentialField& r,
-                                 contact::TangentialField& z) const override;
     /// What is below the surface, for `interior`, which knows nothing without.
     void set_view(InteriorView view) { view_ = std::move(view); }
     std::unique_ptr<const contact::Interior> interior(
@@ -50,20 +78,16 @@ class GridCompliance final : public contact::Compliance {
     GridConvolution::Symbol symbol(const GridConvolution& convolution,
                                    const std::vector<double>& quadrant, double parity_x,
                                    double parity_y) const;
-    void prepare_tangential() const;
+    const GridConvolution& convolution() const override { return linear_; }
+    const GridConvolution& preconditioner() const override { return periodic_; }
+    Symbols make_symbols() const override;
 
     Influence influence_;
     std::optional<InteriorView> view_;
-    contact::ContactPoints grid_;
-    bool coupled_;
     int n_threads_;
     GridConvolution linear_;    // zero-padded
     GridConvolution periodic_;  // on the bare grid, for the preconditioner
     int columns_, rows_;        // of a quadrant of relative positions
-    GridConvolution::Symbol normal_;
-    // Made when first needed: normal contact alone takes half the memory.
-    mutable std::optional<GridConvolution::Symbol2> tangential_, inverse_;
-    mutable std::optional<GridConvolution::OddSymbol2> from_normal_;
 };
 
 /// Dundurs' beta is above what changes shifts by 1e-3.

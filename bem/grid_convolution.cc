@@ -186,69 +186,49 @@ GridConvolution::Symbol GridConvolution::symbol_of_coefficients(
     return result;
 }
 
-template <std::size_t n_in, std::size_t n_out, typename Product>
-void GridConvolution::convolve(const std::array<std::span<const double>, n_in>& in,
-                               const std::array<std::span<double>, n_out>& out,
-                               Product product) const {
+template <std::size_t n_out, std::size_t n_in, GridConvolution::Phase phase>
+void GridConvolution::apply(const Kernels<n_out, n_in>& kernels, const ConstantFields<n_in>& in,
+                            const Fields<n_out>& out) const {
     if (std::max(n_in, n_out) == 2 && !field_[1].rows) field_[1] = make_field();
     for (std::size_t i = 0; i < n_in; ++i) rows_forward(in[i], field_[i]);
     for_each_piece(pitch_, [&](int first) {
-        fftw_complex *x = columns_of_thread(0), *y = columns_of_thread(1);
-        columns_forward(field_[0], first, x);
-        if (n_in == 2) columns_forward(field_[1], first, y);
+        fftw_complex* const columns[2] = {columns_of_thread(0), columns_of_thread(1)};
+        for (std::size_t i = 0; i < n_in; ++i) columns_forward(field_[i], first, columns[i]);
         const std::size_t start = static_cast<std::size_t>(first) * period_y_;
-        for (int k = 0; k < piece * period_y_; ++k) product(start + k, x[k], y[k]);
-        columns_backward(x, first, field_[0]);
-        if (n_out == 2) columns_backward(y, first, field_[1]);
+        const double* symbols[n_out][n_in];
+        for (std::size_t i = 0; i < n_out; ++i)
+            for (std::size_t j = 0; j < n_in; ++j) symbols[i][j] = kernels[i][j]->data() + start;
+        for (int k = 0; k < piece * period_y_; ++k) {
+            double sums[n_out][2];
+            for (std::size_t i = 0; i < n_out; ++i)
+                for (const int part : {0, 1}) {
+                    sums[i][part] = symbols[i][0][k] * columns[0][k][part];
+                    if constexpr (n_in == 2)
+                        sums[i][part] += symbols[i][1][k] * columns[1][k][part];
+                }
+            for (std::size_t i = 0; i < n_out; ++i) {
+                const auto [re, im] = sums[i];
+                fftw_complex& to = columns[i][k];
+                to[0] = phase == Phase::none ? re : phase == Phase::forward ? -im : im;
+                to[1] = phase == Phase::none ? im : phase == Phase::forward ? re : -re;
+            }
+        }
+        for (std::size_t i = 0; i < n_out; ++i) columns_backward(columns[i], first, field_[i]);
     });
     for (std::size_t i = 0; i < n_out; ++i) rows_backward(field_[i], out[i]);
 }
 
-void GridConvolution::apply(const Symbol& symbol, std::span<const double> in,
-                            std::span<double> out) const {
-    convolve<1, 1>({in}, {out},
-                   [factor = symbol.data()](std::size_t k, fftw_complex& x, fftw_complex&) {
-                       x[0] *= factor[k];
-                       x[1] *= factor[k];
-                   });
-}
-
-void GridConvolution::apply(const Symbol2& symbol, std::span<const double> in_x,
-                            std::span<const double> in_y, std::span<double> out_x,
-                            std::span<double> out_y) const {
-    const double *xx = symbol.xx.data(), *xy = symbol.xy.data(), *yy = symbol.yy.data();
-    convolve<2, 2>({in_x, in_y}, {out_x, out_y},
-                   [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
-                       for (int part = 0; part < 2; ++part) {
-                           const double a = x[part], b = y[part];
-                           x[part] = xx[k] * a + xy[k] * b;
-                           y[part] = xy[k] * a + yy[k] * b;
-                       }
-                   });
-}
-
-void GridConvolution::apply(const OddSymbol2& symbol, std::span<const double> in,
-                            std::span<double> out_x, std::span<double> out_y) const {
-    const double *to_x = symbol.x.data(), *to_y = symbol.y.data();
-    convolve<1, 2>({in}, {out_x, out_y}, [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
-        const double re = x[0], im = x[1];
-        x[0] = -to_x[k] * im;
-        x[1] = to_x[k] * re;
-        y[0] = -to_y[k] * im;
-        y[1] = to_y[k] * re;
-    });
-}
-
-void GridConvolution::apply_adjoint(const OddSymbol2& symbol, std::span<const double> in_x,
-                                    std::span<const double> in_y, std::span<double> out) const {
-    const double *by_x = symbol.x.data(), *by_y = symbol.y.data();
-    convolve<2, 1>({in_x, in_y}, {out}, [=](std::size_t k, fftw_complex& x, fftw_complex& y) {
-        const double re = by_x[k] * x[0] + by_y[k] * y[0];
-        const double im = by_x[k] * x[1] + by_y[k] * y[1];
-        x[0] = im;
-        x[1] = -re;
-    });
-}
+using Convolution = GridConvolution;
+template void Convolution::apply<1, 1>(const Kernels<1, 1>&, const ConstantFields<1>&,
+                                       const Fields<1>&) const;
+template void Convolution::apply<2, 2>(const Kernels<2, 2>&, const ConstantFields<2>&,
+                                       const Fields<2>&) const;
+template void Convolution::apply<2, 1, Convolution::Phase::forward>(const Kernels<2, 1>&,
+                                                                    const ConstantFields<1>&,
+                                                                    const Fields<2>&) const;
+template void Convolution::apply<1, 2, Convolution::Phase::backward>(const Kernels<1, 2>&,
+                                                                     const ConstantFields<2>&,
+                                                                     const Fields<1>&) const;
 
 GridConvolution::Symbol2 inverse(GridConvolution::Symbol2 symbol) {
     for (std::size_t k = 0; k < symbol.xx.size(); ++k) {

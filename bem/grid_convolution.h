@@ -37,11 +37,6 @@ class GridConvolution {
     struct Symbol2 {
         Symbol xx, xy, yy;
     };
-    /// Odd kernels of two components.
-    struct OddSymbol2 {
-        Symbol x, y;
-    };
-
     GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
     ~GridConvolution();
     GridConvolution(const GridConvolution&) = delete;
@@ -56,17 +51,20 @@ class GridConvolution {
     /// 2 pi m_y/period_y, m_x >= 0: of an even kernel, or the imaginary ones of an odd one.
     Symbol symbol_of_coefficients(const std::function<double(int, int)>& coefficient) const;
 
-    /// out = kernel * in, both n_x * n_y.
-    void apply(const Symbol& symbol, std::span<const double> in, std::span<double> out) const;
-    /// Both components at once; in and out may not overlap.
-    void apply(const Symbol2& symbol, std::span<const double> in_x, std::span<const double> in_y,
-               std::span<double> out_x, std::span<double> out_y) const;
-    /// out_x = K_x * in, out_y = K_y * in.
-    void apply(const OddSymbol2& symbol, std::span<const double> in, std::span<double> out_x,
-               std::span<double> out_y) const;
-    /// The adjoint: out = -(K_x * in_x + K_y * in_y).
-    void apply_adjoint(const OddSymbol2& symbol, std::span<const double> in_x,
-                       std::span<const double> in_y, std::span<double> out) const;
+    /// Symbols of kernels K_ij, all even or all odd.
+    template <std::size_t n_out, std::size_t n_in>
+    using Kernels = std::array<std::array<const Symbol*, n_in>, n_out>;
+    template <std::size_t n>
+    using Fields = std::array<std::span<double>, n>;
+    template <std::size_t n>
+    using ConstantFields = std::array<std::span<const double>, n>;
+    enum class Phase { none, forward, backward };  ///< 1, i, -i: times a sum of real symbols
+
+    /// out_i = sum_j K_ij * in_j of one or two fields of n_x * n_y values, which may overlap, with
+    /// even kernels, or `forward` odd ones, or `backward` minus these: the adjoint.
+    template <std::size_t n_out, std::size_t n_in, Phase phase = Phase::none>
+    void apply(const Kernels<n_out, n_in>& kernels, const ConstantFields<n_in>& in,
+               const Fields<n_out>& out) const;
 
   private:
     struct Field {  // one component: padded rows and their spectra, row after row
@@ -81,10 +79,6 @@ class GridConvolution {
     fftw_complex* columns_of_thread(int component) const;
     template <typename Body>
     void for_each_piece(int n, Body body) const;
-    /// `product` multiplies the transforms of one wave number of one or two fields.
-    template <std::size_t n_in, std::size_t n_out, typename Product>
-    void convolve(const std::array<std::span<const double>, n_in>& in,
-                  const std::array<std::span<double>, n_out>& out, Product product) const;
 
     const int n_x_, n_y_, period_x_, period_y_, n_threads_;
     const int n_rows_;  // n_y rounded up to whole pieces

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <memory>
 
 #include "bem/interior_transform.h"
-#include "bem/plane_interior_influence.h"
+#include "bem/plane_layer_influence.h"
 
 namespace tricontact::bem {
 

@@ -1,5 +1,8 @@
 #include "bem/influence.h"
 
+#include <algorithm>
+#include <boost/math/interpolators/cardinal_quintic_b_spline.hpp>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -33,6 +36,73 @@ Corner corner(double x, double y) {
     return {x_term + y_term, y_term, -s, plane_kernel(x, y, s), plane_kernel(y, x, s)};
 }
 
+constexpr int points_per_panel = 10;   // Gauss: exact to rounding over half a wave
+constexpr double phase_per_panel = 4;  // of the waves of the argument k r
+
+/// Ends of panels over k b: finer towards zero, where what lies deep is seen, and never wider than
+/// the waves allow.
+std::vector<double> panels(double first, double farthest, double last) {
+    const double widest = std::min(0.5, phase_per_panel / farthest);
+    std::vector<double> ends{0};
+    for (double width = std::min(widest, first); ends.back() < last;
+         width = std::min(widest, 2 * width))
+        ends.push_back(ends.back() + width);
+    return ends;
+}
+
+using theory::LayerCompliance;
+using theory::LayerStack;
+using Spline = boost::math::interpolators::cardinal_quintic_b_spline<double>;
+
+constexpr int beyond = 8;  // points of the table past either end
+
+/// A wave number with the weights of the four integrands, 1/(2 pi) and k included.
+struct KernelWave {
+    double k;
+    double normal, mean, deviation, coupling;
+};
+
+std::vector<KernelWave> kernel_waves(const LayerStack& stack, double farthest) {
+    std::vector<KernelWave> waves;
+    for (const Wave& wave : layer_waves(stack, farthest)) {
+        const LayerCompliance c = theory::surface_compliance(stack, wave.k),
+                              h = theory::half_space_compliance_at(stack.sheets.front().material,
+                                                                   wave.k);
+        const double factor = wave.weight * wave.k / (2 * std::numbers::pi);
+        const double along = c.along - h.along, across = c.across - h.across;
+        waves.push_back({wave.k, factor * (c.normal - h.normal), factor * (along + across) / 2,
+                         -factor * (along - across) / 2, factor * (c.coupling - h.coupling)});
+    }
+    return waves;
+}
+
+LayerKernel::Values integrate(const std::vector<KernelWave>& waves, double r, double hold) {
+    LayerKernel::Values sum{};
+    for (const KernelWave& w : waves) {
+        const double x = w.k * r, j0 = ::j0(x), j1 = ::j1(x);
+        const double j2 = x < 1e-3 ? x * x / 8 : 2 * j1 / x - j0;
+        sum.normal += w.normal * j0;
+        sum.mean += w.mean * (hold > 0 ? j0 - ::j0(w.k * hold) : j0);
+        sum.deviation += w.deviation * j2;
+        sum.coupling += w.coupling * j1;
+    }
+    return sum;
+}
+
+/// Values over asinh(r/b) from 0 on, continued to the other side of 0 by their parity: the spline's
+/// ends, whose slopes it guesses, lie outside what is asked for.
+Spline spline(const std::vector<double>& values, double parity) {
+    std::vector<double> all;
+    for (int i = beyond; i > 0; --i) all.push_back(parity * values[i]);
+    all.insert(all.end(), values.begin(), values.end());
+    return {all.data(), all.size(), -beyond * table_step, table_step};
+}
+
+const theory::LayerStack& checked(const theory::LayerStack& stack) {
+    theory::check(stack);
+    return stack;
+}
+
 }  // namespace
 
 RectangleInfluence::RectangleInfluence(const contact::MaterialPair& materials, double width_x,
@@ -63,6 +133,105 @@ InfluenceCoefficients RectangleInfluence::at(double x, double y) const {
             .zx = radial_x,
             .zy = radial_y,
             .zz = symmetric_ * one};
+}
+
+std::vector<Wave> layer_waves(const theory::LayerStack& stack, double farthest, double last) {
+    using Rule = boost::math::quadrature::gauss<double, points_per_panel>;
+    const double b = stack.sheets.front().thickness;
+    const auto ends = panels(theory::softest_wave_number(stack) * b, farthest / b, last);
+    std::vector<Wave> waves;
+    for (std::size_t p = 1; p < ends.size(); ++p) {
+        const double middle = (ends[p] + ends[p - 1]) / (2 * b),
+                     half = (ends[p] - ends[p - 1]) / (2 * b);
+        for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+            for (const int side : {-1, 1})
+                waves.push_back(
+                    {middle + side * half * Rule::abscissa()[i], half * Rule::weights()[i]});
+    }
+    return waves;
+}
+
+theory::LayerStack continued(const theory::LayerStack& stack) {
+    const auto& top = stack.sheets.front();
+    return {{{top.material, stack.thickness()}}, stack.base, top.material};
+}
+
+struct LayerKernel::Tables {
+    Spline normal, mean, deviation, coupling;
+};
+
+LayerKernel::LayerKernel(const LayerStack& stack, double reach) : unit_(0) {
+    theory::check(stack);
+    unit_ = stack.sheets.front().thickness;
+    const double hold = LayerKernel::hold(stack);
+    const auto waves = kernel_waves(stack, std::max({reach, hold, unit_}));
+
+    const int n = 1 + beyond + static_cast<int>(std::ceil(std::asinh(reach / unit_) / table_step));
+    std::vector<double> normal, mean, deviation, coupling;
+    for (int i = 0; i < n; ++i) {
+        const auto at = integrate(waves, unit_ * std::sinh(i * table_step), hold);
+        normal.push_back(at.normal);
+        mean.push_back(at.mean);
+        deviation.push_back(at.deviation);
+        coupling.push_back(at.coupling);
+    }
+    tables_ = std::make_unique<Tables>(
+        Tables{spline(normal, 1), spline(mean, 1), spline(deviation, 1), spline(coupling, -1)});
+}
+
+double LayerKernel::hold(const LayerStack& stack) {
+    const bool glides = stack.base == theory::LayerBase::frictionless && !stack.half_space;
+    return glides ? frictionless_hold * stack.thickness() : 0;
+}
+
+LayerKernel::~LayerKernel() = default;
+
+LayerKernel::Values LayerKernel::at(double r) const {
+    const double s = std::asinh(r / unit_);
+    return {tables_->normal(s), tables_->mean(s), tables_->deviation(s), tables_->coupling(s)};
+}
+
+theory::QuadratureRule cell_rule(double width_over_thickness) {
+    const double more = std::min(10., std::ceil(5 * width_over_thickness));
+    auto rule = theory::gauss_legendre(2 + static_cast<int>(more));
+    for (double& x : rule.points) x -= .5;
+    return rule;
+}
+
+LayerInfluence::LayerInfluence(const theory::LayerStack& stack,
+                               const std::optional<contact::Material>& indenter, double width_x,
+                               double width_y, double reach)
+    : half_space_({indenter, checked(stack).sheets.front().material}, width_x, width_y),
+      kernel_(stack, reach + std::hypot(width_x, width_y) / 2),
+      width_x_(width_x),
+      width_y_(width_y) {
+    const double b = stack.sheets.front().thickness;
+    auto rule = cell_rule(std::max(width_x, width_y) / b);
+    points_ = std::move(rule.points);
+    weights_ = std::move(rule.weights);
+}
+
+InfluenceCoefficients LayerInfluence::at(double x, double y) const {
+    InfluenceCoefficients sum = half_space_.at(x, y);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        for (std::size_t j = 0; j < points_.size(); ++j) {
+            const double dx = x - points_[i] * width_x_, dy = y - points_[j] * width_y_;
+            const double r = std::hypot(dx, dy);
+            const double force = weights_[i] * weights_[j] * width_x_ * width_y_;
+            const double cos = r > 0 ? dx / r : 1, sin = r > 0 ? dy / r : 0;
+            const auto g = kernel_.at(r);
+            const double even = g.deviation * (cos * cos - sin * sin);
+            sum.zz += force * g.normal;
+            sum.xx += force * (g.mean + even);
+            sum.yy += force * (g.mean - even);
+            sum.xy += force * g.deviation * 2 * sin * cos;
+            const double radial = force * g.coupling;
+            sum.xz -= radial * cos;
+            sum.yz -= radial * sin;
+            sum.zx += radial * cos;
+            sum.zy += radial * sin;
+        }
+    return sum;
 }
 
 }  // namespace tricontact::bem

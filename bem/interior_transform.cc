@@ -1,7 +1,6 @@
 #include "bem/interior_transform.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <new>
 

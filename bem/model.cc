@@ -1,9 +1,287 @@
 #include "bem/model.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "bem/grid_compliance.h"
+#include "bem/grid_limits.h"
+#include "bem/periodic_compliance.h"
+#include "contact/bodies/half_space_scales.h"
+#include "contact/load_path.h"
 #include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
+
+namespace {
+
+constexpr double default_depth = 3;    // of the volume, over Hertz' contact radius
+constexpr double first_margin = 1.08;  // grid over Hertz' contact
+constexpr double enlargement = 1.25;
+// Margin: the far edge of a sliding cylinder at mu beta = 7.5 (weak_coupling in grid_limits.cc).
+constexpr double widest_by_friction = 4.8;
+constexpr double max_cells = 4096. * 4096.;
+constexpr double whole_cells = 1e-6;  // how far a period may be from them, in cells
+
+double spacing_of(const contact::Case& c, double radius) {
+    return c.bem.spacing ? *c.bem.spacing : radius / *c.bem.cells_per_radius;
+}
+
+void check_size(double n_x, double n_y) {
+    if (n_x * n_y > max_cells)
+        throw contact::InputError(
+            fmt::format("bem: the grid would have {:.0f} x {:.0f} cells, more than {:.0f}; enlarge "
+                        "bem.spacing or shorten the rolling path",
+                        n_x, n_y, max_cells));
+}
+
+/// Grid with a cell's centre at the origin that covers `half_x` and `half_y` on either side.
+contact::ContactPoints make_grid(double half_x, double half_y, double spacing) {
+    const double beside_x = std::ceil(half_x / spacing), beside_y = std::ceil(half_y / spacing);
+    const double n_x = 2 * beside_x + 1, n_y = 2 * beside_y + 1;
+    check_size(n_x, n_y);
+    return contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
+                                        {-beside_x * spacing, -beside_y * spacing},
+                                        {spacing, spacing});
+}
+
+/// The same in x, over a body's whole length in y by cells of about this spacing, or by strips.
+contact::ContactPoints make_long_grid(double half_x, double spacing, double length, bool strips) {
+    const double beside = std::ceil(half_x / spacing), n_x = 2 * beside + 1;
+    const double n_y = strips ? 1 : std::ceil(length / spacing * (1 - whole_cells));
+    check_size(n_x, n_y);
+    const double width = length / n_y;
+    auto grid =
+        contact::ContactPoints::grid(static_cast<int>(n_x), static_cast<int>(n_y),
+                                     {-beside * spacing, -(n_y - 1) / 2 * width}, {spacing, width});
+    grid.line_length = length;
+    return grid;
+}
+
+/// One period, a cell's centre at the origin.
+contact::ContactPoints period_grid(double period, double spacing, bool adjustable) {
+    const double n = adjustable ? std::ceil(period / spacing) : std::round(period / spacing);
+    if (!adjustable && std::abs(period / spacing - n) > whole_cells)
+        throw contact::InputError(
+            fmt::format("bem: a period of {:.6g} m is no whole number of cells of {:.6g} m; take a "
+                        "spacing of {:.6g} m",
+                        period, spacing, period / std::max(1., n)));
+    check_size(n, n);
+    const double h = period / n, first = -std::floor(n / 2) * h;
+    return contact::ContactPoints::grid(static_cast<int>(n), static_cast<int>(n), {first, first},
+                                        {h, h});
+}
+
+/// How far ahead of the contact a relaxing surface that rolls on has to be seen [m]: it enters the
+/// grid relaxed. Eight radii leave half a percent of a sphere's resistance to a rolling way vtau of
+/// two of them; a line load reaches farther, and 16 vtau more leave a thousandth. Much faster
+/// rolling meets no resistance.
+double relaxing_reach(const contact::Case& c, double radius) {
+    constexpr double radii_ahead = 8, line_ahead = 16, longest = 4;
+    double way = 0;
+    for (const auto& branch : c.relaxation->branches)
+        way = std::max(way, c.tractive_rolling->speed * branch.time);
+    return radii_ahead * radius +
+           (c.is_line_contact() ? line_ahead * std::min(way, longest * radius) : 0);
+}
+
+/// By how much of its radius a coupled contact that rolls on may lie beside the body's lowest
+/// point: enough for Dundurs' beta = 1/2 and mu = 0.6.
+constexpr double usual_rolled_aside = .25;
+
+/// Half sides of the region that the contact centre sweeps, or that is to be seen around it [m].
+/// `aside`: see case_compliance.
+contact::Vector2 path_extent(const contact::Case& c, double radius, double aside) {
+    if (c.tractive_rolling && c.tractive_rolling->speed > 0 && c.relaxation)
+        return {relaxing_reach(c, radius) + aside * radius, 0};
+    const bool coupled = c.contact.coupling && (is_coupled(c.materials()) || c.layer.thickness);
+    if (c.tractive_rolling) return {std::max(aside, coupled ? usual_rolled_aside : 0) * radius, 0};
+    contact::Vector2 extent = {aside * radius, aside * radius};
+    if (!c.rolling) return extent;
+    const double reach = rolling_amplitude(*c.rolling, radius);
+    extent[0] += std::abs(reach * std::cos(c.rolling->angle));
+    extent[1] += std::abs(reach * std::sin(c.rolling->angle));
+    return extent;
+}
+
+InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
+    const double radius = half_space_scales(c).contact_radius;
+    double depth = c.output.volume_depth.value_or(default_depth * radius);
+    InteriorBody inside{c.substrate, {}};
+    if (body == Body::layer) {
+        inside.layers = theory::layers_of("bem-layer", c);
+        inside.material = inside.layers->sheets.front().material;
+        inside.plane_strain = c.is_line_contact();
+        depth = std::min(depth, inside.layers->thickness());
+    }
+    return {inside, interior_depths(spacing, radius, depth), n_threads};
+}
+
+std::unique_ptr<GridCompliance> grid_compliance(const contact::Case& c, Body body,
+                                                const InfluenceTable* table,
+                                                contact::ContactPoints grid, int n_threads) {
+    if (table)
+        return tabulated_compliance(
+            *table, *c.bem.influence,
+            body == Body::layer || is_coupled(c.materials()) || couples(*table), std::move(grid),
+            n_threads);
+    const InteriorView view = view_of(c, body, grid.spacing[0], n_threads);
+    const auto& indenter = c.indenter.material;
+    auto compliance =
+        view.body.plane_strain
+            ? plane_layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
+        : body == Body::layer
+            ? layer_compliance(*view.body.layers, indenter, std::move(grid), n_threads)
+            : half_space_compliance(c.materials(), std::move(grid), n_threads);
+    compliance->set_view(view);
+    return compliance;
+}
+
+using MakeCompliance = std::function<std::unique_ptr<GridCompliance>(contact::ContactPoints grid)>;
+
+/// On a grid that is enlarged until it covers the contact.
+std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
+                                        const MakeCompliance& make, double aside) {
+    const contact::HalfSpaceScales hertz = half_space_scales(c);
+    // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
+    const double growth = std::sqrt(hardest_factor(c));
+    const std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
+    for (double margin = first_margin;; margin *= enlargement) {
+        // A path measured by the model's own radius is known when the model has been pressed.
+        const bool own_radius =
+            c.rolling && c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
+        const auto extent = path_extent(c, hertz.contact_radius * (own_radius ? margin : 1), aside);
+        const double half_x = margin * growth * hertz.half_widths[0] + extent[0];
+        const double half_y = margin * growth * hertz.half_widths[1] + extent[1];
+        auto compliance =
+            make(c.is_cylindrical()
+                     ? make_long_grid(half_x, spacing, c.indenter.length, c.is_line_contact())
+                     : make_grid(half_x, half_y, spacing));
+        if (covers(*compliance, c, indenter, extent, margin < widest_by_friction))
+            return compliance;
+    }
+}
+
+/// On a grid that covers a height map along the path; all spots of contact lie on it.
+std::unique_ptr<GridCompliance> under_map(const contact::Case& c, double spacing,
+                                          const MakeCompliance& make, double aside) {
+    const auto side = c.indenter.height_map->period();
+    const auto extent = path_extent(c, half_space_scales(c).contact_radius, aside);
+    return make(
+        make_grid(side[0] / 2 + extent[0] + spacing, side[1] / 2 + extent[1] + spacing, spacing));
+}
+
+MakeCompliance single_cells(const contact::Case& c, int n_threads, Body body) {
+    std::shared_ptr<const InfluenceTable> table;
+    if (c.bem.influence)
+        table = std::make_shared<const InfluenceTable>(read_influence(*c.bem.influence));
+    return [=](contact::ContactPoints grid) {
+        require_memory(grid, predicted_bytes(c, body, Surroundings::free, grid));
+        return grid_compliance(c, body, table.get(), std::move(grid), n_threads);
+    };
+}
+
+/// All images of the indenter press alike: the cells of one contact with their periodic influence.
+/// `whole`: the cells of a period.
+MakeCompliance periodic_cells(const contact::Case& c, const contact::ContactPoints& whole,
+                              int n_threads) {
+    const int n = whole.n_x;
+    const double h = whole.spacing[0], period = *c.bem.period;
+    require_memory(whole, influence_bytes(whole));
+    const auto table = std::make_shared<const InfluenceTable>(
+        PeriodicCompliance(theory::layers_of("bem-layer", c), whole, n_threads).influence());
+    return [=](contact::ContactPoints grid) {
+        if (std::max(grid.n_x, grid.n_y) >= n)
+            throw contact::InputError(fmt::format(
+                "bem-layer: contact and rolling path reach the edge of the period of {:.6g} m, "
+                "neighbouring contacts would merge; enlarge bem.period or reduce the load",
+                period));
+        require_memory(grid, predicted_bytes(c, Body::layer, Surroundings::free, grid));
+        return std::make_unique<GridCompliance>(
+            [table, n, h](double x, double y) {
+                return table->at(static_cast<int>(std::lround(x / h)) % n,
+                                 static_cast<int>(std::lround(y / h)) % n);
+            },
+            std::move(grid), true, n_threads);
+    };
+}
+
+/// A period of the surface, or what a single height map can touch.
+std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, double spacing,
+                                                    int n_threads, Body body, double aside) {
+    if (!c.bem.period) return under_map(c, spacing, single_cells(c, n_threads, body), aside);
+    auto grid = period_grid(*c.bem.period, spacing, false);
+    require_memory(grid, predicted_bytes(c, body, Surroundings::periodic, grid));
+    if (body == Body::half_space)
+        return std::make_unique<PeriodicCompliance>(c.materials(), std::move(grid), n_threads);
+    return std::make_unique<PeriodicCompliance>(theory::layers_of("bem-layer", c), std::move(grid),
+                                                n_threads);
+}
+
+}  // namespace
+
+std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
+                                                        const contact::ContactPoints& grid,
+                                                        int n_threads, Body body) {
+    if (c.bem.influence)
+        throw contact::InputError(
+            "bem.influence: the file's coefficients hold for one state of the material, but here a "
+            "part of the stiffness relaxes and a part does not; omit bem.influence");
+    if (c.bem.period && contact::is_nominally_flat(c))
+        return nominally_flat(c, grid.spacing[0], n_threads, body, 0);
+    if (c.bem.period)
+        return periodic_cells(c, period_grid(*c.bem.period, grid.spacing[0], false),
+                              n_threads)(grid);
+    return single_cells(c, n_threads, body)(grid);
+}
+
+std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
+                                                     Body body, double aside) {
+    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    if (contact::is_nominally_flat(c)) return nominally_flat(c, spacing, n_threads, body, aside);
+    if (!c.bem.period) return fitting(c, spacing, single_cells(c, n_threads, body), aside);
+    if (body == Body::half_space)
+        throw contact::InputError(
+            "bem: under a periodic load the half-space gives way without bound, its compliance at "
+            "k = 0 is infinite; take bem-layer or omit bem.period");
+    const auto whole = period_grid(*c.bem.period, spacing, !c.bem.spacing);
+    return fitting(c, whole.spacing[0], periodic_cells(c, whole, n_threads), aside);
+}
+
+double more_room(double aside, const contact::ContactAtEdge& reached) {
+    constexpr double first = .5, last = 16;
+    if (aside >= last)
+        throw contact::NotConverged(
+            fmt::format("{}, which has room for {:.0f} half lengths of it on either side of the "
+                        "body's path",
+                        reached.what(), aside));
+    return std::max(first, 2 * aside);
+}
+
+InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body) {
+    if (c.is_cylindrical())
+        throw contact::InputError(
+            "indenter.shape: the cells of a cylinder or roller divide its length, but files of "
+            "influence coefficients hold those of square cells; take another shape");
+    if (c.bem.period)
+        throw contact::InputError(
+            "bem.period: a periodic case has no influence coefficients of single cells; omit it");
+    const double spacing = spacing_of(c, half_space_scales(c).contact_radius);
+    const MakeCompliance cells = single_cells(c, n_threads, body);
+    return (contact::is_nominally_flat(c) ? under_map(c, spacing, cells, 0)
+                                          : fitting(c, spacing, cells, 0))
+        ->influence();
+}
+
+void check_influence_file(const contact::Case& c) {
+    if (c.bem.influence)
+        check_spacing(read_influence(*c.bem.influence), *c.bem.influence,
+                      spacing_of(c, half_space_scales(c).contact_radius));
+}
 
 std::unique_ptr<contact::Substrate> make_substrate(const contact::Case& c, int n_threads, Body body,
                                                    double aside) {

@@ -2,12 +2,44 @@
 
 #include <memory>
 
-#include "bem/case_compliance.h"
+#include "bem/influence_file.h"
 #include "contact/case.h"
+#include "contact/error.h"
 #include "contact/model.h"
+#include "contact/solvers/compliance.h"
 #include "contact/substrates/substrate.h"
 
 namespace tricontact::bem {
+
+/// What the boundary elements take the substrate for.
+enum class Body { half_space, layer };
+
+/// The compliance of a case: on a grid that covers the contact along its whole rolling path and is
+/// enlarged until it does; of a periodic case with the images of its cells. `n_threads`: for the
+/// transforms; results do not depend on it. Throws contact::InputError if the grid would be too
+/// large, or a file of influence coefficients does not fit, or the contact does not fit into the
+/// period. `aside`: how far beside the path of the body's lowest point friction may take the
+/// contact, over its half length [-].
+std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
+                                                     Body body, double aside = 0);
+
+/// The next larger `aside`, for a contact that reached the edge of the grid. Throws
+/// contact::NotConverged after the largest one.
+double more_room(double aside, const contact::ContactAtEdge& reached);
+
+/// That of another material on the same grid. Throws contact::InputError for a case with a file of
+/// influence coefficients.
+std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
+                                                        const contact::ContactPoints& grid,
+                                                        int n_threads, Body body);
+
+/// The influence coefficients that this compliance is made of, as far as it asks for them. Throws
+/// contact::InputError, also for a periodic case, which has none.
+InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body);
+
+/// Reads the case's file of influence coefficients, if it has one, to see whether it is whole and
+/// of the case's cells. Throws contact::InputError.
+void check_influence_file(const contact::Case& c);
 
 /// The substrate of a case, elastic or relaxing, on the grid of its case_compliance, which says
 /// what `aside` is. Throws contact::InputError.

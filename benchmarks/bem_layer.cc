@@ -6,7 +6,7 @@
 #include "bem/model.h"
 #include "benchmarks/rig.h"
 #include "contact/run.h"
-#include "theory/layer/case_layers.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::benchmarks {
 namespace {

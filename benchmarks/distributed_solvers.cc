@@ -13,8 +13,8 @@
 #include "fem/distributed/layer.h"
 #include "fem/distributed/petsc.h"
 #include "fem/distributed/stiffness.h"
+#include "fem/layer_condenser.h"
 #include "fem/model.h"
-#include "fem/workshop.h"
 #include "io/case/case_reader.h"
 
 namespace {
@@ -81,7 +81,7 @@ void solve(const Stiffness& stiffness, const char* preconditioner, double ratio,
     check(KSPGetIterationNumber(solver, &iterations));
     check(KSPGetResidualNorm(solver, &residual));
     check(KSPGetConvergedReason(solver, &reason));
-    if (session.speaks())
+    if (session.is_root())
         std::printf("K/G %8.0e  %-6s %5d iterations %8.1f s  residual %.1e%s\n", ratio,
                     preconditioner, iterations, seconds, residual,
                     reason > 0 ? "" : "  not converged");
@@ -100,7 +100,7 @@ void measure(const std::string& file, const std::string& size, const std::vector
     for (const double ratio : ratios) {
         problem.largest_bulk_ratio = ratio;
         const Stiffness stiffness(problem, session);
-        if (ratio == ratios[0] && session.speaks())
+        if (ratio == ratios[0] && session.is_root())
             std::printf("%lld unknowns, %d ranks\n", static_cast<long long>(stiffness.n_unknowns()),
                         session.n_ranks());
         describe_rigid_motions(stiffness);
@@ -119,5 +119,5 @@ int main(int argc, char** argv) {
     const Session session;
     std::vector<double> ratios;
     for (int i = 3; i < argc; ++i) ratios.push_back(std::atof(argv[i]));
-    session.together([&] { measure(argv[1], argv[2], ratios, session); });
+    session.abort_on_local_error([&] { measure(argv[1], argv[2], ratios, session); });
 }

@@ -6,7 +6,7 @@
 
 #include "bem/grid_compliance.h"
 #include "benchmarks/rig.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 
 namespace tricontact::benchmarks {

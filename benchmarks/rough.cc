@@ -11,9 +11,9 @@
 
 #include "bem/periodic_compliance.h"
 #include "benchmarks/cpu_timer.h"
-#include "contact/bodies/rough_indenter.h"
+#include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 
 namespace tricontact::benchmarks {

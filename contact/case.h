@@ -207,8 +207,8 @@ struct Case {
 };
 
 /// What ratios refer to: the case's body pressed without friction on the half-space. Hertz'
-/// solution for paraboloid and sphere, see line_contact_scales.h for cylinder and roller,
-/// rough_scales.h for nominally flat bodies. SI units.
+/// solution for paraboloid and sphere, see half_space_scales.h for cylinder and roller,
+/// half_space_scales.h for nominally flat bodies. SI units.
 struct HalfSpaceScales {
     double contact_radius;  ///< a [m]; half width of a line contact, of an ellipse the geometric
                             ///< mean of both half axes
@@ -227,5 +227,14 @@ bool has_conical_tip(const Case& c);
 
 /// W [m] of the case, `reference_radius` being the contact radius that a ratio refers to [m].
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius);
+
+/// Whether the pressure falls from the centre on, as Hertz' does: not under power laws of n > 2,
+/// punches and rough bodies, and of the profile of a table nobody knows. Then the least pressure on
+/// a path is that at one of its ends.
+bool pressure_falls(const Case& c);
+
+/// Distance of the sides of a layer's block from the load at which they are hardly felt, in
+/// thicknesses of all layers: the block of finite elements is chosen by it.
+double far_sides(const Case& c);
 
 }  // namespace tricontact::contact

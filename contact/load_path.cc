@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "contact/bodies/pressure_shape.h"
 #include "contact/error.h"
 
 namespace tricontact::contact {

@@ -7,17 +7,17 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <optional>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double unlimited = infinity;
 
 // Number after `name` in a file of lines "name number".
 std::optional<double> entry(const fs::path& file, const std::string& name) {

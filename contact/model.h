@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "contact/audit.h"
 #include "contact/error.h"
 #include "contact/history.h"
 #include "contact/load_path.h"

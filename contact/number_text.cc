@@ -10,7 +10,7 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr const char* undefined = "–";
+constexpr const char* no_number = "–";
 
 std::string superscript(int exponent) {
     constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -29,7 +29,7 @@ std::string tidied(std::string text) {
 }  // namespace
 
 std::string significant(std::optional<double> value, int digits) {
-    if (!value || !std::isfinite(*value)) return undefined;
+    if (!value || !std::isfinite(*value)) return no_number;
     if (*value == 0) return "0";
     // Rounding first: 9.9996 is 10.00, not 9.9996 with the exponent of 9.
     const std::string scientific = fmt::format("{:.{}e}", *value, digits - 1);
@@ -41,9 +41,9 @@ std::string significant(std::optional<double> value, int digits) {
 }
 
 std::string with_error(double value, double error, int digits) {
-    if (!std::isfinite(value)) return undefined;
+    if (!std::isfinite(value)) return no_number;
     error = std::abs(error);
-    if (!std::isfinite(error)) return significant(value, digits) + " ± " + undefined;
+    if (!std::isfinite(error)) return significant(value, digits) + " ± " + no_number;
     if (error <= 1e-7 * std::abs(value))
         return significant(value, digits) + " ± " + significant(error, 1);
     // PDG (2024), Introduction, 5.3: 950 ... 999 rounds up and then shows two digits, "1.0".

@@ -6,13 +6,12 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <limits>
 #include <optional>
 
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
-#include "contact/lasting_states.h"
 #include "contact/load_path.h"
+#include "contact/special_values.h"
 #include "contact/verdict.h"
 
 namespace tricontact::contact {
@@ -45,6 +44,39 @@ class SnapshotKeeper {
     static constexpr double kept_for_good = 3;
     std::vector<Snapshot> kept_, recent_;
     int recent_period_ = 0;
+};
+
+/// What points did in all steps of a period.
+class LastingStates {
+  public:
+    void begin() { contact_.clear(); }
+    void add(const std::vector<ContactState>& states) {
+        if (contact_.size() != states.size()) {
+            contact_.assign(states.size(), true);
+            stick_ = contact_;
+        }
+        for (std::size_t i = 0; i < states.size(); ++i) {
+            contact_[i] = contact_[i] && states[i] != ContactState::open;
+            stick_[i] = stick_[i] && states[i] == ContactState::stick;
+        }
+    }
+    /// A point was in contact and stuck.
+    bool something_sticks() const {
+        return !contact_.empty() && std::find(stick_.begin(), stick_.end(), true) != stick_.end();
+    }
+    /// Of what points dissipated, each per area, the share of those that were in contact; 1 for
+    /// what is not known by points.
+    double share_in_contact(const std::vector<double>& work) const {
+        double all = 0, lasting = 0;
+        for (std::size_t i = 0; i < work.size(); ++i) all += work[i];
+        if (work.size() != contact_.size() || !(all > 0)) return 1;
+        for (std::size_t i = 0; i < work.size(); ++i)
+            if (contact_[i]) lasting += work[i];
+        return lasting / all;
+    }
+
+  private:
+    std::vector<bool> contact_, stick_;
 };
 
 class Run {
@@ -126,7 +158,7 @@ class Run {
         };
         for (const LoadStep& step : path_.pressing) margin(step);
         for (const LoadStep& step : path_.loading) margin(step);
-        double last = std::numeric_limits<double>::infinity();
+        double last = infinity;
         for (int n = 0; n < path_.max_periods; ++n) {
             double least = last;
             for (LoadStep step : path_.period) {
@@ -184,7 +216,7 @@ class Run {
                               history_.tangential_force / history_.friction_limit);
         if (!negligible_) return known;
         known.negligible_shift = *negligible_;
-        known.negligible_work = std::numeric_limits<double>::infinity();
+        known.negligible_work = infinity;
         known.tangential_ratio.reset();
         return known;
     }

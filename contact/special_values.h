@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 namespace tricontact::contact {
@@ -7,5 +8,11 @@ namespace tricontact::contact {
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A number that is not known, or does not exist.
 inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+/// The larger of two numbers, NaN if either is one: what has broken never hides behind what is
+/// sound, as it does with std::max.
+inline double larger(double a, double b) {
+    return a >= b || std::isnan(a) ? a : b;
+}
 
 }  // namespace tricontact::contact

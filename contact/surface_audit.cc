@@ -1,13 +1,21 @@
 #include "contact/surface_audit.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/largest.h"
+#include "contact/special_values.h"
+#include "contact/surface_model.h"
+
+// What a surface model notes about each step: the record and the audit.
 
 namespace tricontact::contact {
 
 namespace {
+
 constexpr double rounding_allowed = 1e-12;
+
+constexpr double product_rounding = 1e-13;
+
 }  // namespace
 
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
@@ -64,6 +72,113 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
                 "tangential_force",
                 std::abs(force[d] - facts.control[d].value) / (total_bound + facts.inclined_force),
                 force_allowed);
+}
+
+StepRecord SurfaceModel::record(const LoadStep& step) const {
+    const auto& area = points().area;
+    const bool mirrored = points().mirrored;
+    const auto& p = now().normal->pressure;
+    const auto& t = now().tangential.traction;
+    StepRecord r;
+    r.phase = step.phase;
+    r.offset = step.offset;
+    r.indentation = now().normal->indentation;
+    r.shift = now().shift;
+    r.normal_force = solver_->coupling().normal_force(t);
+    r.tangential_force = solver_->coupling().tangential_force(p);
+    for (std::size_t i = 0; i < now().bound.size(); ++i) {
+        r.normal_force += area[i] * p[i];
+        r.tangential_force[0] += area[i] * t.x[i];
+        if (!mirrored) r.tangential_force[1] += area[i] * t.y[i];
+        switch (contact_state_[i]) {
+            case ContactState::open:
+                r.open_area += area[i];
+                break;
+            case ContactState::stick:
+                r.stick_area += area[i];
+                break;
+            case ContactState::slip:
+                r.slip_area += area[i];
+                r.dissipation += area[i] * friction_work(i);
+                break;
+        }
+    }
+    r.material_dissipation = material_dissipation_;
+    r.stored_energy = energy_;
+    r.contact_area = r.stick_area + r.slip_area;
+    r.normal_iterations = now().normal_iterations;
+    r.tangential_iterations = now().tangential_iterations;
+    r.normal_residual = std::max(now().normal->residual, now().gap_residual);
+    r.tangential_residual = now().tangential.residual;
+    r.force_residual = now().tangential.force_residual;
+    if (step.normal.kind == NormalControl::Kind::force)
+        r.force_residual = std::max(
+            r.force_residual, std::abs(r.normal_force - step.normal.value) / step.normal.value);
+    return r;
+}
+
+void SurfaceModel::audit_step(const LoadStep& step, bool advected) {
+    const ContactPoints& points = this->points();
+    const auto& p = now().normal->pressure;
+    const auto& t = now().tangential.traction;
+    const EnergyBalance energy = update_energy();
+    if (now().normal->force == 0) return;  // withdrawn: nothing to compare errors with
+    // Parts that inclined tractions carry follow the rest to the tolerance of the staggered
+    // iteration.
+    const double force_allowed = solver_->coupling().deformed() ? 10 * tolerance_ : exact_force;
+    NormalControl normal = step.normal;
+    if (normal.kind == NormalControl::Kind::force)
+        normal.value -= solver_->coupling().normal_force(t);
+    audit_normal(*now().normal, normal, points.area, std::max(tolerance_, now().normal->rounding),
+                 audit_, force_allowed);
+    if (is_coupled()) audit_.record("normal_and_tangential_agree", now().gap_residual, tolerance_);
+    const SurfaceField all = solver_->tractions();
+    const auto missing = substrate_->compliance().missing_reaction(all.down, all.in_surface);
+    if (missing)
+        audit_.record("base_reaction",
+                      std::hypot((*missing)[0], (*missing)[1], (*missing)[2]) / now().normal->force,
+                      substrate_->compliance().allowed_missing_reaction());
+
+    if (step.friction) {
+        std::array<TangentialControl, 2> tangential = solver_->forces_and_shifts(step);
+        const Vector2 by_pressure = solver_->coupling().tangential_force(p);
+        for (int d = 0; d < 2; ++d) tangential[d].value -= by_pressure[d];
+        if (points.mirrored) tangential[1].kind = TangentialControl::Kind::shift;
+        audit_tangential(
+            {.bound = now().bound,
+             .area = points.area,
+             .traction = t,
+             .slip = slip_,
+             .contact_state = contact_state_,
+             .control = tangential,
+             .length = now().shift_factor * friction_coefficient_ * now().normal->length,
+             .inclined_force = solver_->coupling().inclined_force(p)},
+            tolerance_, audit_, force_allowed);
+    }
+    // What relaxes takes energy out of a frame that leaves it behind.
+    if (advected && substrate_->relaxes()) return;
+    // The forces' work is that on the surface plus what friction dissipates, of the order mu^2 F d.
+    // Rounding goes with all that is turned over, F d under whatever friction: a product of the
+    // compliance adds up a thousand terms, each to half an epsilon, or more where they cancel.
+    // A displaced surface meets the indenter to the tolerance of the staggered iteration, over d.
+    const double factor =
+        friction_coefficient_ * friction_coefficient_ + solver_->coupling().deformed();
+    const double by_friction = factor * now().normal->force * now().normal->length;
+    const double by_rounding =
+        std::max(product_rounding, now().normal->rounding) * energy.magnitude;
+    audit_.record("energy_balance",
+                  std::abs(energy.missing) / (by_friction + by_rounding / force_allowed),
+                  force_allowed);
+}
+
+/// Ends the step of the substrate.
+SurfaceModel::EnergyBalance SurfaceModel::update_energy() {
+    const double energy_before = energy_;
+    const Substrate::Energies energies = substrate_->end(solver_->tractions(), now().displacement);
+    energy_ = energies.stored;
+    material_dissipation_ = energies.dissipated;
+    return {energies.work - (energy_ - energy_before + material_dissipation_),
+            energies.magnitude + std::abs(energy_before)};
 }
 
 }  // namespace tricontact::contact

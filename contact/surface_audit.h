@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "contact/audit.h"
+#include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/solvers/compliance.h"
 #include "contact/solvers/normal_solver.h"

@@ -3,32 +3,112 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/frictional_work.h"
-#include "contact/solvers/contact_radius.h"
-#include "contact/solvers/mirror.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/state_bytes.h"
+#include "contact/surface.h"
 #include "contact/surface_model.h"
 
 namespace tricontact::contact {
 
+namespace {
+
+/// Index in the half of each point of the whole, and the sign of its y.
+struct Image {
+    std::vector<int> source;
+    std::vector<int> sign;
+    std::vector<int> image_of;  // point of the whole that mirrors a point of the half
+};
+
+/// Rows from -y to y on a regular grid; else the half's points, then the images of those off y = 0.
+Image image_of(const Surface& half) {
+    Image image;
+    const int n = static_cast<int>(half.size());
+    image.image_of.resize(n);
+    auto add = [&](int source, int sign) {
+        if (sign < 0 || half.node_y[source] == 0)
+            image.image_of[source] = static_cast<int>(image.source.size());
+        image.source.push_back(source);
+        image.sign.push_back(sign);
+    };
+    if (half.n_x > 0) {
+        for (int row = half.n_y - 1; row > 0; --row)
+            for (int i = 0; i < half.n_x; ++i) add(row * half.n_x + i, -1);
+        for (int k = 0; k < n; ++k) add(k, 1);
+    } else {
+        for (int k = 0; k < n; ++k) add(k, 1);
+        for (int k = 0; k < n; ++k)
+            if (half.node_y[k] != 0) add(k, -1);
+    }
+    return image;
+}
+
+/// The whole surface from its half with y >= 0: x and normal components even in y, y components
+/// odd. Points at y = 0 are not doubled. Nodes layout only.
+Surface mirrored(const Surface& half) {
+    const Image image = image_of(half);
+    const std::size_t n = image.source.size();
+    Surface whole = half;
+    auto reflect = [&](std::vector<double>& values, bool odd) {
+        if (values.empty()) return;
+        const std::vector<double> old = values;
+        values.resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+            values[i] = odd && image.sign[i] < 0 ? -old[image.source[i]] : old[image.source[i]];
+    };
+    for (auto* even :
+         {&whole.node_x, &whole.normal_traction, &whole.tangential_traction_x,
+          &whole.friction_bound, &whole.displacement_x, &whole.displacement_z, &whole.gap,
+          &whole.slip_x, &whole.dissipation, &whole.slip_path, &whole.friction_work,
+          &whole.normal_traction_consistent, &whole.tangential_traction_x_consistent})
+        reflect(*even, false);
+    for (auto* odd : {&whole.node_y, &whole.tangential_traction_y, &whole.displacement_y,
+                      &whole.slip_y, &whole.tangential_traction_y_consistent})
+        reflect(*odd, true);
+    whole.contact_state.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+        whole.contact_state[i] = half.contact_state[image.source[i]];
+
+    std::vector<int> original(half.size());
+    for (std::size_t i = 0; i < n; ++i)
+        if (image.sign[i] > 0) original[image.source[i]] = static_cast<int>(i);
+    whole.quads.clear();
+    for (const auto& quad : half.quads) {
+        std::array<int, 9> kept{}, turned{};
+        for (int k = 0; k < 9; ++k) kept[k] = original[quad[k]];
+        // Corners backwards keep the orientation; edges 4-7 follow their corners.
+        constexpr std::array<int, 9> backwards = {0, 3, 2, 1, 7, 6, 5, 4, 8};
+        for (int k = 0; k < 9; ++k) turned[k] = image.image_of[quad[backwards[k]]];
+        whole.quads.push_back(kept);
+        whole.quads.push_back(turned);
+    }
+    if (half.n_x > 0) {
+        whole.n_y = 2 * half.n_y - 1;
+        whole.first[1] = -(half.n_y - 1) * half.spacing[1];
+    }
+    return whole;
+}
+
+}  // namespace
+
 Scales SurfaceModel::scales() const {
     const ContactPoints& points = this->points();
-    TangentialField sliding(bound_.size()), displacement(bound_.size());
-    for (std::size_t i = 0; i < bound_.size(); ++i)
-        sliding.x[i] = friction_coefficient_ * normal_->pressure[i];
+    TangentialField sliding(now().bound.size()), displacement(now().bound.size());
+    for (std::size_t i = 0; i < now().bound.size(); ++i)
+        sliding.x[i] = friction_coefficient_ * now().normal->pressure[i];
     substrate_->relaxed().tangential(sliding, displacement);
     std::size_t centre = 0;
     auto distance = [&](std::size_t i) {
-        return std::hypot(points.x[i] - offset_[0], points.y[i] - offset_[1]);
+        return std::hypot(points.x[i] - now().offset[0], points.y[i] - now().offset[1]);
     };
-    for (std::size_t i = 1; i < bound_.size(); ++i)
+    for (std::size_t i = 1; i < now().bound.size(); ++i)
         if (distance(i) < distance(centre)) centre = i;
-    return {.normal_force = normal_->force,
+    return {.normal_force = now().normal->force,
             .contact_radius = indenter_->presses_like_a_ball()
-                                  ? contact_radius(points, normal_->pressure, offset_)
-                                  : counted_radius(points, normal_->pressure),
-            .indentation = normal_->indentation,
-            .peak_pressure = *std::max_element(normal_->pressure.begin(), normal_->pressure.end()),
+                                  ? contact_radius(points, now().normal->pressure, now().offset)
+                                  : counted_radius(points, now().normal->pressure),
+            .indentation = now().normal->indentation,
+            .peak_pressure =
+                *std::max_element(now().normal->pressure.begin(), now().normal->pressure.end()),
             .unit_shift = displacement.x[centre]};
 }
 
@@ -38,7 +118,7 @@ Vector2 SurfaceModel::slip(std::size_t i) const {
 
 double SurfaceModel::friction_work(std::size_t i) const {
     return frictional_work(contact_state_[i],
-                           {tangential_.traction.x[i], tangential_.traction.y[i]},
+                           {now().tangential.traction.x[i], now().tangential.traction.y[i]},
                            {slip_.x[i], slip_.y[i]});
 }
 
@@ -50,18 +130,19 @@ Surface SurfaceModel::surface() const {
     s.n_y = points.n_y;
     s.first = points.first;
     s.spacing = points.spacing;
-    s.offset = offset_;
-    s.normal_traction = normal_->pressure;
-    s.tangential_traction_x = tangential_.traction.x;
-    s.tangential_traction_y = tangential_.traction.y;
-    s.friction_bound = bound_;
-    s.displacement_x = displacement_.x;
-    s.displacement_y = displacement_.y;
-    s.displacement_z = displacement_z_;
-    s.gap.resize(bound_.size());
-    for (auto* field : {&s.slip_x, &s.slip_y, &s.dissipation}) field->resize(bound_.size());
-    for (std::size_t i = 0; i < bound_.size(); ++i) {
-        s.gap[i] = coupling_.bare_height()[i] + displacement_z_[i] - normal_->indentation;
+    s.offset = now().offset;
+    s.normal_traction = now().normal->pressure;
+    s.tangential_traction_x = now().tangential.traction.x;
+    s.tangential_traction_y = now().tangential.traction.y;
+    s.friction_bound = now().bound;
+    s.displacement_x = now().displacement.in_surface.x;
+    s.displacement_y = now().displacement.in_surface.y;
+    s.displacement_z = now().displacement.down;
+    s.gap.resize(now().bound.size());
+    for (auto* field : {&s.slip_x, &s.slip_y, &s.dissipation}) field->resize(now().bound.size());
+    for (std::size_t i = 0; i < now().bound.size(); ++i) {
+        s.gap[i] = solver_->coupling().bare_height()[i] + now().displacement.down[i] -
+                   now().normal->indentation;
         const Vector2 told = slip(i);
         s.slip_x[i] = told[0];
         s.slip_y[i] = told[1];
@@ -84,19 +165,30 @@ Surface SurfaceModel::surface() const {
     return points.mirrored ? mirrored(s) : s;
 }
 
+namespace {
+
+/// Shows `visit` all that is kept of a solution; members are constant or not as `solution` is.
+template <class Solution, class Normal, class Visit>
+void visit_state(Solution& s, Normal& normal, Visit visit) {
+    visit(s.offset), visit(s.shift), visit(s.tangential.shift_increment);
+    visit(normal.pressure), visit(normal.displacement), visit(s.bound);
+    for (auto* field :
+         {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
+        visit(field->x), visit(field->y);
+    visit(s.displacement.down);
+    visit(normal.indentation), visit(normal.length), visit(normal.force), visit(normal.residual);
+    visit(s.tangential.residual), visit(s.tangential.force_residual);
+    visit(s.gap_residual), visit(s.shift_factor);
+}
+
+}  // namespace
+
 std::string SurfaceModel::write_state() const {
     StateWriter out;
-    for (const Vector2& v : {offset_, shift_, tangential_.shift_increment}) out.add(v);
-    for (const auto* field :
-         {&normal_->pressure, &normal_->displacement, &bound_, &tangential_.traction.x,
-          &tangential_.traction.y, &tangential_.displacement.x, &tangential_.displacement.y,
-          &displacement_.x, &displacement_.y, &displacement_z_, &slip_.x, &slip_.y,
-          &least_pressure_, &slip_path_, &friction_work_})
+    visit_state(now(), *now().normal, [&](const auto& value) { out.add(value); });
+    for (const auto* field : {&slip_.x, &slip_.y, &least_pressure_, &slip_path_, &friction_work_})
         out.add(*field);
-    for (const double value : {phase_, normal_->indentation, normal_->length, normal_->force,
-                               normal_->residual, tangential_.residual, tangential_.force_residual,
-                               gap_residual_, least_pressure_force_, energy_, shift_factor_})
-        out.add(value);
+    for (const double value : {phase_, least_pressure_force_, energy_}) out.add(value);
     out.add(contact_state_);
     substrate_->write(out);
     out.add(audit_.checks().size());
@@ -110,18 +202,12 @@ std::string SurfaceModel::write_state() const {
 
 void SurfaceModel::read_state(std::string_view bytes) {
     StateReader in(bytes);
+    ContactSolution solution;
     NormalSolution normal;
-    for (Vector2* v : {&offset_, &shift_, &tangential_.shift_increment}) in.get(*v);
-    for (auto* field :
-         {&normal.pressure, &normal.displacement, &bound_, &tangential_.traction.x,
-          &tangential_.traction.y, &tangential_.displacement.x, &tangential_.displacement.y,
-          &displacement_.x, &displacement_.y, &displacement_z_, &slip_.x, &slip_.y,
-          &least_pressure_, &slip_path_, &friction_work_})
+    visit_state(solution, normal, [&](auto& value) { in.get(value); });
+    for (auto* field : {&slip_.x, &slip_.y, &least_pressure_, &slip_path_, &friction_work_})
         in.get(*field);
-    for (double* value : {&phase_, &normal.indentation, &normal.length, &normal.force,
-                          &normal.residual, &tangential_.residual, &tangential_.force_residual,
-                          &gap_residual_, &least_pressure_force_, &energy_, &shift_factor_})
-        in.get(*value);
+    for (double* value : {&phase_, &least_pressure_force_, &energy_}) in.get(*value);
     in.get(contact_state_);
     substrate_->read(in);
     std::size_t n_checks = 0;
@@ -134,11 +220,8 @@ void SurfaceModel::read_state(std::string_view bytes) {
         in.get(check.allowed);
         audit_.record(check.name, check.worst, check.allowed);
     }
-    normal_ = std::make_shared<const NormalSolution>(std::move(normal));
-    keep_start();
-    // Heights and slopes follow from the rest.
-    coupling_.place({offset_, shift_, displacement_});
-    coupling_.update_height(normal_->pressure, tangential_.traction);
+    solution.normal = std::make_shared<const NormalSolution>(std::move(normal));
+    solver_->resume(std::move(solution), phase_);
 }
 
 }  // namespace tricontact::contact

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "contact/special_values.h"
@@ -75,16 +75,8 @@ std::vector<double> differences(const std::vector<double>& values) {
 }  // namespace
 
 const char* name_of(State state) {
-    switch (state) {
-        case State::shakedown:
-            return "shakedown";
-        case State::cyclic_slip:
-            return "cyclic-slip";
-        case State::ratcheting:
-            return "ratcheting";
-        default:
-            return "undecided";
-    }
+    constexpr std::array names{"shakedown", "cyclic-slip", "ratcheting", "undecided"};
+    return names[static_cast<std::size_t>(state)];
 }
 
 double step_accuracy(const Case& c, const std::string& model) {

@@ -1,6 +1,7 @@
 #include "fem/assembly.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tricontact::fem {
 
@@ -99,6 +100,122 @@ void add(const ElementStiffness& k, const LocalUnknowns& local, AssembledStiffne
     }
 }
 
+using Stress = std::array<double, 6>;  // XX YY ZZ XY YZ XZ
+constexpr int n_gauss = 8;
+
+// Weight of Gauss point g (x fastest) in the trilinear function through the 2 x 2 x 2 Gauss points,
+// at each node.
+std::array<std::array<double, n_gauss>, 27> extrapolation() {
+    std::array<std::array<double, n_gauss>, 27> weights{};
+    for (int i = 0; i < 27; ++i)
+        for (int g = 0; g < n_gauss; ++g) {
+            weights[i][g] = 1;
+            for (int d = 0; d < 3; ++d) {
+                const double x = node_positions[i][d] - 1, side = (g >> d & 1) ? 1 : -1;
+                weights[i][g] *= (1 + side * std::sqrt(3.) * x) / 2;  // points at +-1/sqrt(3)
+            }
+        }
+    return weights;
+}
+
+using Tensor = std::array<std::array<double, 3>, 3>;
+
+Tensor displacement_gradient(const ElementValues::Gradients& shape, const double* u) {
+    Tensor gradient{};
+    for (int a = 0; a < 3; ++a)
+        for (int i = 0; i < 27; ++i)
+            for (int b = 0; b < 3; ++b) gradient[a][b] += u[a * 27 + i] * shape[i][b];
+    return gradient;
+}
+
+// sigma = 2 G dev eps + K theta, theta being the projected volumetric strain.
+Stress stress_of(const Tensor& gradient, double theta, const Moduli& moduli) {
+    const double g = moduli.shear, mean = (gradient[0][0] + gradient[1][1] + gradient[2][2]) / 3;
+    const auto normal = [&](int a) {
+        return 2 * g * (gradient[a][a] - mean) + moduli.bulk * theta;
+    };
+    const auto shear = [&](int a, int b) { return g * (gradient[a][b] + gradient[b][a]); };
+    return {normal(0), normal(1), normal(2), shear(0, 1), shear(1, 2), shear(0, 2)};
+}
+
+// 2 G dev eps : dev eps
+double shear_power(const Tensor& gradient, const Moduli& moduli) {
+    const Stress s = stress_of(gradient, 0, moduli);  // deviator
+    return (s[0] * s[0] + s[1] * s[1] + s[2] * s[2] +
+            2 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5])) /
+           (2 * moduli.shear);
+}
+
+// State of one element.
+class ElementState {
+  public:
+    ElementState(const ElementValues& volume, const Moduli& moduli, const std::array<double, 81>& u)
+        : moduli_(moduli), u_(u), dilatation_(volume) {
+        for (int m = 0; m < 4; ++m)
+            for (int r = 0; r < 81; ++r) amplitude_[m] += dilatation_.rows()[m][r] * u[r];
+        for (const double a : amplitude_) energy_ += moduli.bulk * a * a / 2;
+        for (std::size_t q = 0; q < volume.weights().size(); ++q) {
+            volume_ += volume.weights()[q];
+            energy_ += volume.weights()[q] *
+                       shear_power(displacement_gradient(volume.gradients()[q], u.data()), moduli) /
+                       2;
+        }
+    }
+
+    double energy() const { return energy_; }  // [J]
+    double volume() const { return volume_; }
+
+    Stress stress_at(const std::array<double, 3>& x, const ElementValues::Gradients& shape) const {
+        return stress_of(displacement_gradient(shape, u_.data()), dilatation_.at(x, amplitude_),
+                         moduli_);
+    }
+
+  private:
+    const Moduli& moduli_;
+    const std::array<double, 81>& u_;
+    Dilatation dilatation_;
+    std::array<double, 4> amplitude_{};
+    double energy_ = 0, volume_ = 0;
+};
+
+// Gives every node one point per region that it belongs to.
+void add_points(const Q2Space& space, const NodalDisplacement& displacement,
+                contact::Interior& interior) {
+    std::array<std::vector<int>, meshes::n_regions> point_of_node;
+    for (auto& points : point_of_node) points.assign(space.nodes().size(), -1);
+    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+        const auto region = static_cast<std::uint8_t>(space.regions()[c]);
+        interior.region.push_back(region);
+        auto& hex = interior.hexes.emplace_back();
+        for (int i = 0; i < 27; ++i) {
+            const int node = space.cells()[c][i];
+            int& point = point_of_node[region][node];
+            if (point < 0) {
+                point = static_cast<int>(interior.points.size());
+                interior.points.push_back(space.nodes()[node]);
+                interior.displacement.push_back(displacement[node]);
+            }
+            hex[i] = point;
+        }
+    }
+}
+
+std::array<double, 81> element_displacement(const std::array<int, 27>& nodes,
+                                            const NodalDisplacement& displacement) {
+    std::array<double, 81> u{};
+    for (int a = 0; a < 3; ++a)
+        for (int i = 0; i < 27; ++i) u[a * 27 + i] = displacement[nodes[i]][a];
+    return u;
+}
+
+void average(std::vector<Stress>& sums, const std::vector<std::array<int, 27>>& hexes) {
+    std::vector<int> count(sums.size(), 0);
+    for (const auto& hex : hexes)
+        for (const int point : hex) ++count[point];
+    for (std::size_t p = 0; p < sums.size(); ++p)
+        for (double& s : sums[p]) s /= count[p];
+}
+
 }  // namespace
 
 AssembledStiffness assemble(const Q2Space& space, const Unknowns& unknowns,
@@ -137,6 +254,32 @@ std::array<double, 3> held_forces(const Q2Space& space, const Unknowns& unknowns
                     (*k)[held.local][r] * displacement[nodes[r % 27]][r / 27];
     }
     return forces;
+}
+
+contact::Interior interior_fields(const Q2Space& space,
+                                  const std::array<Moduli, meshes::n_regions>& moduli,
+                                  const NodalDisplacement& displacement) {
+    contact::Interior interior;
+    add_points(space, displacement, interior);
+    interior.stress.assign(interior.points.size(), Stress{});
+    static const auto weights = extrapolation();
+    ElementValues volume(space, 3), barlow(space, 2);
+    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+        volume.reinit(c);
+        barlow.reinit(c);
+        const auto u = element_displacement(space.cells()[c], displacement);
+        const ElementState state(volume, moduli[interior.region[c]], u);
+        interior.strain_energy += state.energy();
+        interior.energy_density.push_back(state.energy() / state.volume());
+        for (int g = 0; g < n_gauss; ++g) {
+            const Stress s = state.stress_at(barlow.points()[g], barlow.gradients()[g]);
+            for (int i = 0; i < 27; ++i)
+                for (int k = 0; k < 6; ++k)
+                    interior.stress[interior.hexes[c][i]][k] += weights[i][g] * s[k];
+        }
+    }
+    average(interior.stress, interior.hexes);
+    return interior;
 }
 
 }  // namespace tricontact::fem

@@ -4,7 +4,6 @@
 
 #include "contact/solvers/compliance.h"
 #include "fem/condensed_layer.h"
-#include "fem/layer_problem.h"
 
 namespace tricontact::fem {
 

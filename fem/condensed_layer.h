@@ -4,13 +4,29 @@
 #include <string>
 #include <vector>
 
+#include "contact/case.h"
 #include "contact/error.h"
 #include "contact/solvers/compliance.h"
-#include "fem/layer_problem.h"
+#include "contact/substrates/material.h"
+#include "fem/matrices.h"
 #include "fem/memory.h"
-#include "fem/sparse_matrix.h"
+#include "meshes/hex_mesh.h"
 
 namespace tricontact::fem {
+
+/// Bulk over shear modulus that stands for incompressible material: changes the contact's
+/// compliance by 0.6 G/K.
+constexpr double incompressible_bulk_ratio = 1e6;
+
+/// Linear elasticity of a layer (or two) on a rigid base.
+struct LayerProblem {
+    meshes::HexMesh mesh;
+    std::array<contact::Material, meshes::n_regions> materials{{{0, 0}, {0, 0}}};
+    contact::Case::Base base = contact::Case::Base::bonded;
+    contact::Case::Sides sides = contact::Case::Sides::free;
+    double largest_bulk_ratio = incompressible_bulk_ratio;  ///< K/G is cut here
+    double line_length = 0;  ///< see contact::ContactPoints [m]; the stiffness knows nothing of it
+};
 
 /// All that contact has to know about a discretised layer.
 struct CondensedLayer {
@@ -42,5 +58,13 @@ CondensedLayer condense(const LayerProblem& problem);
 
 /// What `condense` will take at its peak [bytes], from a symbolic analysis.
 double predicted_bytes(const LayerProblem& problem);
+
+/// The contact of a slice in plane strain (meshes::LayerMeshSpec::plane_strain) under tractions
+/// that are uniform along y: a grid of one row of points in y = 0, whose areas are those of all
+/// rows, as long as both halves of the slice. Displacements are the means over y; along y there are
+/// none, and those components are held. Row sums of the surface mass carry a uniform traction
+/// exactly, so nothing is lost by the means. There is no contact mass: a line has no element
+/// surface.
+CondensedLayer contact_line(const CondensedLayer& slice);
 
 }  // namespace tricontact::fem

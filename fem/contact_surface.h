@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "contact/solvers/compliance.h"
+#include "fem/matrices.h"
 #include "fem/q2_space.h"
-#include "fem/sparse_matrix.h"
 
 namespace tricontact::fem {
 

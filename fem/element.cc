@@ -1,8 +1,6 @@
 #include "fem/element.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace tricontact::fem {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "contact/substrates/material.h"
 #include "fem/q2_space.h"

@@ -8,12 +8,11 @@
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <cstring>
 #include <memory>
 #include <new>
 #include <system_error>
 
-#include "fem/dense_matrix.h"
+#include "fem/matrices.h"
 
 namespace tricontact::fem {
 

@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "contact/error.h"
-#include "contact/far_sides.h"
 #include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
-#include "fem/patch.h"
-#include "fem/size_choice.h"
-#include "fem/workshop.h"
+#include "fem/layer_condenser.h"
+#include "fem/mesh_choice.h"
 #include "meshes/mesh_file.h"
 
 namespace tricontact::fem {
@@ -34,18 +31,18 @@ void require_layer(const Case& c) {
 }
 
 void say_what_was_chosen(const Case& c, const meshes::LayerMeshSpec& spec,
-                         const Workshop& workshop) {
+                         const LayerCondenser& condenser) {
     const double total = spec.thickness + spec.lower_thickness;
     if (!c.layer.width || !c.layer.depth)
-        workshop.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
-                                 2e3 * spec.half_x, 2e3 * spec.half_y));
+        condenser.say(fmt::format("block of {:.4g} mm x {:.4g} mm where the case gives no size",
+                                  2e3 * spec.half_x, 2e3 * spec.half_y));
     const double least = c.is_cylindrical() ? spec.half_x : std::min(spec.half_x, spec.half_y);
     if (least < far_sides(c) * total * (1 - 1e-9))
-        workshop.say(fmt::format(
+        condenser.say(fmt::format(
             "the sides are {:.3g} layer thicknesses away, less than {:.3g}: they will be felt",
             least / total, far_sides(c)));
     if (c.layer.base == Case::Base::frictionless && c.fem.sides == Case::Sides::free)
-        workshop.say("on a frictionless base the sides are held, or the layer would slide away");
+        condenser.say("on a frictionless base the sides are held, or the layer would slide away");
 }
 
 void require_room(const char* side, double half, double patch, double size) {
@@ -56,14 +53,14 @@ void require_room(const char* side, double half, double patch, double size) {
             side, 2 * patch, 2 * half));
 }
 
-meshes::LayerMeshSpec plan(const Case& c, Workshop& workshop) {
+meshes::LayerMeshSpec plan(const Case& c, LayerCondenser& condenser) {
     require_layer(c);
-    const double radius = patch_margin * probe_radius(c, hardest_press(c), workshop);
-    const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, workshop);
+    const double radius = patch_margin * probe_radius(c, hardest_press(c), condenser);
+    const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, condenser);
     meshes::LayerMeshSpec spec = spec_for(c, size, radius);
     require_room("width", spec.half_x, spec.patch_x, size);
     if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, size);
-    say_what_was_chosen(c, spec, workshop);
+    say_what_was_chosen(c, spec, condenser);
     return spec;
 }
 
@@ -85,8 +82,8 @@ meshes::HexMesh read_users_mesh(const Case& c) {
 }  // namespace
 
 meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
-    Workshop workshop(c, say);
-    return plan(c, workshop);
+    LayerCondenser condenser(c, say);
+    return plan(c, condenser);
 }
 
 meshes::HexMesh make_mesh(const Case& c, const Say& say) {
@@ -95,11 +92,11 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     require_layer(c);
-    Workshop workshop(c, say);
+    LayerCondenser condenser(c, say);
     std::optional<meshes::LayerMeshSpec> own;
-    if (!c.fem.mesh) own = plan(c, workshop);
+    if (!c.fem.mesh) own = plan(c, condenser);
     auto of_elastic = [&](const Case& elastic) {
-        Workshop other(elastic, say);
+        LayerCondenser other(elastic, say);
         return own ? make_fitting(elastic, *own, other) : other.make(read_users_mesh(elastic));
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
 
@@ -64,6 +63,29 @@ std::string RegularFile::content(std::uint64_t most) {
         if (text.size() > most) break;
     }
     throw Unreadable("is larger than " + std::to_string(most / 1'000'000) + " MB");
+}
+
+bool LineReader::fill() {
+    begin_ = 0;
+    end_ = file_.read(buffer_.data(), buffer_.size());
+    return end_ > 0;
+}
+
+bool LineReader::next(std::string& line, std::size_t longest) {
+    line.clear();
+    bool any = false;
+    while (begin_ < end_ || fill()) {
+        any = true;
+        const char* const from = buffer_.data() + begin_;
+        const char* const to = buffer_.data() + end_;
+        const char* const at = std::find(from, to, '\n');
+        line.append(from, at);
+        begin_ = static_cast<std::size_t>(at - buffer_.data()) + (at != to);
+        if (line.size() > longest)
+            throw Unreadable("has a line of more than " + std::to_string(longest) + " bytes");
+        if (at != to) return true;
+    }
+    return any;
 }
 
 }  // namespace tricontact::files

@@ -8,9 +8,16 @@
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "contact/substrates/relaxing_substrate.h"
+#include "contact/load_path.h"
+#include "contact/memory.h"
+#include "contact/solvers/normal_solver.h"
+#include "contact/special_values.h"
+#include "contact/substrates/relaxing_case.h"
+#include "mdr/bed_data.h"
 #include "mdr/line_surface.h"
-#include "mdr/rolling_line.h"
+#include "theory/layer/layer_stack.h"
+
+// How many elements an MDR of the layer needs for a case.
 
 namespace tricontact::mdr {
 
@@ -38,6 +45,68 @@ std::unique_ptr<const contact::Substrate> substrate_of(
     const std::optional<contact::Relaxation>& relaxation) {
     if (!relaxation) return std::make_unique<contact::ElasticSubstrate>(std::move(springs));
     return std::make_unique<contact::RelaxingSubstrate>(std::move(springs), *relaxation);
+}
+
+constexpr int probe_elements = 25;  // in Hertz' radius
+constexpr double first_margin = 1.1, enlargement = 1.25;
+constexpr double final_margin = 1.05;
+// In all, on either side: the matrix of 3 x 3 components then has 0.3 GB.
+constexpr int most_elements_beside = 1000;
+
+theory::LayerStack held_layers_of(const contact::Case& c) {
+    theory::LayerStack stack = theory::layers_of("mdr-layer", c);
+    if (stack.base == theory::LayerBase::frictionless)
+        throw contact::InputError(
+            "mdr-layer: nothing holds a layer on a frictionless base against a tangential force; "
+            "take base = \"bonded\" or another model");
+    return stack;
+}
+
+std::shared_ptr<const LayerSprings> springs_of(const contact::Case& c, double half_length,
+                                               double spacing) {
+    const double beside = std::ceil(half_length / spacing);
+    if (beside > most_elements_beside)
+        throw contact::InputError(fmt::format(
+            "mdr-layer: the bed would have {:.0f} elements, more than {}; shorten the rolling path "
+            "or take bem-layer",
+            2 * beside + 1, 2 * most_elements_beside + 1));
+    // Matrices of 3 x 3 components: of all elements, and of those in contact.
+    const double n = 2 * beside + 1;
+    contact::require_memory(fmt::format("mdr-layer: a bed of {:.0f} elements", n),
+                            2 * 9 * sizeof(double) * n * n,
+                            "shorten the rolling path or take bem-layer");
+    return std::make_shared<LayerSprings>(held_layers_of(c), c.indenter.material,
+                                          static_cast<int>(beside), spacing);
+}
+
+/// Half width of the contact [m]; infinite if it reaches the last element.
+double half_width(const LayerSprings& springs, const PlaneProfile& profile,
+                  const contact::NormalControl& control) {
+    const PointRow& row = springs.row();
+    std::vector<double> height;
+    for (const double x : springs.points().x) height.push_back(profile.value(x));
+    const auto pressure = contact::NormalSolver(springs, 1e-6).solve(height, control).pressure;
+    if (pressure.front() > 0) return contact::infinity;
+    return even_load(row, pressure, 0, static_cast<int>(pressure.size())).half_width();
+}
+
+struct HalfWidths {
+    double mean, largest;  // [m], under the case's normal control and under its crest
+};
+
+HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
+    const double radius = contact::half_space_scales(c).contact_radius;
+    const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
+    const double spacing =
+        std::min(radius / probe_elements, LayerSprings::longest_element * *c.layer.thickness);
+    const contact::NormalControl mean = contact::press_step(c).normal;
+    contact::NormalControl hardest = mean;
+    hardest.value *= crest;
+    for (double half = first_margin * radius * std::sqrt(crest);; half *= enlargement) {
+        const auto springs = springs_of(c, half, spacing);
+        const double largest = half_width(*springs, profile, hardest);
+        if (std::isfinite(largest)) return {half_width(*springs, profile, mean), largest};
+    }
 }
 
 }  // namespace
@@ -113,6 +182,30 @@ contact::Surface LayerModel::surface() const {
         if (!std::isfinite(fields.gap[i])) fields.gap[i] = profile_->value(profile_->range());
     }
     return make_line_surface(fields);
+}
+
+std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
+    held_layers_of(c);  // throws before anything else does
+    // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
+    // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
+    const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
+    const double table = 3 * crest * contact::half_space_scales(c).contact_radius;
+    LayerData data;
+    data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
+    const HalfWidths a = probe(c, *data.profile);
+    double path = 0;
+    if (c.rolling) {
+        const bool own = c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
+        path = std::abs(contact::rolling_amplitude(
+            *c.rolling, own ? a.mean : contact::half_space_scales(c).contact_radius));
+    }
+    const double spacing =
+        std::min(a.mean / elements_per_radius, LayerSprings::longest_element * *c.layer.thickness);
+    data.springs = springs_of(c, final_margin * a.largest + path, spacing);
+    data.friction_coefficient = c.friction_coefficient;
+    data.rolling_angle = c.rolling ? c.rolling->angle : 0;
+    data.relaxation = contact::common_relaxation("mdr-layer", c);
+    return std::make_unique<LayerModel>(std::move(data));
 }
 
 }  // namespace tricontact::mdr

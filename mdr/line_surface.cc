@@ -1,10 +1,115 @@
 #include "mdr/line_surface.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "mdr/back_transform.h"
+#include <numbers>
+#include <stdexcept>
 
 namespace tricontact::mdr {
+
+namespace {
+
+// Where the load ends beyond its last point, seen from the centre: `inner` is that point's
+// neighbour.
+double end_of_load(const PointRow& row, std::span<const double> load, double centre, int last,
+                   int inner) {
+    const double x = std::abs(row.position(last) - centre);
+    const double x_inner = std::abs(row.position(inner) - centre);
+    if (!(load[inner] > load[last])) return x + row.spacing / 2;
+    const double squared =
+        x * x + (x * x - x_inner * x_inner) * load[last] / (load[inner] - load[last]);
+    return std::min(std::sqrt(squared), x + row.spacing);
+}
+
+double half_width_of(const PointRow& row, std::span<const double> load, double centre) {
+    auto carries = [](double q) { return q > 0; };
+    const int first =
+        static_cast<int>(std::find_if(load.begin(), load.end(), carries) - load.begin());
+    const int last =
+        static_cast<int>(load.rend() - std::find_if(load.rbegin(), load.rend(), carries)) - 1;
+    if (first >= last) return row.spacing / 2;
+    return (end_of_load(row, load, centre, first, first + 1) +
+            end_of_load(row, load, centre, last, last - 1)) /
+           2;
+}
+
+}  // namespace
+
+std::vector<double> abel_weights(std::span<const double> positions, double r) {
+    const std::size_t n = positions.size();
+    if (n < 2 || positions.front() != 0)
+        throw std::domain_error("back_transform: needs two or more positions, the first one 0");
+    if (!(r >= 0)) throw std::domain_error("back_transform: the radius must not be negative");
+    std::vector<double> weights(n - 1, 0.0);
+    if (r >= positions.back()) return weights;
+
+    const double h = positions[1];
+    if (r < h) weights[0] = 2 / h * std::sqrt((h - r) * (h + r));
+    // ∫ dx/sqrt(x^2 - r^2) = log(x + sqrt(x^2 - r^2))
+    auto primitive = [r](double x) { return std::log(x + std::sqrt((x - r) * (x + r))); };
+    const auto above = std::upper_bound(positions.begin() + 1, positions.end(), r);
+    std::size_t k = std::max<std::size_t>(above - positions.begin() - 1, 1);
+    double at_begin = primitive(std::max(positions[k], r));
+    for (; k + 1 < n; ++k) {
+        const double at_end = primitive(positions[k + 1]);
+        weights[k] = at_end - at_begin;
+        at_begin = at_end;
+    }
+    return weights;
+}
+
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      std::span<const double> weights) {
+    if (line_load.size() != positions.size() || weights.size() + 1 != positions.size())
+        throw std::domain_error("back_transform: one load per position, one weight per piece");
+    double sum = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        sum += weights[k] * (line_load[k + 1] - line_load[k]) / (positions[k + 1] - positions[k]);
+    return -sum / std::numbers::pi;
+}
+
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      double r) {
+    return back_transform(positions, line_load, abel_weights(positions, r));
+}
+
+double PointRow::interpolate(std::span<const double> values, double x) const {
+    const double index = (x - first) / spacing;
+    const double below = std::floor(index), part = index - below;
+    auto at = [&](double i) {
+        return i >= 0 && i < static_cast<double>(values.size())
+                   ? values[static_cast<std::size_t>(i)]
+                   : 0.;
+    };
+    return (1 - part) * at(below) + part * at(below + 1);
+}
+
+double PointRow::even(std::span<const double> values, double centre, double x) const {
+    return (interpolate(values, centre + x) + interpolate(values, centre - x)) / 2;
+}
+
+EvenLoad even_load(const PointRow& row, std::span<const double> load, double centre,
+                   int most_pieces) {
+    const double a = half_width_of(row, load, centre);
+    const int stride = static_cast<int>(std::ceil(a / row.spacing / most_pieces));
+    EvenLoad even;
+    // Whole spacings: what the interpolation misses is then the same everywhere and drops out of
+    // differences.
+    for (double x = 0; x < a - row.spacing / 10; x += stride * row.spacing) {
+        even.positions.push_back(x);
+        even.values.push_back(row.even(load, centre, x));
+    }
+    even.positions.push_back(a);
+    even.values.push_back(0);
+    return even;
+}
+
+double EvenLoad::centre_pressure() const {
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < positions.size(); ++k)
+        sum += (values[k] - values[k + 1]) / (positions[k] + positions[k + 1]);
+    return 2 / std::numbers::pi * sum;
+}
 
 using contact::Surface;
 

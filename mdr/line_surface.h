@@ -1,11 +1,55 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "contact/surface.h"
-#include "mdr/even_load.h"
 
 namespace tricontact::mdr {
+
+/// Traction [Pa] at the radius r >= 0 [m] of the axisymmetric state whose line load is q:
+///   p(r) = -1/pi ∫_r^a q'(x)/sqrt(x^2 - r^2) dx, Popov and Hess (2015), eq. 3.37,
+/// for an even q [N/m] given at the increasing `positions` [m], the first of them 0, linear in
+/// between, zero beyond the last. Each linear piece is integrated exactly (acosh); in the first
+/// one q is even, hence taken as a parabola without slope at 0, which keeps p(0) finite.
+/// Throws std::domain_error for fewer than two positions or unequal lengths.
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      double r);
+
+/// The same in two steps, for several loads at one radius: weights of the slopes of the pieces [-],
+/// one fewer than positions, then their sum.
+std::vector<double> abel_weights(std::span<const double> positions, double r);
+double back_transform(std::span<const double> positions, std::span<const double> line_load,
+                      std::span<const double> weights);
+
+/// Equally spaced points on a line.
+struct PointRow {
+    double first = 0, spacing = 0;  ///< [m]
+
+    double position(int i) const { return first + i * spacing; }
+    /// Value at x [m], linear between the points, zero outside of the row.
+    double interpolate(std::span<const double> values, double x) const;
+    /// Even part of the values about `centre` [m], at the distance x [m].
+    double even(std::span<const double> values, double centre, double x) const;
+};
+
+/// The even part, about a centre, of a line load that is positive in the contact: what a
+/// back-transformation takes for an axisymmetric pressure.
+struct EvenLoad {
+    std::vector<double> positions;  ///< distances from the centre [m]: 0, ..., a
+    std::vector<double> values;     ///< [N/m], 0 at a
+
+    /// a [m], where the load vanishes: mean of both sides, each extrapolated as a parabola about
+    /// the centre through its last two points.
+    double half_width() const { return positions.back(); }
+    /// Pressure at the centre [Pa], -1/pi ∫_0^a q'(x)/x dx, q linear in x^2 between the positions.
+    double centre_pressure() const;
+};
+
+/// At most `most_pieces` + 1 positions, at whole spacings. Some point must carry load; a single one
+/// is taken for a contact one spacing wide.
+EvenLoad even_load(const PointRow& row, std::span<const double> load, double centre,
+                   int most_pieces);
 
 /// A picture needs no more points; their transforms cost points times pieces.
 inline constexpr int most_surface_points = 500, most_surface_pieces = 250;

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
-#include "mdr/rolling_line.h"
+#include "contact/special_values.h"
 #include "mdr/tangential_step.h"
 
 namespace tricontact::mdr {
@@ -251,7 +250,7 @@ void RelaxingBed::release() {
 }
 
 void RelaxingBed::start_limit() {
-    least_load_.assign(size(), std::numeric_limits<double>::infinity());
+    least_load_.assign(size(), contact::infinity);
     update_limit();
     limit_normal_force_ = normal_force_;
 }

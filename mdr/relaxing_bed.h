@@ -6,7 +6,7 @@
 
 #include "contact/model.h"
 #include "mdr/bed_data.h"
-#include "mdr/even_load.h"
+#include "mdr/line_surface.h"
 #include "mdr/normal_bed.h"
 #include "mdr/spring_memory.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/solvers/largest.h"
+#include "contact/special_values.h"
 #include "mdr/line_surface.h"
 #include "mdr/relaxing_bed.h"
 #include "mdr/tangential_step.h"

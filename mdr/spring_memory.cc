@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/compensated_sum.h"
-#include "contact/step_integrals.h"
 
 namespace tricontact::mdr {
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 
@@ -51,7 +51,7 @@ ClampedSum clamped_sum(std::span<const double> deflections, std::span<const doub
 ShiftSolution find_increment(std::span<const double> deflections, std::span<const double> bounds,
                              double target, double farthest) {
     double low = -farthest, high = farthest;
-    double previous_residual = std::numeric_limits<double>::infinity();
+    double previous_residual = contact::infinity;
     ShiftSolution solution;
     for (solution.iterations = 1; solution.iterations <= 200; ++solution.iterations) {
         const ClampedSum at = clamped_sum(deflections, bounds, solution.increment);

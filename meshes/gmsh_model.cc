@@ -4,8 +4,15 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <array>
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
 
 #include "meshes/mesh_format.h"
 #include "meshes/messages.h"
@@ -13,6 +20,52 @@
 namespace tricontact::meshes {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+std::mutex& library_mutex() {
+    static std::mutex mutex;
+    return mutex;
+}
+
+std::string current_locale() {
+    const char* name = std::setlocale(LC_ALL, nullptr);
+    return name != nullptr ? name : "C";
+}
+
+// gmsh asks its window library FLTK 1.3 for an option as it starts, upon which FLTK writes empty
+// preferences below the user's home and /etc. What was not there before is removed again.
+class ToolkitPreferences {
+  public:
+    ToolkitPreferences() {
+        const char* home = std::getenv("HOME");
+        if (home != nullptr && *home != '\0') note_missing(fs::path(home) / ".fltk");
+        note_missing("/etc/fltk");
+    }
+    ~ToolkitPreferences() {
+        std::error_code ignored;  // a folder that others filled meanwhile stays
+        for (const fs::path& path : missing_) fs::remove(path, ignored);
+    }
+    ToolkitPreferences(const ToolkitPreferences&) = delete;
+    ToolkitPreferences& operator=(const ToolkitPreferences&) = delete;
+
+  private:
+    void note_missing(const fs::path& root) {
+        const fs::path folder = root / "fltk.org";
+        std::error_code ignored;
+        for (const fs::path& path : {folder / "fltk.prefs", folder, root})
+            if (!fs::exists(fs::symlink_status(path, ignored))) missing_.push_back(path);
+    }
+    std::vector<fs::path> missing_;
+};
+
+void start() {
+    const ToolkitPreferences preferences;
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::option::setNumber("General.NumThreads", 1);
+    gmsh::model::add("tricontact");
+}
 
 using Tag = std::size_t;
 
@@ -35,13 +88,10 @@ constexpr const char* entity_word = std::is_same_v<What, Region> ? "volume" : "s
 
 template <class What>
 What parse_name(const std::string& text, const std::string& name) {
-    std::string known;
-    for (int i = 0; i < n_names<What>; ++i) {
+    for (int i = 0; i < n_names<What>; ++i)
         if (text == name_of(static_cast<What>(i))) return static_cast<What>(i);
-        known.append(i == 0 ? "" : ", ").append(name_of(static_cast<What>(i)));
-    }
     fail(name, fmt::format("unknown name {} of a physical {}", in_quotes(text), entity_word<What>),
-         "the names are " + known);
+         "the names are " + (dimension<What> == 3 ? region_names() : boundary_names()));
 }
 
 // What each entity of a dimension is, by tag.
@@ -176,14 +226,30 @@ void sort_by_tag(Elements& elements) {
                      [](const auto& a, const auto& b) { return a.tag < b.tag; });
 }
 
-template <class What>
-void add_named_group(What what, const std::vector<int>& entities) {
-    constexpr int dim = dimension<What>;
-    gmsh::model::addPhysicalGroup(dim, entities, physical_tag(what));
-    gmsh::model::setPhysicalName(dim, physical_tag(what), name_of(what));
+}  // namespace
+
+void GmshSession::call(const std::function<void()>& function) {
+    // gmsh 4.8 throws strings; older ones threw numbers, exceptions may come from below it.
+    try {
+        function();
+    } catch (const std::string& message) {
+        throw std::runtime_error("gmsh: " + message);
+    } catch (const int code) {
+        throw std::runtime_error("gmsh: error " + std::to_string(code));
+    }
 }
 
-}  // namespace
+GmshSession::GmshSession() : lock_(library_mutex()), locale_(current_locale()) {
+    call(start);
+}
+
+GmshSession::~GmshSession() {
+    try {
+        gmsh::finalize();
+    } catch (...) {  // nothing can be done about it here, and the model is gone anyway
+    }
+    std::setlocale(LC_ALL, locale_.c_str());
+}
 
 HexMesh collect_model(double unit, const std::string& name) {
     std::vector<HexElement> hexes = hexahedra(name);
@@ -202,20 +268,15 @@ HexMesh collect_model(double unit, const std::string& name) {
     return mesh;
 }
 
-int physical_tag(Boundary boundary) {
-    return static_cast<int>(boundary) + 1;
+template <class What>
+void add_entity(What what) {
+    constexpr int dim = dimension<What>;
+    const int tag = physical_tag(what);
+    gmsh::model::addDiscreteEntity(dim, tag);
+    gmsh::model::addPhysicalGroup(dim, {tag}, tag);
+    gmsh::model::setPhysicalName(dim, tag, name_of(what));
 }
-
-int physical_tag(Region region) {
-    return static_cast<int>(region) + 1;
-}
-
-void add_group(Boundary what, const std::vector<int>& surfaces) {
-    add_named_group(what, surfaces);
-}
-
-void add_group(Region what, const std::vector<int>& volumes) {
-    add_named_group(what, volumes);
-}
+template void add_entity(Boundary what);
+template void add_entity(Region what);
 
 }  // namespace tricontact::meshes

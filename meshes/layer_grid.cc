@@ -4,15 +4,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "meshes/grading.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {
 
 namespace {
 
-constexpr const char* name = "layer mesh";
+// Lengths this near to each other (relative) are same_size: decimal input is not exact in binary.
+constexpr double same_size = 1e-9;
+
+// 1 + r + ... + r^(n-1), without the cancellation of (r^n - 1)/(r - 1) near r = 1.
+double geometric_sum(int n, double r) {
+    double sum = 0;
+    for (int k = 0; k < n; ++k) sum = sum * r + 1;
+    return sum;
+}
+
+// r in (0, growth] with geometric_sum(n, r) = total, to the last bit: the sum grows with r.
+double ratio_for(int n, double total, double growth) {
+    double low = 0, high = growth;
+    for (;;) {
+        const double middle = std::midpoint(low, high);
+        if (middle == low || middle == high) return high;
+        (geometric_sum(n, middle) < total ? low : high) = middle;
+    }
+}
+
+constexpr const char* grid_name = "layer mesh";
 // Lengths this near to each other (relative) are equal: decimal input is not exact in binary.
 constexpr double equal = 1e-9;
 constexpr double most_elements = 1e7;  // about 10 GB in gmsh
@@ -25,7 +45,7 @@ double depth_growth(const LayerMeshSpec& spec) {
 void check_lengths(const LayerMeshSpec& spec) {
     auto positive = [](const char* what, double value) {
         if (!(value > 0) || !std::isfinite(value))
-            fail(name, fmt::format("{} is {:g} m", what, value), "make it a positive length");
+            fail(grid_name, fmt::format("{} is {:g} m", what, value), "make it a positive length");
     };
     positive("size", spec.size);
     positive("patch_x", spec.patch_x);
@@ -34,39 +54,40 @@ void check_lengths(const LayerMeshSpec& spec) {
     positive("half_y", spec.half_y);
     positive("thickness", spec.thickness);
     if (!(spec.lower_thickness >= 0) || !std::isfinite(spec.lower_thickness))
-        fail(name, fmt::format("lower_thickness is {:g} m", spec.lower_thickness),
+        fail(grid_name, fmt::format("lower_thickness is {:g} m", spec.lower_thickness),
              "make it a positive length, or 0 for a single layer");
     if (!(spec.growth >= 1) || !std::isfinite(spec.growth))
-        fail(name, fmt::format("growth is {:g}", spec.growth), "make it 1 or more");
+        fail(grid_name, fmt::format("growth is {:g}", spec.growth), "make it 1 or more");
 }
 
 void check_patch(const char* axis, double size, double patch, double half) {
     const double n = patch / size;
     if (!(n > 0.5) || std::abs(n - std::round(n)) > equal * n)
-        fail(name,
+        fail(grid_name,
              fmt::format("patch_{} is {:.9g} m, which is {:.9g} elements of size {:.9g} m", axis,
                          patch, n, size),
              "make it a whole multiple of size");
     if (!(half >= patch * (1 - equal)))
         fail(
-            name,
+            grid_name,
             fmt::format("half_{0} is {1:.9g} m, less than patch_{0}, {2:.9g} m", axis, half, patch),
             "widen the block or shrink the patch");
 }
 
 void check_across(const LayerMeshSpec& spec) {
     if ((spec.plane_strain || spec.ends) && !spec.half_model)
-        fail(name, "a slice or a graded patch without half_model", "set half_model");
+        fail(grid_name, "a slice or a graded patch without half_model", "set half_model");
     if (!spec.plane_strain && !spec.ends)
         return check_patch("y", spec.size, spec.patch_y, spec.half_y);
     if (!(spec.half_y >= spec.patch_y * (1 - equal)) ||
         (spec.plane_strain && spec.half_y > spec.patch_y * (1 + equal)))
-        fail(name, fmt::format("half_y is {:.9g} m, patch_y {:.9g} m", spec.half_y, spec.patch_y),
+        fail(grid_name,
+             fmt::format("half_y is {:.9g} m, patch_y {:.9g} m", spec.half_y, spec.patch_y),
              "a slice is all patch, a graded patch not wider than the block");
     if (!spec.ends) return;
     const auto& [size, length] = *spec.ends;
     if (!(size > 0) || !std::isfinite(size) || !(length >= 0) || !(length < spec.patch_y))
-        fail(name, fmt::format("ends of the size {:g} m over {:g} m", size, length),
+        fail(grid_name, fmt::format("ends of the size {:g} m over {:g} m", size, length),
              "give a positive size and a length shorter than patch_y");
 }
 
@@ -110,7 +131,7 @@ void check_count(const LayerMeshSpec& s) {
             graded_count(s.lower_thickness, nodes.back() - nodes[layer.n - 1], depth_growth(s));
     }
     if (!(n * depth <= most_elements))
-        fail(name,
+        fail(grid_name,
              fmt::format("size {:g} m makes {:.3g} elements, more than {:g}", s.size, n * depth,
                          most_elements),
              "use a larger size, a smaller patch or a larger growth");
@@ -204,6 +225,42 @@ GridAxis depth_axis(const LayerMeshSpec& spec) {
 }
 
 }  // namespace
+
+double graded_count(double length, double first, double growth) {
+    const double total = length / first * (1 - same_size);
+    if (!(length > 0)) return 0;
+    if (total <= 1 || total <= std::min(growth, 1 + 1 / growth)) return 1;
+    const double excess = growth - 1;
+    if (excess == 0) return std::ceil(total);
+    // least n with (growth^n - 1)/(growth - 1) >= total
+    return std::ceil(std::log1p(total * excess) / std::log1p(excess));
+}
+
+Grading grade(double length, double first, double growth) {
+    Grading strip;
+    strip.n = static_cast<int>(graded_count(length, first, growth));
+    strip.length = length;
+    if (strip.n > 1) strip.ratio = ratio_for(strip.n, length / first, growth);
+    if (strip.ratio < 1 / growth) strip.ratio = 1;
+    return strip;
+}
+
+double Grading::first() const {
+    return length / geometric_sum(n, ratio);
+}
+
+std::vector<double> Grading::nodes() const {
+    if (n == 0) return {0};
+    std::vector<double> distances{0};
+    const double edge = first();
+    double sum = 0;
+    for (int k = 1; k < n; ++k) {
+        sum = sum * ratio + 1;  // geometric_sum(k, ratio)
+        distances.push_back(edge * sum);
+    }
+    distances.push_back(length);
+    return distances;
+}
 
 LayerGrid layer_grid(const LayerMeshSpec& spec) {
     check_lengths(spec);

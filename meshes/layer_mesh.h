@@ -29,11 +29,11 @@ struct LayerMeshSpec {
 };
 
 /// Structured hexahedra by gmsh, graded outwards and downwards from the patch: their first edge is
-/// `size`, neighbours grow by at most `growth` (short strips: see grading.h). Patch nodes are whole
-/// multiples of `size` (along y unless graded or a slice) and the mesh is its own mirror image, to
-/// the last bit. The same spec gives
-/// the same mesh, numbers included: nodes and hexahedra x fastest, z slowest, faces by name.
-/// Throws contact::InputError for a spec that is none, or asks for more than 10 million elements.
+/// `size`, neighbours grow by at most `growth` (short strips: see layer_grid.h). Patch nodes are
+/// whole multiples of `size` (along y unless graded or a slice) and the mesh is its own mirror
+/// image, to the last bit. The same spec gives the same mesh, numbers included: nodes and hexahedra
+/// x fastest, z slowest, faces by name. Throws contact::InputError for a spec that is none, or asks
+/// for more than 10 million elements.
 HexMesh make_layer_mesh(const LayerMeshSpec& spec);
 
 /// The same as a gmsh geometry for people to read and change (.geo).

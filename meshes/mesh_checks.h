@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "meshes/face_table.h"
 #include "meshes/hex_mesh.h"
 
 // The parts of verify(), in the order in which they rely on each other. `name` is what messages

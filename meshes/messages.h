@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "meshes/hex_geometry.h"
+#include "meshes/hex_mesh.h"
 
 namespace tricontact::meshes {
 

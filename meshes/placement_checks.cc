@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "contact/special_values.h"
-#include "meshes/hex_geometry.h"
+#include "meshes/hex_mesh.h"
 #include "meshes/mesh_checks.h"
 #include "meshes/messages.h"
 

@@ -8,8 +8,8 @@
 #include "python/bindings.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/hertz.h"
-#include "theory/layer/layer_shakedown.h"
-#include "theory/rolling/carter.h"
+#include "theory/layer/elastic_layer.h"
+#include "theory/rolling/creep_law.h"
 #include "theory/rolling/kalker.h"
 #include "theory/rolling/oscillating_rolling.h"
 

@@ -6,13 +6,9 @@
 #include "comparisons/quantities/model_assumptions.h"
 #include "contact/substrates/relaxing_case.h"
 #include "rolling/rolling_report.h"
-#include "theory/rolling/carter.h"
 #include "theory/rolling/creep_law.h"
-#include "theory/rolling/foundation_rolling.h"
-#include "theory/rolling/free_rolling.h"
-#include "theory/rolling/hunter.h"
 #include "theory/rolling/kalker.h"
-#include "theory/rolling/slow_rolling.h"
+#include "theory/rolling/relaxing_rolling.h"
 
 namespace tricontact::rolling {
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "contact/error.h"
-#include "contact/solvers/moving_frame.h"
+#include "contact/substrates/substrate.h"
 #include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {

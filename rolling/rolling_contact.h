@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "contact/audit.h"
 #include "contact/bodies/indenter.h"
+#include "contact/history.h"
 #include "contact/load_path.h"
 #include "contact/surface.h"
 #include "contact/vector2.h"

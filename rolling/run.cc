@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "contact/error.h"
-#include "contact/solvers/largest.h"
+#include "contact/special_values.h"
 #include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {

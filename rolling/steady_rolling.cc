@@ -6,13 +6,13 @@
 #include <limits>
 
 #include "contact/error.h"
-#include "contact/frictional_work.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/coupling.h"
 #include "contact/solvers/fixed_point.h"
-#include "contact/solvers/largest.h"
-#include "contact/solvers/moving_frame.h"
 #include "contact/solvers/normal_solver.h"
+#include "contact/special_values.h"
+#include "contact/substrates/substrate.h"
+#include "contact/surface.h"
 #include "contact/surface_audit.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"
@@ -42,10 +42,10 @@ class Turns {
     void run() {
         std::vector<double> height = coupling_.bare_height();
         contact::FixedPoint turns;
-        for (int turn = 1; turn <= contact::FixedPoint::max_turns; ++turn) {
+        for (int turn = 1; turn <= contact::FixedPoint::max_iterations; ++turn) {
             solve_normal(height);
             solve_tangential();
-            if (coupling_.absent()) return;
+            if (coupling_.is_decoupled()) return;
             coupling_.update_height(normal_.pressure, steady_.traction);
             // What the turn changed under the indenter is how far the pressures are from right.
             const std::vector<double> now = coupling_.height();
@@ -59,8 +59,8 @@ class Turns {
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: normal and tangential contact do not agree: the gap still changes by "
-            "{:.2e} of the indentation after {} turns (tolerance {:.1e})",
-            gap_residual_, contact::FixedPoint::max_turns, problem_.tolerance));
+            "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
+            gap_residual_, contact::FixedPoint::max_iterations, problem_.tolerance));
     }
 
     contact::Surface surface() const {
@@ -105,7 +105,7 @@ class Turns {
                                                      : contact::TangentialControl::Kind::force,
                           drive_.force[d]};
         contact::audit_normal(normal_, problem_.normal, points_.area, problem_.tolerance, audit);
-        if (!coupling_.absent())
+        if (!coupling_.is_decoupled())
             audit.record("normal_and_tangential_agree", gap_residual_, problem_.tolerance);
         contact::audit_tangential({.bound = bound_,
                                    .area = points_.area,
@@ -120,7 +120,7 @@ class Turns {
 
   private:
     const TangentialField& by_pressure() const {
-        return coupling_.absent() ? none_ : coupling_.displacement();
+        return coupling_.is_decoupled() ? none_ : coupling_.displacement();
     }
 
     static std::vector<double> total(std::vector<double> a, const std::vector<double>& b) {
@@ -139,7 +139,8 @@ class Turns {
     void solve_tangential() {
         bound_ = normal_.pressure;
         for (double& bound : bound_) bound *= problem_.friction_coefficient;
-        if (!coupling_.absent()) coupling_.update_displacement(normal_.pressure, steady_.traction);
+        if (!coupling_.is_decoupled())
+            coupling_.update_displacement(normal_.pressure, steady_.traction);
         if (drive_.force_ratio)
             drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
         steady_solver_.solve({bound_, by_pressure(), drive_}, steady_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/audit.h"
+#include "contact/history.h"
 #include "contact/solvers/compliance.h"
 #include "rolling/rolling_contact.h"
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "contact/error.h"
-#include "contact/solvers/friction_disc.h"
-#include "contact/solvers/largest.h"
-#include "contact/solvers/moving_frame.h"
+#include "contact/solvers/projected_gradient.h"
+#include "contact/special_values.h"
+#include "contact/substrates/substrate.h"
 
 namespace tricontact::rolling {
 

@@ -11,7 +11,7 @@
 #include "rolling/rolling_document.h"
 #include "rolling/rolling_report.h"
 #include "theory/cattaneo_mindlin.h"
-#include "theory/rolling/carter.h"
+#include "theory/rolling/creep_law.h"
 
 namespace tricontact::rolling {
 

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "theory/arguments.h"
+
 namespace tricontact::theory {
 
 namespace {
 
 void check_ratio(double f) {
-    if (!(f >= 0 && f <= 1))
-        throw std::domain_error("Cattaneo-Mindlin: F_T/(mu F_N) must lie in [0, 1]");
+    check_unit_interval("Cattaneo-Mindlin", "F_T/(mu F_N)", f);
 }
 
 // sqrt(c^2 - rho^2), zero outside of c.

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
 #include "contact/error.h"
-#include "theory/bracketed_root.h"
+#include "contact/root.h"
 
 // What the exact solutions of contact share; for their implementations.
 namespace tricontact::theory {
@@ -61,7 +60,7 @@ double find_radius(Function excess, double start, double largest, double thickne
                     "half-space");
         } while (excess(low) >= 0);
     }
-    return bracketed_root(excess, low, high, 50);
+    return contact::bracketed_root(excess, low, high, 50);
 }
 
 }  // namespace tricontact::theory

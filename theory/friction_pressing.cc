@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "theory/bracketed_root.h"
+#include "contact/root.h"
 
 namespace tricontact::theory {
 
@@ -18,7 +18,7 @@ double spence_stick_ratio(double beta_over_mu) {
     constexpr double least = 1e-7, most = 1 - 1e-15;
     if (excess(least) >= 0) return least;
     if (excess(most) <= 0) return most;
-    return bracketed_root(excess, least, most, 48);
+    return contact::bracketed_root(excess, least, most, 48);
 }
 
 double stuck_normal_stiffness_ratio(double poisson) {

@@ -10,7 +10,6 @@
 
 #include "theory/contact_search.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 

@@ -8,8 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "theory/bracketed_root.h"
-#include "theory/rolling/carter.h"
+#include "contact/root.h"
+#include "theory/arguments.h"
+#include "theory/rolling/creep_law.h"
 
 namespace tricontact::theory {
 
@@ -46,6 +47,16 @@ double over_slip_zone(double w, double c, const Factor& factor) {
     return 4 / pi * rule.integrate(integrand, 0., std::sqrt((b - c) * (b + c)));
 }
 
+void check_thesis_zones(double w, double c) {
+    check_unit_interval("thesis' cylinder", "w = W/a", w);
+    if (!(c >= 0 && c < 1 - w))
+        throw std::domain_error("thesis' cylinder: c = c_sd/a must lie in [0, 1 - w)");
+}
+
+double semi_ellipse(double x, double half_width) {
+    return std::sqrt(std::max(0., (half_width - x) * (half_width + x))) / half_width;
+}
+
 }  // namespace
 
 double line_stick_force(double w, double c) {
@@ -58,7 +69,7 @@ std::optional<double> line_stick_half_width(double w, double f) {
     if (f > line_shakedown_limit(w)) return std::nullopt;
     // At the limit itself rounding may leave no change of sign.
     if (line_stick_force(w, 0) <= f) return 0.;
-    return bracketed_root([&](double c) { return line_stick_force(w, c) - f; }, 0., 1 - w);
+    return contact::bracketed_root([&](double c) { return line_stick_force(w, c) - f; }, 0., 1 - w);
 }
 
 double line_shakedown_traction(double x, double w, double c) {
@@ -124,12 +135,63 @@ double line_shakedown_limit(double w) {
 double line_amplitude_limit(double f) {
     check_between("f = F_T/(mu F_N)", f, 0, 1);
     if (line_shakedown_limit(0) <= f) return 0;
-    return bracketed_root([&](double w) { return line_shakedown_limit(w) - f; }, 0., 1.);
+    return contact::bracketed_root([&](double w) { return line_shakedown_limit(w) - f; }, 0., 1.);
 }
 
 double line_steady_slope(double f, double lambda) {
     check_between("lambda", lambda, 1, std::numeric_limits<double>::max());
     return 8 * carter_creepage_ratio(f) / lambda;
+}
+
+double thesis_line_traction(double x, double w, double c) {
+    check_thesis_zones(w, c);
+    const double distance = std::abs(x), b = 1 - w;
+    if (distance >= b) return 0;
+    if (distance >= c) return semi_ellipse(distance + w, 1);
+    const double t21 = semi_ellipse(c + w, 1) / semi_ellipse(c, b);
+    return t21 * semi_ellipse(distance, b) - t21 * c / b * semi_ellipse(distance, c);
+}
+
+double thesis_line_stick_force(double w, double c) {
+    check_thesis_zones(w, c);
+    const double sum = c + w, b = 1 - w, k = c / b;
+    const double stick = b * (std::asin(k) - k * k * pi / 2) / std::sqrt((1 - k) * (1 + k));
+    return 2 / pi * (std::acos(sum) + semi_ellipse(sum, 1) * (stick - w));
+}
+
+std::optional<double> thesis_line_stick_half_width(double w, double f) {
+    check_unit_interval("thesis' cylinder", "f = F_T/(mu F_N)", f);
+    if (f > line_shakedown_limit(w)) return std::nullopt;
+    if (thesis_line_stick_force(w, 0) <= f) return 0.;
+    const auto excess = [&](double c) {
+        return c < 1 - w ? thesis_line_stick_force(w, c) - f : -f;
+    };
+    return contact::bracketed_root(excess, 0., 1 - w);
+}
+
+double thesis_line_static_shift_ratio(double f) {
+    check_unit_interval("thesis' cylinder", "f = F_T/(mu F_N)", f);
+    return 1 - std::pow(1 - f, 0.92);
+}
+
+std::optional<double> thesis_line_settled_shift_ratio(double w, double f) {
+    if (f > line_shakedown_limit(w)) return std::nullopt;
+    return thesis_line_static_shift_ratio(f) + 0.3 * f * w;
+}
+
+double thesis_line_amplitude_limit(double f) {
+    check_unit_interval("thesis' cylinder", "f = F_T/(mu F_N)", f);
+    return 1 - std::pow(f, 0.73);
+}
+
+double thesis_line_limit_shift_ratio(double f) {
+    check_unit_interval("thesis' cylinder", "f = F_T/(mu F_N)", f);
+    return std::pow(f, 0.87);
+}
+
+double thesis_line_increment(double w, double f) {
+    check_unit_interval("thesis' cylinder", "w = W/a", w);
+    return 0.64 * f * std::max(0., w - thesis_line_amplitude_limit(f));
 }
 
 }  // namespace tricontact::theory

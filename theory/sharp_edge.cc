@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "theory/bracketed_root.h"
+#include "contact/root.h"
 
 namespace tricontact::theory {
 
@@ -26,7 +26,7 @@ double edge_pressure_exponent(double wedge_angle, double dundurs_alpha) {
     const double at_low = characteristic(low), at_high = characteristic(high);
     if (dundurs_alpha == 1) return -0.5;  // cos(pi lambda) = 0
     if (at_low * at_high >= 0) return 0;
-    return bracketed_root(characteristic, low, high, at_low, at_high, 48) - 1;
+    return contact::bracketed_root(characteristic, low, high, at_low, at_high, 48) - 1;
 }
 
 }  // namespace tricontact::theory

@@ -12,7 +12,6 @@
 
 #include "contact/error.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/layer/wave_numbers.h"
 
 namespace tricontact::theory {
 

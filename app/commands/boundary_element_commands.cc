@@ -6,10 +6,9 @@
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
-#include "bem/case_compliance.h"
-#include "bem/contact_program_influence.h"
 #include "bem/grid_compliance.h"
 #include "bem/influence_file.h"
+#include "bem/model.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"

@@ -10,7 +10,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/line_fit_document.h"
 #include "comparisons/shakedown/study_fit.h"
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "files/version.h"

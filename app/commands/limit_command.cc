@@ -5,7 +5,7 @@
 #include "app/commands/command.h"
 #include "app/models.h"
 #include "app/roll_models.h"
-#include "bem/case_compliance.h"
+#include "bem/model.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/limit_search.h"
 #include "contact/error.h"

@@ -13,7 +13,7 @@
 #include "comparisons/resolution/refined_values.h"
 #include "comparisons/resolution/refinement_report.h"
 #include "comparisons/run/report.h"
-#include "contact/bodies/pressure_shape.h"
+#include "contact/case.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
 #include "files/version.h"

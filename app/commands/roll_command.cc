@@ -6,7 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
-#include "bem/case_compliance.h"
+#include "bem/model.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/case/case_writer.h"

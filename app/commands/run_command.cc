@@ -8,7 +8,7 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/roll_models.h"
-#include "bem/case_compliance.h"
+#include "bem/model.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/report.h"
 #include "contact/verdict.h"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/verification/verification_rows.h"
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "theory/line_contact.h"
 #include "theory/oscillating_cylinder.h"
 

@@ -8,7 +8,7 @@
 #include "comparisons/run/peer_shifts.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
-#include "theory/layer/layer_shakedown.h"
+#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::app {
 

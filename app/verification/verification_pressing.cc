@@ -7,9 +7,9 @@
 
 #include "app/verification/verification_rows.h"
 #include "contact/run.h"
-#include "contact/solvers/subsurface.h"
-#include "theory/axisymmetric_interior.h"
+#include "contact/solvers/interior.h"
 #include "theory/friction_pressing.h"
+#include "theory/half_space_interior.h"
 
 namespace tricontact::app {
 

@@ -5,15 +5,13 @@
 
 #include "app/roll_models.h"
 #include "app/verification/verification_rows.h"
-#include "bem/case_compliance.h"
+#include "bem/model.h"
 #include "contact/load_path.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
-#include "theory/rolling/carter.h"
 #include "theory/rolling/creep_law.h"
-#include "theory/rolling/free_rolling.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::app {
@@ -183,7 +181,7 @@ void verify_free_rolling(bool brief, const Say& say, Verification& all) {
                         .model = "bem",
                         .source =
                             "Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389, without "
-                            "friction (theory/rolling/free_rolling.h): the difference is of the "
+                            "friction (theory/rolling/creep_law.h): the difference is of the "
                             "order of mu/beta",
                         .reference = theory::smooth_free_creepage(.5),
                         .tolerance = brief ? 2e-2 : 5e-3};

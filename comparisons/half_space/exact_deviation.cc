@@ -4,7 +4,7 @@
 
 #include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
-#include "theory/layer/layer_shakedown.h"
+#include "theory/layer/elastic_layer.h"
 #include "theory/sticking_contact.h"
 
 namespace tricontact::comparisons {

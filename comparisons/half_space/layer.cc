@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "comparisons/half_space/line_layer.h"
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "theory/hertz.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/half_space/layer_report.h"
-#include "contact/far_sides.h"
+#include "contact/case.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -5,7 +5,7 @@
 
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
-#include "theory/bracketed_root.h"
+#include "contact/root.h"
 
 namespace tricontact::comparisons {
 
@@ -48,7 +48,7 @@ std::optional<double> line_layer_limit(const Case& c, LimitVariable variable) {
                          ? *c.load.tangential_ratio
                          : c.load.tangential_force.value_or(0) / (c.friction_coefficient * force);
     if (!in_unit_range(f)) return {};
-    return theory::bracketed_root([&](double w) { return limit(w) - f; }, 0., 1.) * a /
+    return contact::bracketed_root([&](double w) { return limit(w) - f; }, 0., 1.) * a /
            reference_width;
 }
 

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <stdexcept>
+
+#include "contact/root.h"
 
 namespace tricontact::comparisons {
 
@@ -16,15 +17,7 @@ namespace {
 
 using Function = std::function<double(double)>;
 
-/// Root of `f` between two arguments at which its values, given, differ in sign.
-double root_between(const Function& f, double low, double high, double at_low, double at_high) {
-    if (at_low == 0) return low;
-    if (at_high == 0) return high;
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        f, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(40), evaluations);
-    return std::midpoint(left, right);
-}
+constexpr int thickness_bits = 40;
 
 struct Crossings {
     std::optional<double> first;
@@ -38,7 +31,9 @@ Crossings crossings(const Function& f, const std::vector<double>& grid) {
     for (std::size_t i = 1; i < grid.size(); ++i) {
         const double now = f(grid[i]);
         if ((before < 0) != (now < 0)) {
-            if (!result.first) result.first = root_between(f, grid[i - 1], grid[i], before, now);
+            if (!result.first)
+                result.first =
+                    contact::bracketed_root(f, grid[i - 1], grid[i], before, now, thickness_bits);
             ++result.n;
         }
         before = now;
@@ -106,9 +101,10 @@ NeededThickness needed_thickness(const std::vector<RatioPoint>& points, const Fu
     };
     NeededThickness result;
     const RatioPoint &thin = *last, &thick = *std::prev(last);
-    result.ratio = std::exp(
-        root_between(excess, std::log(thin.thickness_ratio), std::log(thick.thickness_ratio),
-                     std::abs(thin.ratio - 1) - tolerance, std::abs(thick.ratio - 1) - tolerance));
+    result.ratio = std::exp(contact::bracketed_root(
+        excess, std::log(thin.thickness_ratio), std::log(thick.thickness_ratio),
+        std::abs(thin.ratio - 1) - tolerance, std::abs(thick.ratio - 1) - tolerance,
+        thickness_bits));
     result.last_of_several = std::find_if_not(last, points.rend(), exceeds) != points.rend();
     return result;
 }

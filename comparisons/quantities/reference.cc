@@ -1,8 +1,7 @@
 #include "comparisons/quantities/reference.h"
 
-#include "contact/bodies/line_contact_scales.h"
-#include "contact/bodies/pressure_shape.h"
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
+#include "contact/case.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
 

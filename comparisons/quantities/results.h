@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "comparisons/quantities/quantities.h"
-#include "contact/audit.h"
+#include "contact/history.h"
 
 namespace tricontact::comparisons {
 

@@ -1,9 +1,10 @@
 #include "comparisons/resolution/refinement.h"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <stdexcept>
+
+#include "contact/root.h"
 
 namespace tricontact::comparisons {
 
@@ -54,11 +55,7 @@ std::optional<double> observed_order(std::span<const double, 3> sizes,
     const double ratio = first / second;
     const auto excess = [&](double p) { return ratio_of_changes(sizes, p) - ratio; };
     if (!(excess(least_searched) < 0) || !(excess(largest_searched) > 0)) return {};
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [low, high] = boost::math::tools::toms748_solve(
-        excess, least_searched, largest_searched, boost::math::tools::eps_tolerance<double>(48),
-        evaluations);
-    return (low + high) / 2;
+    return contact::bracketed_root(excess, least_searched, largest_searched, 48);
 }
 
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,

@@ -6,7 +6,7 @@
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/model_assumptions.h"
-#include "contact/bodies/pressure_shape.h"
+#include "contact/case.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 

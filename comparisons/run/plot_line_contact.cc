@@ -6,7 +6,7 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/quantities/surface_fields.h"
 #include "comparisons/run/plots.h"
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "report/format.h"
 #include "report/plot_style.h"
 #include "theory/oscillating_cylinder.h"

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "comparisons/run/plots.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/bodies/height_spectrum.h"
-#include "contact/bodies/rough_scales.h"
 #include "report/format.h"
 #include "report/plot_style.h"
 

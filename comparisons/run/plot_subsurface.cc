@@ -9,7 +9,7 @@
 #include "contact/solvers/interior.h"
 #include "report/format.h"
 #include "report/plot_style.h"
-#include "theory/axisymmetric_interior.h"
+#include "theory/half_space_interior.h"
 
 namespace tricontact::comparisons {
 

@@ -12,7 +12,6 @@
 #include "theory/cattaneo_mindlin.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/oscillating_rolling.h"
-#include "theory/thesis_cylinder.h"
 
 namespace tricontact::comparisons {
 

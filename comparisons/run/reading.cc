@@ -9,7 +9,7 @@
 #include "comparisons/quantities/model_assumptions.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/limitations.h"
-#include "contact/bodies/pressure_shape.h"
+#include "contact/case.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -7,8 +7,8 @@
 #include "comparisons/half_space/layer.h"
 #include "comparisons/half_space/line_layer.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/bodies/pressure_shape.h"
-#include "theory/layer/layer_shakedown.h"
+#include "contact/case.h"
+#include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -37,7 +37,7 @@ std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
 
 std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
     if (c.is_line_contact()) return line_layer_limit(c, variable);
-    if (!contact::pressure_falls(c)) return {};  // as layer_shakedown.h wants it
+    if (!contact::pressure_falls(c)) return {};  // as elastic_layer.h wants it
     const auto exact = exact_layer_contact(c);
     if (!exact) return {};
     const double radius = exact->contact_radius;

@@ -11,7 +11,6 @@
 #include "comparisons/shakedown/fit_figures.h"
 #include "report/format.h"
 #include "theory/oscillating_cylinder.h"
-#include "theory/thesis_cylinder.h"
 
 namespace tricontact::comparisons {
 

@@ -2,7 +2,6 @@
 
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,7 @@
 #include <numeric>
 
 #include "contact/error.h"
+#include "contact/root.h"
 
 namespace tricontact::contact {
 
@@ -39,12 +39,7 @@ double ellipse_ratio(double radius_x, double radius_y) {
     constexpr double margin = 1e-6;  // rounding, of nearly equal radii
     const double low = std::min(wanted / 2, wanted) - margin;
     const double high = std::max(wanted / 2, wanted) + margin;
-    std::uintmax_t evaluations = 200;  // toms748 needs about 10
-    const auto [left, right] = boost::math::tools::toms748_solve(
-        excess, low, high,
-        boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits - 1),
-        evaluations);
-    return std::exp(std::midpoint(left, right));
+    return std::exp(bracketed_root(excess, low, high));
 }
 
 EllipticContact elliptic_contact(double radius_x, double ratio, double semi_axis_x) {

@@ -3,9 +3,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <new>
 #include <numbers>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "contact/vector2.h"
@@ -41,7 +42,7 @@ class AxisymmetricIndenter : public Indenter {
     // (1965), Int. J. Eng. Sci. 3. `x`: 0 < x <= outer radius [m].
 
     /// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k] for k = 0 and 2; by quadrature (see
-    /// profile_transform.h) unless the shape has a closed form.
+    /// indenter.h) unless the shape has a closed form.
     virtual double slope_moment(double x, int k) const;
     /// p(0)/E* [-], the pressure at the centre: 1/pi ∫_0^x g'/s ds; infinite under a conical tip.
     virtual double centre_pressure(double x) const;
@@ -78,5 +79,28 @@ class Sphere final : public AxisymmetricIndenter {
   private:
     double radius_;
 };
+
+// Integrals over the slope h' of a body of revolution by double exponential quadrature between its
+// kinks, r = x sin t taking away the singularity at r = x: 1e-12 relative, unless h' itself is
+// ill-conditioned (near a vertical rim). The slope must not be negative; 0 < x <= outer radius.
+// They throw std::domain_error for another x and InputError where the estimated error exceeds
+// 1e-10: kinks that are not declared.
+
+/// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k].
+double transformed_slope_moment(const AxisymmetricIndenter& indenter, double x, int k);
+
+/// 1/pi ∫_0^x h'(r) [1/sqrt(x^2 - r^2) + acos(r/x)/r] dr [-], which is 1/pi ∫_0^x g'(s)/s ds with
+/// the order of integration changed; infinite for h'(0) > 0.
+double transformed_centre_pressure(const AxisymmetricIndenter& indenter, double x);
+
+/// ∫_u^v r^k/sqrt(x^2 - r^2) dr [m^k], 0 <= u <= v <= x, k >= 0, by the recurrence
+///   k M_k = (k - 1) x^2 M_(k-2) - [r^(k-1) sqrt(x^2 - r^2)]_u^v.
+inline double arc_moment(double x, double u, double v, int k) {
+    const double at_u = std::sqrt((x - u) * (x + u)), at_v = std::sqrt((x - v) * (x + v));
+    if (k == 0) return std::atan2(v, at_v) - std::atan2(u, at_u);
+    if (k == 1) return at_u - at_v;
+    const double ends = std::pow(u, k - 1) * at_u - std::pow(v, k - 1) * at_v;
+    return ((k - 1) * x * x * arc_moment(x, u, v, k - 2) + ends) / k;
+}
 
 }  // namespace tricontact::contact

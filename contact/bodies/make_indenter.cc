@@ -2,10 +2,8 @@
 
 #include "contact/bodies/cylinder.h"
 #include "contact/bodies/ellipsoid.h"
-#include "contact/bodies/power_law.h"
-#include "contact/bodies/roller.h"
-#include "contact/bodies/rough_indenter.h"
-#include "contact/bodies/rounded_punch.h"
+#include "contact/bodies/height_map.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "contact/case.h"
 #include "contact/error.h"
 

@@ -1,11 +1,8 @@
 #include "contact/bodies/profile_curve.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
-
-#include "contact/solvers/arc_moment.h"
 
 namespace tricontact::contact {
 

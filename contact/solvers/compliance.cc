@@ -1,8 +1,17 @@
 #include "contact/solvers/compliance.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tricontact::contact {
+
+namespace {
+
+void add(std::span<double> to, double factor, std::span<const double> from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] += factor * from[i];
+}
+
+}  // namespace
 
 ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spacing) {
     ContactPoints points;
@@ -42,6 +51,111 @@ std::optional<std::array<double, 3>> Compliance::missing_reaction(std::span<cons
 std::unique_ptr<const Interior> Compliance::interior(std::span<const double>,
                                                      const TangentialField&) const {
     return nullptr;
+}
+
+CombinedCompliance::CombinedCompliance(Parts parts, bool coupled)
+    : parts_(std::move(parts)),
+      coupled_(coupled && std::any_of(parts_.begin(), parts_.end(),
+                                      [](const auto& part) { return part->is_coupled(); })),
+      weights_(parts_.size(), 0.0) {}
+
+void CombinedCompliance::set_weights(std::vector<double> weights) {
+    weights_ = std::move(weights);
+    matrix_.clear();
+}
+
+const double* CombinedCompliance::dense() const {
+    if (!std::all_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->dense(); }))
+        return nullptr;
+    const std::size_t n = 3 * points().size();
+    if (matrix_.empty()) {
+        matrix_.resize(n * n);
+        for (std::size_t j = 0; j < parts_.size(); ++j) {
+            const double* const part = parts_[j]->dense();
+            for (std::size_t k = 0; k < n * n; ++k) matrix_[k] += weights_[j] * part[k];
+        }
+    }
+    return matrix_.data();
+}
+
+/// The weighted sum of what `displace` makes of each part; none of no parts.
+template <class Displace>
+void CombinedCompliance::sum_down(std::span<double> u_z, bool any, Displace displace) const {
+    std::vector<double> part(u_z.size());
+    std::fill(u_z.begin(), u_z.end(), 0.0);
+    for (std::size_t j = 0; any && j < parts_.size(); ++j) {
+        displace(*parts_[j], part);
+        add(u_z, weights_[j], part);
+    }
+}
+
+template <class Displace>
+void CombinedCompliance::sum_in_surface(TangentialField& u, bool any, Displace displace) const {
+    TangentialField part(points().size());
+    u = TangentialField(part.size());
+    for (std::size_t j = 0; any && j < parts_.size(); ++j) {
+        displace(*parts_[j], part);
+        add(u.x, weights_[j], part.x);
+        add(u.y, weights_[j], part.y);
+    }
+}
+
+void CombinedCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
+    sum_down(u_z, true, [&](const Compliance& c, std::span<double> u) { c.normal(p, u); });
+}
+
+void CombinedCompliance::tangential(const TangentialField& t, TangentialField& u) const {
+    sum_in_surface(u, true, [&](const Compliance& c, TangentialField& v) { c.tangential(t, v); });
+}
+
+void CombinedCompliance::tangential_from_normal(std::span<const double> p,
+                                                TangentialField& u) const {
+    sum_in_surface(u, coupled_, [&](const Compliance& c, TangentialField& v) {
+        c.tangential_from_normal(p, v);
+    });
+}
+
+void CombinedCompliance::normal_from_tangential(const TangentialField& t,
+                                                std::span<double> u_z) const {
+    sum_down(u_z, coupled_,
+             [&](const Compliance& c, std::span<double> u) { c.normal_from_tangential(t, u); });
+}
+
+double CombinedCompliance::local_tangential() const {
+    double sum = 0;
+    for (std::size_t j = 0; j < parts_.size(); ++j)
+        sum += weights_[j] * parts_[j]->local_tangential();
+    return sum;
+}
+
+// Scale is free, and the parts are alike.
+void CombinedCompliance::precondition_tangential(const TangentialField& r,
+                                                 TangentialField& z) const {
+    parts_.front()->precondition_tangential(r, z);
+}
+
+std::vector<double> CombinedCompliance::consistent_traction(std::span<const double> t,
+                                                            bool odd_in_y) const {
+    return parts_.front()->consistent_traction(t, odd_in_y);
+}
+
+std::optional<std::array<double, 3>> CombinedCompliance::missing_reaction(
+    std::span<const double> p, const TangentialField& t) const {
+    std::optional<std::array<double, 3>> worst;
+    for (const auto& part : parts_) {
+        const auto missing = part->missing_reaction(p, t);
+        if (!missing) return std::nullopt;
+        if (!worst) worst.emplace();
+        for (int d = 0; d < 3; ++d)
+            if (!(std::abs((*missing)[d]) <= std::abs((*worst)[d]))) (*worst)[d] = (*missing)[d];
+    }
+    return worst;
+}
+
+double CombinedCompliance::allowed_missing_reaction() const {
+    double allowed = 0;
+    for (const auto& part : parts_) allowed = std::max(allowed, part->allowed_missing_reaction());
+    return allowed;
 }
 
 }  // namespace tricontact::contact

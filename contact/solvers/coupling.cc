@@ -17,7 +17,7 @@ Coupling::Coupling(const Compliance& compliance, const Indenter& indenter,
       slope_(bare_height_.size()),
       displacement_(bare_height_.size()) {}
 
-void Coupling::place(const Placement& at) {
+void Coupling::place(const IndenterPose& at) {
     const ContactPoints& points = compliance_->points();
     for (std::size_t i = 0; i < points.size(); ++i) {
         double x = points.x[i] - at.offset[0], y = points.y[i] - at.offset[1];

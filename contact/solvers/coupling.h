@@ -9,7 +9,7 @@
 namespace tricontact::contact {
 
 /// Where the indenter is relative to the substrate, and how far the surface has moved.
-struct Placement {
+struct IndenterPose {
     Vector2 offset{};                     ///< of the rolling [m]
     Vector2 shift{};                      ///< rigid tangential shift U [m]
     const TangentialField& displacement;  ///< in the surface [m]
@@ -25,11 +25,11 @@ class Coupling {
     Coupling(const Compliance& compliance, const Indenter& indenter, const Case::Contact& options);
 
     /// There is none: the two problems may be solved one after the other.
-    bool absent() const { return !elastic_ && !deformed_; }
-    /// Slopes play a part: forces balance to the tolerance of the turns only.
+    bool is_decoupled() const { return !elastic_ && !deformed_; }
+    /// Slopes play a part: forces balance to the tolerance of the staggered iteration only.
     bool deformed() const { return deformed_; }
     /// Takes heights and slopes from the displaced surface; cheap, before the next four.
-    void place(const Placement& placement);
+    void place(const IndenterPose& pose);
 
     /// Height of the indenter over the points [m] plus what all but p itself moves them down.
     void update_height(std::span<const double> p, const TangentialField& t);

@@ -13,9 +13,9 @@ namespace tricontact::contact {
 class FixedPoint {
   public:
     /// Of normal and tangential contact. Where all slides they multiply errors by +-i m, m = mu
-    /// beta: damped, turns gain a factor of up to m / sqrt(1 + m^2) each, combined without end
+    /// beta: damped, iterations gain a factor of up to m / sqrt(1 + m^2) each, combined without end
     /// m / (1 + sqrt(1 + m^2)). For m of 5 to 1e-9 that is 1000 and 100.
-    static constexpr int max_turns = 1000;
+    static constexpr int max_iterations = 1000;
 
     /// The next iterate, after `g` was found at `x`; entries that are not finite are left out and
     /// taken from `g`. `residual` >= 0 measures g - x: where it has grown much, the past is

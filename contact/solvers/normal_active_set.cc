@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/solvers/largest.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

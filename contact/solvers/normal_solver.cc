@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "contact/solvers/largest.h"
 #include "contact/solvers/normal_active_set.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 

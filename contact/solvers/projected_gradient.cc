@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solvers/friction_disc.h"
-
 namespace tricontact::contact {
 
 namespace {

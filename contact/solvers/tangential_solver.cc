@@ -7,10 +7,8 @@
 #include <optional>
 
 #include "contact/error.h"
-#include "contact/solvers/friction_disc.h"
-#include "contact/solvers/largest.h"
 #include "contact/solvers/projected_gradient.h"
-#include "contact/solvers/tangential_system.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
@@ -46,7 +44,7 @@ class Newton {
     void run() {
         solution_.iterations = 0;
         start();
-        double best = std::numeric_limits<double>::infinity();
+        double best = infinity;
         for (int step = 0; step < max_newton_steps; ++step) {
             update_slip();
             update_residual();
@@ -61,7 +59,7 @@ class Newton {
             if (without_progress_ >= patience || !solve_linear_system()) {
                 take_gradient_steps();
                 without_progress_ = 0;
-                best = std::numeric_limits<double>::infinity();
+                best = infinity;
             }
             classify();
         }
@@ -197,8 +195,9 @@ class Newton {
         const double scale = alpha_ * mean_bound_;
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing = std::clamp(std::sqrt(solution_.residual), 1e-3, 0.3);
-        // Turning slipping tractions costs force in the second order: keep the turns small. The
-        // system's residual is a mean, ours a maximum: go finer where that makes the difference.
+        // Rotating slipping tractions costs force in the second order: keep the rotations small.
+        // The system's residual is a mean, ours a maximum: go finer where that makes the
+        // difference.
         const double fine = std::min(tolerance_, 0.01 * std::sqrt(force_tolerance)) *
                             std::pow(0.1, without_progress_);
         const auto& result = system_->solve(

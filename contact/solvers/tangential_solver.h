@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contact/load_path.h"
-#include "contact/solvers/active_operator.h"
 #include "contact/solvers/compliance.h"
+#include "contact/solvers/tangential_system.h"
 
 namespace tricontact::contact {
 

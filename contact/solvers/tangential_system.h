@@ -2,13 +2,31 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "contact/solvers/active_operator.h"
 #include "contact/solvers/compliance.h"
 #include "contact/vector2.h"
 
 namespace tricontact::contact {
+
+/// The tangential compliance among the points in contact, for many products with tractions that
+/// vanish elsewhere. Fields have an entry for each point of the compliance; only those of active
+/// points are read.
+class ActiveOperator {
+  public:
+    virtual ~ActiveOperator() = default;
+
+    /// u = A t on the active points at least; on all points if `displaces_all`.
+    virtual void apply(const TangentialField& t, TangentialField& u) const = 0;
+    virtual bool displaces_all() const = 0;
+    /// A symmetric positive definite approximation of the inverse of `apply`, up to a factor.
+    virtual void precondition(const TangentialField& r, TangentialField& z) const = 0;
+};
+
+/// Gathered and factorised where the compliance exposes its matrix, else the compliance's products.
+std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& compliance,
+                                                           const std::vector<std::size_t>& active);
 
 /// The Newton system of frictional contact for given stick and slip zones, on tangential fields
 /// that vanish outside the contact. Sticking points have two unknowns; slipping ones move along the

@@ -1,15 +1,44 @@
 #include "contact/substrates/partly_relaxing_substrate.h"
 
 #include <algorithm>
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
+#include <stdexcept>
 
 #include "contact/compensated_sum.h"
-#include "contact/solvers/moving_frame.h"
-#include "contact/step_integrals.h"
 
 namespace tricontact::contact {
 
 namespace {
+
+/// The Moebius map that takes [1, range] to [k, 1] and (-infinity, 0] to [-1, -k].
+struct Symmetric {
+    explicit Symmetric(double range)
+        : k(1 / std::pow(std::sqrt(range) + std::sqrt(range - 1), 2)), range_(range) {}
+    double back(double z) const { return 2 * range_ * (k + z) / ((1 + k) * (1 + z)); }
+    double k;
+
+  private:
+    double range_;
+};
+
+/// The n points in [k, 1] whose product of (z - z_j)/(z + z_j) is least.
+std::vector<double> zolotarev_points(int n, double k) {
+    const double other = std::sqrt((1 - k) * (1 + k));
+    const double quarter = boost::math::ellint_1(other);
+    std::vector<double> points;
+    for (int j = n; j >= 1; --j)
+        points.push_back(boost::math::jacobi_dn(other, (2 * j - 1) * quarter / (2 * n)));
+    return points;
+}
+
+/// The largest such product, which is that at 1, once for the nodes and once for the poles.
+double error_of(const std::vector<double>& points) {
+    double product = 1;
+    for (const double z : points) product *= (1 - z) / (1 + z);
+    return product * product;
+}
 
 // For real moduli; in time it becomes up to ten times as large, the contact solvers' tolerance.
 constexpr double interpolation_error = 1e-8;
@@ -33,6 +62,43 @@ SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool
 }
 
 }  // namespace
+
+StieltjesInterpolation::StieltjesInterpolation(double range, double error) {
+    if (!(range > 1) || !std::isfinite(range) || !(error > 0))
+        throw std::logic_error("Stieltjes interpolation: range and error");
+    int n = 1;
+    while (error_of(zolotarev_points(n, Symmetric(range).k)) > error) ++n;
+    // As wide as so many points allow: close nodes would have large weights of either sign.
+    for (double wider = range; error_of(zolotarev_points(n, Symmetric(wider).k)) <= error;
+         wider = 1 + 1.1 * (wider - 1))
+        range = wider;
+    const Symmetric map(range);
+    const std::vector<double> points = zolotarev_points(n, map.k);
+    error_ = error_of(points);
+    range_ = range;
+    for (const double z : points) {
+        nodes_.push_back(map.back(z));
+        poles_.push_back(-map.back(-z));
+    }
+    // Inverse of Cauchy's matrix 1/(x_j + a_m), row m.
+    weight_.resize(size() * size());
+    for (std::size_t m = 0; m < size(); ++m)
+        for (std::size_t j = 0; j < size(); ++j) {
+            double w = nodes_[j] + poles_[m];
+            for (std::size_t k = 0; k < size(); ++k) {
+                if (k != m) w *= (nodes_[j] + poles_[k]) / (poles_[k] - poles_[m]);
+                if (k != j) w *= (nodes_[k] + poles_[m]) / (nodes_[k] - nodes_[j]);
+            }
+            weight_[m * size() + j] = w;
+        }
+}
+
+std::vector<double> StieltjesInterpolation::shares(double x) const {
+    std::vector<double> shares(size());
+    for (std::size_t m = 0; m < size(); ++m)
+        for (std::size_t j = 0; j < size(); ++j) shares[j] += weight(m, j) / (x + poles_[m]);
+    return shares;
+}
 
 StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
     // A range is needed even where rounding leaves none.
@@ -90,15 +156,14 @@ bool PartlyRelaxingSubstrate::begin(double duration, const SurfaceField& t, cons
     return true;
 }
 
-void PartlyRelaxingSubstrate::carry() {
-    const ContactPoints& grid = step_.points();
+std::vector<SurfaceField*> PartlyRelaxingSubstrate::memory() {
+    std::vector<SurfaceField*> fields;
     for (Mode& mode : modes_) {
-        contact::carry(grid, mode.displacement);
-        for (Branch& branch : mode.branches) {
-            contact::carry(grid, branch.traction);
-            contact::carry(grid, branch.displacement);
-        }
+        fields.push_back(&mode.displacement);
+        for (Branch& branch : mode.branches)
+            fields.insert(fields.end(), {&branch.traction, &branch.displacement});
     }
+    return fields;
 }
 
 /// X_m t for each mode. They are sums of either sign, whose rounding goes with the magnitudes.
@@ -192,26 +257,6 @@ void PartlyRelaxingSubstrate::advance(Mode& mode, const SurfaceField& now, const
     energies.stored += all_stored.value();
     energies.dissipated += all_dissipated.value();
     energies.work += all_work.value();
-}
-
-void PartlyRelaxingSubstrate::write(StateWriter& out) const {
-    for (const Mode& mode : modes_) {
-        contact::write(mode.displacement, out);
-        for (const Branch& branch : mode.branches) {
-            contact::write(branch.traction, out);
-            contact::write(branch.displacement, out);
-        }
-    }
-}
-
-void PartlyRelaxingSubstrate::read(StateReader& in) {
-    for (Mode& mode : modes_) {
-        contact::read(mode.displacement, in);
-        for (Branch& branch : mode.branches) {
-            contact::read(branch.traction, in);
-            contact::read(branch.displacement, in);
-        }
-    }
 }
 
 }  // namespace tricontact::contact

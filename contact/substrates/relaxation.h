@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -40,6 +41,57 @@ struct RelaxationStep {
 
     std::vector<double> decay, gain;  ///< exp(-dt/tau_i); g_i mean_i
     double stiffness = 1;             ///< 1 + sum g_i mean_i: of the step, over the relaxed one
+};
+
+/// Creep of a relaxing spring beside an elastic one: with the stiffnesses a and G(t)/G_inf, unit
+/// load displaces by
+///   J(t) = relaxed - sum compliance_i exp(-t/time_i),
+/// a generalised Kelvin solid with as many branches as the relaxation, each slower than one of
+/// them. Tschoegl (1989), The Phenomenological Theory of Linear Viscoelastic Behavior, ch. 4.
+struct Retardation {
+    struct Branch {
+        double compliance = 0;  ///< [-], > 0
+        double time = 0;        ///< [s]
+    };
+
+    /// `spring` [-]: a >= 0. Throws InputError for a relaxation that check() refuses.
+    Retardation(const Relaxation& relaxation, double spring);
+
+    double relaxed = 1;  ///< 1/(a + 1)
+    std::vector<Branch> branches;
+};
+
+/// Integrals over a step of duration x relaxation times of a variable that starts at e, is driven
+/// by w in all at a constant rate, and decays:
+///   e(s) = e exp(-s x) + w mean(s x) s,   0 <= s <= 1,   mean(x) = (1 - exp(-x))/x.
+/// What a dashpot dissipates is <e, e> ee + 2 <e, w> ew + <w, w> ww; the variable's mean is
+/// e mean + w drift.
+/// All to rounding of 1.
+struct StepIntegrals {
+    explicit StepIntegrals(double x) {
+        const double once = -std::expm1(-x);
+        mean = x == 0 ? 1 : std::isinf(x) ? 0 : once / x;
+        drift = drift_of(x);
+        ee = -std::expm1(-2 * x) / 2;
+        ew = once * mean / 2;
+        ww = drift - mean * mean / 2;
+    }
+    double ee, ew, ww, mean, drift;
+
+  private:
+    // (1 - mean)/x = (x - 1 + exp(-x))/x^2, 1/2 at x = 0. The series leaves less than rounding
+    // below 0.05, the direct form loses three digits there and fewer beyond.
+    static double drift_of(double x) {
+        constexpr double series_below = 0.05;
+        if (std::isinf(x)) return 0;
+        if (x >= series_below) return (x + std::expm1(-x)) / (x * x);
+        double term = 0.5, sum = 0;
+        for (int n = 3; n <= 11; ++n) {
+            sum += term;
+            term *= -x / n;
+        }
+        return sum;
+    }
 };
 
 }  // namespace tricontact::contact

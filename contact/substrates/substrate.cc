@@ -1,17 +1,25 @@
 #include "contact/substrates/substrate.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/compensated_sum.h"
+#include "contact/error.h"
 
 namespace tricontact::contact {
 
-void write(const SurfaceField& field, StateWriter& out) {
-    for (const auto* component : components(field)) out.add(*component);
+void Substrate::advect() {
+    for (SurfaceField* field : memory()) contact::advect(compliance().points(), *field);
 }
 
-void read(SurfaceField& field, StateReader& in) {
-    for (auto* component : components(field)) in.get(*component);
+void Substrate::write(StateWriter& out) {
+    for (const SurfaceField* field : memory())
+        for (const auto* component : components(*field)) out.add(*component);
+}
+
+void Substrate::read(StateReader& in) {
+    for (SurfaceField* field : memory())
+        for (auto* component : components(*field)) in.get(*component);
 }
 
 ElasticSubstrate::ElasticSubstrate(std::shared_ptr<const Compliance> compliance)
@@ -60,6 +68,24 @@ Substrate::Energies ElasticSubstrate::end(const SurfaceField& t, const SurfaceFi
 
 std::unique_ptr<const Interior> ElasticSubstrate::interior(const SurfaceField& t) const {
     return compliance_->interior(t.down, t.in_surface);
+}
+
+void check_rolls_on(const std::string& model, const ContactPoints& points) {
+    if (points.n_x == 0 || points.mirrored || points.periodic)
+        throw InputError(model +
+                         ": rolling on needs a regular grid on both sides of the path that is not "
+                         "periodic; take a model of boundary elements");
+}
+
+void advect(const ContactPoints& grid, std::vector<double>& field) {
+    for (int j = 0; j < grid.n_y; ++j) {
+        const auto row = field.begin() + static_cast<std::ptrdiff_t>(j) * grid.n_x;
+        std::copy(row + 1, row + grid.n_x, row);
+    }
+}
+
+void advect(const ContactPoints& grid, SurfaceField& field) {
+    for (auto* component : components(field)) advect(grid, *component);
 }
 
 }  // namespace tricontact::contact

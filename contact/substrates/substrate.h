@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "contact/solvers/compliance.h"
@@ -25,8 +26,6 @@ template <class Field>
 auto components(Field& field) {
     return std::array{&field.in_surface.x, &field.in_surface.y, &field.down};
 }
-void write(const SurfaceField& field, StateWriter& out);
-void read(SurfaceField& field, StateReader& in);
 
 /// What lies below the contact: a compliance, and what it remembers of the past. A step takes it
 /// for an elastic one that was displaced beforehand: tractions t [Pa] and displacements u [m] at
@@ -60,16 +59,20 @@ class Substrate {
         double work = 0;        ///< of the tractions on the surface, in the step
         double magnitude = 0;   ///< sum of the terms' magnitudes, which rounding goes with
     };
-    /// Before a step, on a grid: what it remembers moves by one cell, see carry().
-    virtual void carry() = 0;
+    /// Before a step, on a grid: what it remembers moves by one cell, see contact::advect().
+    void advect();
     /// Ends the step with these tractions [Pa] and displacements [m].
     virtual Energies end(const SurfaceField& t, const SurfaceField& u) = 0;
 
     /// What it looks like inside; null where nobody knows. `t` as in end().
     virtual std::unique_ptr<const Interior> interior(const SurfaceField& t) const = 0;
 
-    virtual void write(StateWriter&) const {}
-    virtual void read(StateReader&) {}
+    void write(StateWriter& out);
+    void read(StateReader& in);
+
+  private:
+    /// All fields that it remembers.
+    virtual std::vector<SurfaceField*> memory() { return {}; }
 };
 
 /// Remembers nothing. Work by the trapezoidal rule, exact for a self-adjoint compliance.
@@ -84,7 +87,6 @@ class ElasticSubstrate final : public Substrate {
     const Compliance& compliance() const override { return *compliance_; }
     double stiffness() const override { return 1; }
     const SurfaceField& offset() const override { return none_; }
-    void carry() override {}
     Energies end(const SurfaceField& t, const SurfaceField& u) override;
     std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
 
@@ -92,5 +94,25 @@ class ElasticSubstrate final : public Substrate {
     std::shared_ptr<const Compliance> compliance_;
     SurfaceField none_, traction_, displacement_;  // zero; before the step
 };
+
+/// Where a step of one cell evaluates what an indenter that rotates slides by: this part of a cell
+/// ahead of the cell's centre. Displacements change between (x + h) and x, their rate belongs to
+/// x + h/2; but cells of constant traction whose slip is prescribed there act as a contact whose
+/// edges are delta h farther out, all of it h/4 farther ahead. Of a strip that sticks, the force of
+/// a spin is then that of slip prescribed by 1/4 - delta of a cell ahead, to the second order in h:
+///   delta = 1/pi int_0^pi -ln rho(q)/(4 sin^2(q/2)) dq,
+///   rho(q) = 4 sin^2(q/2) sum_m (-1)^m sgn(m + 0) (q + 2 pi m)^-2,
+/// rho the symbol of the cells over that of line loads (docs/rolling.md derives it).
+inline constexpr double spin_point = 0.174653;
+
+/// Throws InputError, `model` its subject, unless the points form a grid on both sides of the path
+/// with an edge.
+void check_rolls_on(const std::string& model, const ContactPoints& points);
+
+/// The frame of coordinates moves on along x by one cell of the grid: what was one cell ahead is
+/// here now. What enters at the leading edge is like the cell behind it, which is to be far from
+/// the contact.
+void advect(const ContactPoints& grid, std::vector<double>& field);
+void advect(const ContactPoints& grid, SurfaceField& field);
 
 }  // namespace tricontact::contact

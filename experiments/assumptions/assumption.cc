@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "theory/bracketed_root.h"
+#include "contact/root.h"
 
 namespace tricontact::experiments {
 
@@ -27,7 +27,7 @@ std::optional<double> factor_for(const Calculation& calculation, std::size_t i, 
     try {
         const double low = excess(-widest), high = excess(widest);
         if (!std::isfinite(low) || !std::isfinite(high) || low * high >= 0) return {};
-        return std::exp(theory::bracketed_root(excess, -widest, widest, low, high, 40));
+        return std::exp(contact::bracketed_root(excess, -widest, widest, low, high, 40));
     } catch (const contact::InputError&) {
         return {};  // such a body does not exist: Poisson's ratio above 1/2
     } catch (const std::domain_error&) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "contact/sentence.h"
+#include "contact/number_text.h"
 #include "experiments/assumptions/rig_report.h"
 #include "files/version.h"
 

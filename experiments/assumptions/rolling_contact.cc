@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/number_text.h"
-#include "contact/sentence.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/hertz.h"
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "contact/number_text.h"
-#include "contact/sentence.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/sharp_edge.h"
 

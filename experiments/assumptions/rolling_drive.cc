@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "contact/number_text.h"
-#include "contact/sentence.h"
 #include "experiments/assumptions/rolling_parts.h"
 
 namespace tricontact::experiments {

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "contact/number_text.h"
-#include "contact/sentence.h"
 #include "experiments/assumptions/rolling_parts.h"
 
 namespace tricontact::experiments {

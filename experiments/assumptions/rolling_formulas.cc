@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/number_text.h"
 #include "experiments/assumptions/rolling_parts.h"
 

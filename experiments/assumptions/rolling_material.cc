@@ -6,9 +6,8 @@
 
 #include "contact/error.h"
 #include "contact/number_text.h"
-#include "contact/sentence.h"
+#include "contact/root.h"
 #include "experiments/assumptions/rolling_parts.h"
-#include "theory/bracketed_root.h"
 #include "theory/layer/layer_compliance.h"
 
 namespace tricontact::experiments {
@@ -50,7 +49,7 @@ double layer_modulus_of(const Values& x) {
         return std::log(*layer_of(layer).unit_shift / wanted);
     };
     // A layer is stiffer than its half-space, by less than the thickness effect of 20.
-    return x[4] * std::exp(theory::bracketed_root(excess, -3., 0.5, 40));
+    return x[4] * std::exp(contact::bracketed_root(excess, -3., 0.5, 40));
 }
 
 constexpr const char* of_layer_modulus = "E_2,layer: the layer's U_max equals mu d E*/G* of E_2";

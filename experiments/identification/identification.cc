@@ -3,13 +3,13 @@
 #include <gsl/gsl_cdf.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/root.h"
 #include "contact/special_values.h"
 #include "experiments/identification/best_sum_of_squares.h"
 #include "statistics/regression.h"
@@ -77,13 +77,9 @@ class Likelihood {
         while (inside < end) {
             const double outside = std::min(end, inside + step);
             const double beyond = excess(outside);
-            if (beyond >= 0) {
-                std::uintmax_t steps = 200;
-                const boost::math::tools::eps_tolerance<double> tolerance(edge_bits);
-                const auto [a, b] = boost::math::tools::toms748_solve(
-                    excess, inside, outside, below, beyond, tolerance, steps);
-                return value((a + b) / 2);
-            }
+            if (beyond >= 0)
+                return value(
+                    contact::bracketed_root(excess, inside, outside, below, beyond, edge_bits));
             inside = outside;
             below = beyond;
             step *= step_growth;

@@ -4,17 +4,47 @@
 #include <sys/resource.h>
 #include <sys/time.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "contact/error.h"
-#include "fem/distributed/condensation.h"
+#include "fem/distributed/petsc.h"
 #include "fem/distributed/stiffness.h"
+
+// LAPACK: Cholesky factor of a symmetric positive definite matrix, and the inverse from it.
+extern "C" void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace tricontact::fem::distributed {
 
 namespace {
+
+// MUMPS' controls: see the users' guide of 5.5, section 6.
+constexpr int icntl_ordering = 7, metis = 5;
+constexpr int icntl_reserve = 14, percent_of_reserve = 40;
+constexpr int icntl_schur_solve = 26, interior_alone = 0;
+constexpr int info_megabytes = 15, infog_factor_entries = 20, rinfog_operations = 1;
+
+void refuse_failure(Mat factor) {
+    MatFactorError error = MAT_FACTOR_NOERROR;
+    check(MatFactorGetError(factor, &error));
+    if (error == MAT_FACTOR_NOERROR) return;
+    if (error == MAT_FACTOR_OUTMEMORY) throw std::bad_alloc();
+    int code = 0, detail = 0;
+    check(MatMumpsGetInfog(factor, 1, &code));
+    check(MatMumpsGetInfog(factor, 2, &detail));
+    if (code == -10 || code == -40)
+        throw contact::NotConverged(
+            "the layer's stiffness is not positive definite: the mesh has parts that nothing "
+            "holds, or inverted elements");
+    throw std::runtime_error("MUMPS: error " + std::to_string(code) + " (" +
+                             std::to_string(detail) + ")");
+}
+
+Vector like(Mat matrix) {
+    Vector vector;
+    check(MatCreateVecs(matrix, vector.put(), nullptr));
+    return vector;
+}
 
 // Rounding leaves 1e-9 to 1e-7; beyond this it is no rounding.
 constexpr double largest_reaction_error = 1e-5;
@@ -43,7 +73,7 @@ class Stages {
         const Cost now;
         const double user = session_.sum(now.user - last_.user);
         const double gigabytes = session_.largest(now.gigabytes);
-        if (session_.speaks())
+        if (session_.is_root())
             say_(fmt::format("{}: {:.1f} s, {:.1f} s of processors, at most {:.2f} GB per rank",
                              what, now.wall - last_.wall, user, gigabytes));
         last_ = now;
@@ -91,20 +121,166 @@ std::array<std::vector<double>, 3> missing_reaction(
 
 }  // namespace
 
-LayerProblem share(LayerProblem problem, const Session& session) {
-    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length] = problem;
-    session.share(mesh.nodes);
-    session.share(mesh.hexes);
-    session.share(mesh.regions);
-    session.share(mesh.faces);
-    for (auto& material : materials) {
-        session.share(&material.young, sizeof(double));
-        session.share(&material.poisson, sizeof(double));
+struct Condensation::Parts {
+    const Stiffness& stiffness;
+    const Session& session;
+    std::vector<int> free_rows;   // of the contact; none but on the first rank
+    std::vector<int> components;  // contact components of these
+    Matrix factor;
+    MatFactorInfo info{};
+
+    Parts(const Stiffness& of, const Session& ranks) : stiffness(of), session(ranks) {
+        for (int c = 0; c < static_cast<int>(n_components()); ++c) {
+            const auto& rows = stiffness.contact_rows();
+            if (rows[c] >= 0) free_rows.push_back(rows[c]), components.push_back(c);
+        }
+        analyse();
     }
-    session.share(&base, sizeof(base));
-    session.share(&sides, sizeof(sides));
-    session.share(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
-    session.share(&line_length, sizeof(line_length));
+
+    int n() const { return static_cast<int>(free_rows.size()); }
+    std::size_t n_components() const {
+        return session.is_root() ? stiffness.contact_rows().size() : 0;
+    }
+
+    Indices contact() const {
+        Indices indices;
+        check(ISCreateGeneral(PETSC_COMM_SELF, n(), free_rows.data(), PETSC_COPY_VALUES,
+                              indices.put()));
+        return indices;
+    }
+
+    void analyse() {
+        Mat matrix = stiffness.matrix();
+        check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+        check(MatGetFactor(matrix, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.put()));
+        check(MatFactorSetSchurIS(factor, contact()));
+        check(MatMumpsSetIcntl(factor, icntl_ordering, metis));
+        check(MatMumpsSetIcntl(factor, icntl_reserve, percent_of_reserve));
+        check(MatFactorInfoInitialize(&info));
+        check(MatCholeskyFactorSymbolic(factor, matrix, nullptr, &info));
+        check(MatMumpsSetIcntl(factor, icntl_schur_solve, interior_alone));
+        session.agree([&] { refuse_failure(factor); });
+    }
+
+    // Displacements [m] of the interior under `forces` [N] with the contact kept where it is.
+    void solve_interior(Vec forces, Vec displacement) const {
+        Mat matrix = stiffness.matrix();
+        const Vector residual = like(matrix), correction = like(matrix);
+        check(MatSolve(factor, forces, displacement));
+        check(MatMult(matrix, displacement, residual));
+        check(VecAYPX(residual, -1, forces));
+        check(MatSolve(factor, residual, correction));
+        check(VecAXPY(displacement, 1, correction));
+    }
+
+    // Values of a distributed vector at the contact's components; on the first rank.
+    std::vector<double> at_contact(Vec vector) const {
+        Vector local;
+        check(VecCreateSeq(PETSC_COMM_SELF, n(), local.put()));
+        Scatter scatter;
+        check(VecScatterCreate(vector, contact(), local, nullptr, scatter.put()));
+        check(VecScatterBegin(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
+        check(VecScatterEnd(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
+        const double* values = nullptr;
+        check(VecGetArrayRead(local, &values));
+        std::vector<double> result(n_components(), 0.0);
+        for (int i = 0; i < n(); ++i) result[components[i]] = values[i];
+        check(VecRestoreArrayRead(local, &values));
+        return result;
+    }
+
+    // Inverse of the complement (n x n) at the places of all components. MUMPS alone gives the
+    // lower triangle by columns; with others by rows (and in the other one nothing of value).
+    std::vector<double> inverse_of(double* complement) const {
+        const int size = n();
+        const bool lower = session.n_ranks() == 1;
+        const char* triangle = lower ? "L" : "U";
+        int status = 0;
+        if (size > 0) dpotrf_(triangle, &size, complement, &size, &status);
+        if (size > 0 && status == 0) dpotri_(triangle, &size, complement, &size, &status);
+        if (status != 0)
+            throw contact::NotConverged("the condensed stiffness of the contact is singular");
+        const std::size_t ld = n_components();
+        std::vector<double> inverse(ld * ld, 0.0);
+        for (std::size_t c = 0; c < components.size(); ++c)
+            for (std::size_t r = c; r < components.size(); ++r)
+                inverse[components[c] * ld + components[r]] =
+                    inverse[components[r] * ld + components[c]] =
+                        lower ? complement[c * size + r] : complement[r * size + c];
+        return inverse;
+    }
+};
+
+Condensation::Condensation(const Stiffness& stiffness, const Session& session)
+    : parts_(std::make_unique<Parts>(stiffness, session)) {}
+Condensation::~Condensation() = default;
+
+double Condensation::predicted_bytes() const {
+    int megabytes = 0;
+    check(MatMumpsGetInfo(parts_->factor, info_megabytes, &megabytes));
+    const double complement = static_cast<double>(parts_->n()) * parts_->n();
+    const auto compliance = static_cast<double>(parts_->n_components() * parts_->n_components());
+    return 1e6 * megabytes + sizeof(double) * (complement + compliance);
+}
+
+double Condensation::factor_entries() const {
+    int entries = 0;  // negative: millions
+    check(MatMumpsGetInfog(parts_->factor, infog_factor_entries, &entries));
+    return entries < 0 ? -1e6 * entries : entries;
+}
+
+double Condensation::operations() const {
+    double operations = 0;
+    check(MatMumpsGetRinfog(parts_->factor, rinfog_operations, &operations));
+    return operations;
+}
+
+void Condensation::factorise() {
+    check(MatCholeskyFactorNumeric(parts_->factor, parts_->stiffness.matrix(), &parts_->info));
+    parts_->session.agree([&] { refuse_failure(parts_->factor); });
+}
+
+std::array<std::vector<double>, 3> Condensation::forces_of_motion() const {
+    Mat matrix = parts_->stiffness.matrix();
+    const Vector forces = like(matrix), displacement = like(matrix), held_by = like(matrix);
+    std::array<std::vector<double>, 3> result;
+    for (int direction = 0; direction < 3; ++direction) {
+        check(VecCopy(parts_->stiffness.held_row(direction), forces));
+        check(VecScale(forces, -1));
+        parts_->solve_interior(forces, displacement);
+        check(MatMult(matrix, displacement, held_by));
+        check(VecAXPY(forces, -1, held_by));
+        result[direction] = parts_->at_contact(forces);
+    }
+    return result;
+}
+
+std::vector<double> Condensation::compliance() {
+    Mat complement = nullptr;
+    check(MatFactorGetSchurComplement(parts_->factor, &complement, nullptr));
+    double* values = nullptr;
+    check(MatDenseGetArray(complement, &values));
+    std::vector<double> compliance;
+    parts_->session.agree_on_first([&] { compliance = parts_->inverse_of(values); });
+    check(MatDenseRestoreArray(complement, &values));
+    check(MatFactorRestoreSchurComplement(parts_->factor, &complement, MAT_FACTOR_SCHUR_INVERTED));
+    return compliance;
+}
+
+LayerProblem broadcast(LayerProblem problem, const Session& session) {
+    auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length] = problem;
+    session.broadcast(mesh.nodes);
+    session.broadcast(mesh.hexes);
+    session.broadcast(mesh.regions);
+    session.broadcast(mesh.faces);
+    for (auto& material : materials) {
+        session.broadcast(&material.young, sizeof(double));
+        session.broadcast(&material.poisson, sizeof(double));
+    }
+    session.broadcast(&base, sizeof(base));
+    session.broadcast(&sides, sizeof(sides));
+    session.broadcast(&largest_bulk_ratio, sizeof(largest_bulk_ratio));
+    session.broadcast(&line_length, sizeof(line_length));
     return problem;
 }
 

@@ -62,7 +62,7 @@ void raise(const Outcome& outcome) {
     }
 }
 
-std::string broadcast(std::string text, int from) {
+std::string broadcast_text(std::string text, int from) {
     unsigned long size = text.size();
     MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, from, MPI_COMM_WORLD);
     text.resize(size);
@@ -119,14 +119,14 @@ void Session::agree(const std::function<void()>& work) const {
     MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
     if (first == n_ranks_) return;
     MPI_Bcast(&outcome.failure, sizeof(outcome.failure), MPI_BYTE, first, MPI_COMM_WORLD);
-    outcome.message = broadcast(outcome.message, first);
+    outcome.message = broadcast_text(outcome.message, first);
     agreed_to_fail_ = true;
     raise(outcome);
 }
 
 void Session::agree_on_first(const std::function<void()>& work) const {
     agree([&] {
-        if (speaks()) work();
+        if (is_root()) work();
     });
 }
 
@@ -140,20 +140,20 @@ double Session::sum_on_machine(double value) const {
     return reduced(value, MPI_SUM, libraries_->machine);
 }
 
-void Session::together(const std::function<void()>& work) const {
+void Session::abort_on_local_error(const std::function<void()>& work) const {
     try {
         work();
     } catch (const std::exception& e) {
         if (agreed_to_fail_ || n_ranks_ == 1) throw;
-        // Mostly all ranks meet the same error: the first ends the others before they speak.
-        if (!speaks()) std::this_thread::sleep_for(std::chrono::seconds(2));
+        // Mostly all ranks meet the same error: the first ends the others before they print.
+        if (!is_root()) std::this_thread::sleep_for(std::chrono::seconds(2));
         std::fprintf(stderr, "error: rank %d: %s\n", rank_, e.what());
         std::fflush(stderr);
         MPI_Abort(MPI_COMM_WORLD, 1);
     }
 }
 
-void Session::share(void* values, std::size_t size) const {
+void Session::broadcast(void* values, std::size_t size) const {
     auto* bytes = static_cast<char*>(values);
     constexpr std::size_t most = 1 << 30;  // MPI counts with int
     for (std::size_t at = 0; at < size; at += most)

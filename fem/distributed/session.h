@@ -25,13 +25,13 @@ class Session {
 
     int rank() const { return rank_; }
     int n_ranks() const { return n_ranks_; }
-    bool speaks() const { return rank_ == 0; }  ///< the one that prints and writes
+    bool is_root() const { return rank_ == 0; }  ///< the one that prints and writes
 
     /// Runs `work`, which must not communicate, on this rank. Then all ranks go on, or all throw
     /// what the lowest rank that failed threw: contact::InputError, contact::NotConverged,
     /// std::bad_alloc or std::runtime_error. Collective.
     void agree(const std::function<void()>& work) const;
-    /// The same for work of the speaking rank alone.
+    /// The same for work of the root rank alone.
     void agree_on_first(const std::function<void()>& work) const;
 
     /// Largest of, or sum over, the ranks. Collective.
@@ -42,17 +42,17 @@ class Session {
 
     /// Runs `work` in which the ranks communicate. An error that they did not agree on ends all of
     /// them at once with exit code 1: the others would wait for ever. Collective.
-    void together(const std::function<void()>& work) const;
+    void abort_on_local_error(const std::function<void()>& work) const;
 
     /// The first rank's values on all. Collective.
-    void share(void* values, std::size_t size) const;
+    void broadcast(void* values, std::size_t size) const;
     template <typename T>
-    void share(std::vector<T>& values) const {
+    void broadcast(std::vector<T>& values) const {
         static_assert(std::is_trivially_copyable_v<T>);
         std::size_t n = values.size();
-        share(&n, sizeof(n));
+        broadcast(&n, sizeof(n));
         agree([&] { values.resize(n); });
-        share(values.data(), n * sizeof(T));
+        broadcast(values.data(), n * sizeof(T));
     }
 
   private:

@@ -3,16 +3,23 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "fem/condensed_layer.h"
 #include "fem/contact_surface.h"
 #include "fem/distributed/session.h"
-#include "fem/layer_problem.h"
+#include "meshes/hex_mesh.h"
 
 struct _p_Mat;  // PETSc's Mat and Vec point to these
 struct _p_Vec;
 
 namespace tricontact::fem::distributed {
+
+/// The given hexahedra (increasing) of `mesh` as a mesh of their own, with the names of their
+/// faces. Faces where it was cut off, and those without a name, are called free_top: nothing holds
+/// or loads them.
+meshes::HexMesh part_of(const meshes::HexMesh& mesh, std::span<const int> hexes);
 
 /// The stiffness of Discretisation, with its elements and rows distributed over the ranks: the
 /// mesh is the coarse mesh of a triangulation that p4est divides along a space-filling curve.

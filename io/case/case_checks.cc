@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/relaxation_input.h"
 #include "io/keys/messages.h"

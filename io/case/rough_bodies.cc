@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "io/case/case_checks.h"
 #include "io/keys/messages.h"
 #include "io/keys/refusal.h"

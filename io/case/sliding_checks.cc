@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "contact/bodies/rough_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
 #include "io/keys/messages.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "io/contact_program/sequence.h"
 #include "io/keys/messages.h"
 

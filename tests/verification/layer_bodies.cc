@@ -8,12 +8,12 @@
 #include <string>
 
 #include "bem/model.h"
-#include "contact/bodies/pressure_shape.h"
+#include "contact/case.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
 #include "tests/verification/bodies_cases.h"
-#include "theory/layer/case_layers.h"
 #include "theory/layer/elastic_layer.h"
+#include "theory/layer/layer_stack.h"
 #include "theory/rolling/body_rolling.h"
 
 namespace tricontact::layer_bodies_test {

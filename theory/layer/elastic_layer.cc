@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "contact/error.h"
+#include "contact/root.h"
+#include "contact/special_values.h"
+#include "theory/arguments.h"
 #include "theory/contact_search.h"
 #include "theory/layer/layer_equation.h"
 
@@ -125,8 +127,7 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
         return make_contact(layer, parts, parts.indentation());
     };
     LayerContact result = converged(solve, points_for(radius / b), key_values, kinks_remedy);
-    if (indenter.profile_slope(0) > 0)
-        result.centre_pressure = std::numeric_limits<double>::infinity();
+    if (indenter.profile_slope(0) > 0) result.centre_pressure = contact::infinity;
     return result;
 }
 
@@ -145,6 +146,19 @@ LayerContact solve_layer_punch(const ElasticLayer& layer, double radius,
         return make_contact(layer, parts, force ? control.value / stiffness : control.value);
     };
     return converged(solve, points_for(radius / layer.thickness), key_values, kinks_remedy);
+}
+
+double shakedown_limit(const LayerContact& contact, double w) {
+    check_unit_interval("shakedown on a layer", "w = W/a", w);
+    const double a = contact.contact_radius;
+    return 1 - contact.line_load.integral(w * a) / contact.line_load.integral(a);
+}
+
+double amplitude_limit(const LayerContact& contact, double f) {
+    check_unit_interval("shakedown on a layer", "f = F_T/(mu F_N)", f);
+    if (f == 0 || f == 1) return 1 - f;
+    const auto excess = [&](double w) { return shakedown_limit(contact, w) - f; };
+    return contact::bracketed_root(excess, 0., 1., 1 - f, -f, 50);
 }
 
 }  // namespace tricontact::theory

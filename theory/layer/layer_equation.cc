@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "contact/error.h"
-#include "theory/layer/wave_numbers.h"
+#include "contact/special_values.h"
 
 namespace tricontact::theory {
 
@@ -62,7 +59,7 @@ LayerEquation::Solution LayerEquation::solve(const std::vector<double>& g, doubl
 }
 
 double LayerEquation::centre_shift(const std::vector<double>& q) const {
-    if (layer_.base == LayerBase::frictionless) return std::numeric_limits<double>::infinity();
+    if (layer_.base == LayerBase::frictionless) return contact::infinity;
     const double nu = layer_.material.poisson, shear_modulus = layer_.material.shear_modulus();
     const Eigen::VectorXd transform = cosines_ * vector(mesh_.weights()).cwiseProduct(vector(q));
     double missing = 0;  // G times the integral: k D11 = -(1 - nu)/G deficit, k D22 = -deficit/G

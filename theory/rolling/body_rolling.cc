@@ -1,17 +1,17 @@
 #include "theory/rolling/body_rolling.h"
 
 #include <algorithm>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
-#include "contact/bodies/pressure_shape.h"
+#include "contact/bodies/shapes_of_revolution.h"
+#include "contact/root.h"
+#include "contact/special_values.h"
 #include "theory/arguments.h"
-#include "theory/body_pressure.h"
-#include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -19,13 +19,25 @@ namespace tricontact::theory {
 
 namespace {
 
+template <typename Function>
+double integral(Function f, double low, double high) {
+    thread_local boost::math::quadrature::tanh_sinh<double> quadrature;  // keeps its abscissas
+    return low < high ? quadrature.integrate(f, low, high, 1e-10) : 0;
+}
+
+/// Whether there is a pressure at rho.
+bool inside(double rho) {
+    if (!(rho >= 0)) throw std::domain_error("pressure: r/a must not be negative");
+    return rho < 1;
+}
+
 using contact::Case;
 
 bool is_ellipsoid(const Case& c) {
     return c.indenter.shape == Case::Shape::ellipsoid;
 }
 
-constexpr int root_bits = 40;
+constexpr int ratio_bits = 40;
 
 /// A body of revolution in its contact on the half-space, E* = 1.
 class Pressed {
@@ -109,6 +121,30 @@ double stretched_amplitude(const Case& c, double w) {
 
 }  // namespace
 
+double power_law_pressure(double exponent, double rho) {
+    if (!(exponent >= 1) || !std::isfinite(exponent))
+        throw std::domain_error("power_law_pressure: the exponent must be at least 1");
+    if (!inside(rho)) return 0;
+    if (rho == 0) return exponent > 1 ? (exponent + 1) / (2 * (exponent - 1)) : contact::infinity;
+    if (exponent == 1) return std::acosh(1 / rho);
+    const double end = std::sqrt((1 - rho) * (1 + rho));
+    auto growth = [=](double s) { return std::pow(rho * rho + s * s, exponent / 2 - 1); };
+    return (exponent + 1) / 2 * integral(growth, 0, end);
+}
+
+double rounded_punch_pressure(double flat_ratio, double rho) {
+    if (!(flat_ratio > 0 && flat_ratio < 1))
+        throw std::domain_error("rounded_punch_pressure: b/a must lie in (0, 1)");
+    if (!inside(rho)) return 0;
+    const double b = flat_ratio, end = std::sqrt((1 - rho) * (1 + rho));
+    auto growth = [=](double s) {
+        const double x = std::hypot(rho, s), beyond = std::sqrt(std::max(0., (x - b) * (x + b)));
+        return (2 * beyond - b * std::atan2(beyond, b)) / x;
+    };
+    const double begin = std::sqrt(std::max(0., (b - rho) * (b + rho)));
+    return integral(growth, begin, end) / contact::RoundedPunch(b, 1).pressed_area(1);
+}
+
 bool has_body_theory(const Case& c) {
     if (c.indenter.roughness) return false;
     switch (c.indenter.shape) {
@@ -127,8 +163,8 @@ double static_shift_ratio(const Case& c, double f) {
     if (contact::is_hertz_round(c) || is_ellipsoid(c)) return static_shift_ratio(f);
     const Pressed pressed(c);
     const double stick =
-        bracketed_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, 0., 1.,
-                       f - 1, f, root_bits);
+        contact::bracketed_root([&](double rho) { return pressed.force_ratio(rho) - (1 - f); }, 0.,
+                                1., f - 1, f, ratio_bits);
     return 1 - pressed.depth_ratio(stick);
 }
 
@@ -147,8 +183,8 @@ std::optional<double> amplitude_limit(const Case& c, double f) {
     if (contact::is_hertz_round(c)) return amplitude_limit(f);
     if (is_ellipsoid(c)) return amplitude_limit(f) / stretched_amplitude(c, 1);
     if (!shakedown_limit(c, 0)) return {};
-    return bracketed_root([&](double w) { return *shakedown_limit(c, w) - f; }, 0., 1., 1 - f, -f,
-                          root_bits);
+    return contact::bracketed_root([&](double w) { return *shakedown_limit(c, w) - f; }, 0., 1.,
+                                   1 - f, -f, ratio_bits);
 }
 
 std::optional<double> bed_limit(const Case& c, double w) {
@@ -170,7 +206,8 @@ std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f)
     };
     if (f > force(w)) return {};
     auto excess = [&](double part) { return f - force(std::lerp(w, 1., part)); };
-    const double rho = std::lerp(w, 1., bracketed_root(excess, 0., 1., f - force(w), f, root_bits));
+    const double rho =
+        std::lerp(w, 1., contact::bracketed_root(excess, 0., 1., f - force(w), f, ratio_bits));
     return 1 - pressed.depth_ratio(rho);
 }
 

@@ -16,7 +16,7 @@ struct Creepage {
 // by name. Vermeulen and Johnson (1964), J. Appl. Mech. 31, took an elliptic stick zone that
 // touches the leading edge; Shen, Hedrick and Elkins (1983) its law with Kalker's C11. Where it is
 // wrong: the stick zone is no ellipse, see docs/rolling.md for the error of each. Signs as in
-// carter.h.
+// creep_law.h.
 
 /// f = F_T/(mu F_N) at x = xi/xi_s >= 0: 1 - (1 - x)^3, 1 beyond x = 1.
 /// Throws std::domain_error for a negative argument.
@@ -38,5 +38,49 @@ double mdr_coefficient(double poisson);
 /// mu F_N in N, G in Pa, a b in m^2.
 double sliding_creepage(double friction_limit, double shear_modulus, double area,
                         double coefficient);
+
+// Carter (1926), Proc. R. Soc. A 112: a cylinder in steady rolling towards +x under a tangential
+// force, plane strain, no coupling of normal and tangential contact (Dundurs' beta = 0: bodies of
+// one material, or an incompressible one under a rigid one). Hertz' line contact of half width a;
+// 1/R is the relative curvature. Dimensionless:
+//   f = F_T/(mu F_N) in [0, 1]   force on the substrate along +x, that of a braked indenter,
+//   xi R/(mu a) >= 0             creepage, slid over rolled way, of the indenter over the
+//   substrate.
+// The sign is that of Kalker's slip: friction acts on the substrate along it. Neither modulus nor
+// Poisson's ratio enter: without coupling a plane gives way to both tractions alike (1/E*).
+// Every function throws std::domain_error out of these ranges.
+
+/// xi R/(mu a) = 1 - sqrt(1 - f). Johnson (1985), Contact Mechanics, eq. 8.48.
+double carter_creepage_ratio(double f);
+
+/// Its inverse, f of xi R/(mu a); 1 beyond 1, where all slides.
+double carter_force_ratio(double creepage_ratio);
+
+/// Half width c/a = sqrt(1 - f) of the stick zone, which begins at the leading edge: its centre is
+/// at x/a = 1 - c/a. Johnson (1985), eq. 8.46.
+double carter_stick_ratio(double f);
+
+/// Traction tau/(mu p0) on the substrate at x/a:
+/// sqrt(1 - (x/a)^2) - (c/a) sqrt(1 - ((x - a + c)/c)^2), the second term in the stick zone only,
+/// zero outside of the contact. Johnson (1985), eq. 8.45.
+double carter_traction(double x, double f);
+
+// Dissimilar cylinders roll freely, F_T = 0: the normal load alone stretches both surfaces unlike,
+// and they creep. Bentall and Johnson (1967), Int. J. Mech. Sci. 9, 389. Creepages over a/R, a
+// being Hertz' half width without friction; beta is Dundurs' constant, the substrate's compliance
+// counted positive (contact::MaterialPair). Signs as in creep_law.h. What friction there is decides
+// between both values. |beta| is at most 1/2 for nu >= 0, and below 3/4 for all nu > -1; beyond,
+// they throw std::domain_error.
+
+/// All sticks, mu far above |beta|: 2 e/sqrt(1 + 4 e^2), e = ln((1 + beta)/(1 - beta))/(2 pi).
+/// p + i q is a multiple of (a - x)^(1/2 + i e) (a + x)^(1/2 - i e), the solution of the coupled
+/// singular integral equations that is bounded at both edges (Muskhelishvili 1953); its expansion
+/// at infinity, z - 2 i e a - (1/2 + 2 e^2) a^2/z, tells creepage and force.
+double rough_free_creepage(double beta);
+
+/// All slips, mu far below |beta|: .9148 beta. Hertz' pressure alone strains the surface, by
+/// 2 beta p/E*; it slips to one side in the strip that carries half of the load, to the other one
+/// beside it.
+double smooth_free_creepage(double beta);
 
 }  // namespace tricontact::theory

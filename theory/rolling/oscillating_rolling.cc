@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
 
+#include "contact/root.h"
 #include "theory/arguments.h"
-#include "theory/bracketed_root.h"
 #include "theory/cattaneo_mindlin.h"
 
 namespace tricontact::theory {
@@ -41,7 +40,7 @@ std::optional<double> settled_shift_ratio(double w, double f, double kappa) {
     const double highest = (1 - w) * (1 + w);
     // At the limit itself rounding may leave no change of sign: the root is then the end point.
     if (residual(highest) <= 0) return highest;
-    return bracketed_root(residual, 0, highest);
+    return contact::bracketed_root(residual, 0, highest);
 }
 
 double mapping_parameter(double w, double f, double u) {
@@ -64,7 +63,7 @@ double amplitude_limit(double f, double kappa) {
     check_mapping(kappa);
     // Monotone for kappa <= 3/2: the derivative, linear in w^2, is negative at 0 and not positive
     // at 1.
-    return bracketed_root([=](double w) { return shakedown_limit(w, kappa) - f; }, 0., 1.);
+    return contact::bracketed_root([=](double w) { return shakedown_limit(w, kappa) - f; }, 0., 1.);
 }
 
 double mdr_threshold_slope(double f) {
@@ -88,13 +87,6 @@ ShakedownZones shakedown_zones(double w, double u) {
     if (stick < -8 * std::numeric_limits<double>::epsilon())
         throw std::domain_error("shakedown_zones: u must not exceed 1 - w^2");
     return {std::max(stick, 0.), 1 - w};
-}
-
-double mdr_shakedown_line_load(double xi, double w, double u) {
-    const auto [stick, slip] = shakedown_zones(w, u);
-    const double distance = std::abs(xi);
-    if (distance <= stick) return u;
-    return distance < slip ? (1 - w - distance) * (1 + w + distance) : 0;
 }
 
 double mdr_shakedown_traction(double rho, double w, double u) {

@@ -53,12 +53,8 @@ struct ShakedownZones {
 /// Zones at the settled shift u; u must not exceed 1 - w^2.
 ShakedownZones shakedown_zones(double w, double u);
 
-/// Line load of MDR after shakedown over its largest bound mu E* d, at xi = x/a (any sign):
-/// u in the stick zone, 1 - (|xi| + w)^2 in the slip zone, zero outside.
-double mdr_shakedown_line_load(double xi, double w, double u);
-
-/// The same transformed to three dimensions: tau/(mu p0) at rho = r/a >= 0, axisymmetric,
-/// p(r) = -1/pi ∫ q'(x)/sqrt(x^2 - r^2) dx of the line load above, in closed form:
+/// Traction tau/(mu p0) at rho = r/a >= 0, axisymmetric: p(r) = -1/pi ∫ q'(x)/sqrt(x^2 - r^2) dx of
+/// MDR's line load (u within c_sd, 1 - (|xi| + w)^2 in the slip zone), in closed form:
 /// s(b) - s(c), s(x) = sqrt(x^2 - rho^2) + w acosh(x/rho) for x > rho, else zero.
 double mdr_shakedown_traction(double rho, double w, double u);
 

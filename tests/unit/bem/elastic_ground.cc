@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "bem/layer_influence.h"
+#include "bem/influence.h"
 #include "bem/model.h"
 #include "contact/load_path.h"
 #include "mdr/layer_model.h"
-#include "theory/layer/case_layers.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::elastic_ground_test {
 namespace {

@@ -1,7 +1,5 @@
 // What a grid of boundary elements takes is known before it is taken.
 
-#include "bem/grid_memory.h"
-
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -9,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "bem/grid_limits.h"
 #include "bem/model.h"
 #include "contact/error.h"
 #include "contact/load_path.h"

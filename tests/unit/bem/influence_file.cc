@@ -6,7 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "bem/case_compliance.h"
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/error.h"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bem/influence.h"
-#include "bem/layer_influence.h"
 
 namespace tricontact::bem::interior_influence_test {
 namespace {

@@ -1,11 +1,10 @@
-#include "bem/layer_influence.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "bem/influence.h"
 #include "contact/error.h"
 
 namespace tricontact::layer_influence_test {

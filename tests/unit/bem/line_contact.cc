@@ -6,12 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/case_compliance.h"
 #include "bem/influence.h"
 #include "bem/model.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/solvers/contact_radius.h"
+#include "contact/solvers/contact_region.h"
 
 namespace tricontact::line_contact_test {
 namespace {

@@ -11,12 +11,12 @@
 #include <random>
 #include <string>
 
-#include "bem/layer_influence.h"
+#include "bem/influence.h"
 #include "bem/model.h"
 #include "bem/periodic_compliance.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 
 namespace tricontact::periodic_test {

@@ -12,10 +12,10 @@
 #include "bem/grid_compliance.h"
 #include "bem/influence.h"
 #include "bem/periodic_compliance.h"
-#include "contact/bodies/rough_indenter.h"
+#include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
 #include "contact/error.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/surface_model.h"
 

@@ -7,7 +7,6 @@
 
 #include "bem/grid_compliance.h"
 #include "bem/interior_influence.h"
-#include "bem/plane_interior_influence.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 

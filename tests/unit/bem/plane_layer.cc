@@ -3,8 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/layer_influence.h"
-#include "bem/layer_kernel.h"
+#include "bem/influence.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 

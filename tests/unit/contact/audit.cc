@@ -1,10 +1,9 @@
-#include "contact/audit.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "contact/history.h"
 #include "contact/surface_audit.h"
 
 namespace tricontact::audit_test {

@@ -1,10 +1,10 @@
-#include "contact/step_integrals.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
+
+#include "contact/substrates/relaxation.h"
 
 namespace tricontact::step_integrals_test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <memory>
 
-#include "contact/solvers/combined_compliance.h"
-#include "contact/substrates/stieltjes_interpolation.h"
+#include "contact/solvers/compliance.h"
+#include "contact/substrates/partly_relaxing_substrate.h"
 #include "tests/unit/fem/layer_problems.h"
 
 namespace tricontact::condensed_compliance_test {

@@ -1,13 +1,12 @@
 // The line contact of a slice in plane strain beside the slice itself.
 
-#include "fem/contact_line.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 
 #include "fem/condensed_compliance.h"
+#include "fem/condensed_layer.h"
 #include "meshes/layer_mesh.h"
 
 namespace tricontact::contact_line_test {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "fem/distributed/mesh_part.h"
+#include "fem/distributed/stiffness.h"
 #include "tests/unit/fem/box_mesh.h"
 
 namespace tricontact::distributed_mesh_part_test {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <numeric>
 
-#include "fem/layer_problem.h"
+#include "fem/condensed_layer.h"
 #include "tests/unit/fem/box_mesh.h"
 
 namespace tricontact::element_test {

@@ -16,7 +16,6 @@
 
 #include "contact/error.h"
 #include "fem/layer_file.h"
-#include "fem/layer_folder.h"
 #include "files/partial_file.h"
 #include "tests/unit/fem/box_mesh.h"
 

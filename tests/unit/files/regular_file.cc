@@ -13,7 +13,6 @@
 #include <fstream>
 
 #include "files/digest.h"
-#include "files/line_reader.h"
 
 namespace tricontact::files::regular_file_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "mdr/back_transform.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -7,6 +5,8 @@
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "mdr/line_surface.h"
 
 namespace tricontact::back_transform_test {
 namespace {

@@ -1,11 +1,11 @@
-#include "mdr/even_load.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "mdr/line_surface.h"
 
 namespace tricontact::even_load_test {
 namespace {

@@ -14,7 +14,6 @@
 
 #include "contact/error.h"
 #include "contact/solvers/normal_solver.h"
-#include "mdr/layer_kernel.h"
 
 namespace tricontact::layer_springs_test {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <memory>
 
-#include "mdr/tabulated_profile.h"
+#include "mdr/plane_profile.h"
 
 namespace tricontact::normal_bed_test {
 namespace {

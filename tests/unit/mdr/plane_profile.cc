@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "contact/error.h"
-#include "mdr/tabulated_profile.h"
 #include "tests/unit/mdr/profiles.h"
 
 namespace tricontact::plane_profile_test {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "contact/error.h"
-#include "mdr/tabulated_profile.h"
+#include "mdr/plane_profile.h"
 
 namespace tricontact::spring_bed_test {
 namespace {

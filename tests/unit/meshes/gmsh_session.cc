@@ -1,5 +1,3 @@
-#include "meshes/gmsh_session.h"
-
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "meshes/gmsh_model.h"
 #include "tests/unit/meshes/helpers.h"
 
 namespace tricontact::meshes::gmsh_session_test {

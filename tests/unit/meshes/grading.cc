@@ -1,9 +1,9 @@
-#include "meshes/grading.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+
+#include "meshes/layer_grid.h"
 
 namespace tricontact::meshes::grading_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "contact/error.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/gmsh_model.h"
 #include "meshes/hex_mesh.h"
 #include "meshes/layer_mesh.h"
 #include "meshes/mesh_file.h"

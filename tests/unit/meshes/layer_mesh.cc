@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "meshes/hex_geometry.h"
+#include "meshes/hex_mesh.h"
 #include "tests/unit/meshes/helpers.h"
 
 namespace tricontact::meshes::layer_mesh_test {

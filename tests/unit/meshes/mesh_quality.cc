@@ -1,10 +1,8 @@
-#include "meshes/mesh_quality.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "meshes/hex_geometry.h"
+#include "meshes/hex_mesh.h"
 #include "tests/unit/meshes/helpers.h"
 
 namespace tricontact::meshes::mesh_quality_test {

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "contact/error.h"
-#include "contact/solvers/moving_frame.h"
-#include "contact/substrates/relaxing_substrate.h"
+#include "contact/substrates/relaxing_case.h"
+#include "contact/substrates/substrate.h"
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"
 #include "tests/unit/rolling/problems.h"
-#include "theory/layer/case_layers.h"
+#include "theory/layer/layer_stack.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::steady_test {
@@ -147,7 +147,7 @@ TEST(SteadyRolling, SpinOfAStripIsOfTheSecondOrder) {
 }
 
 // Its definition: 1/4 less the edge that constant tractions add to line loads
-// (contact/solvers/moving_frame.h).
+// (contact/substrates/substrate.h).
 TEST(SteadyRolling, SpinPointFollowsFromTheSymbolOfTheCells) {
     using std::numbers::pi;
     const auto log_rho = [](double q) {

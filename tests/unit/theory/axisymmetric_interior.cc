@@ -1,5 +1,3 @@
-#include "theory/axisymmetric_interior.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "contact/solvers/interior.h"
+#include "theory/half_space_interior.h"
 #include "theory/hertz.h"
 
 namespace tricontact::theory::axisymmetric_interior_test {

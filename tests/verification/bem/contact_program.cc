@@ -10,7 +10,7 @@
 #include "bem/grid_compliance.h"
 #include "bem/model.h"
 #include "contact/load_path.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/surface_model.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/layer_influence.h"
+#include "bem/influence.h"
 
 namespace tricontact::bem_elastic_ground_test {
 namespace {

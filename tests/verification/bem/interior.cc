@@ -1,6 +1,8 @@
 // Below contacts of boundary elements: Hertz, sliding spheres, line contact, and what passes
 // through a layer.
 
+#include "contact/solvers/interior.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,9 +10,8 @@
 #include <numbers>
 
 #include "bem/grid_interior.h"
-#include "contact/solvers/subsurface.h"
 #include "tests/verification/bem/rig.h"
-#include "theory/axisymmetric_interior.h"
+#include "theory/half_space_interior.h"
 
 namespace tricontact::bem::bem_interior_test {
 namespace {

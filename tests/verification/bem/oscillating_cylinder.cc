@@ -9,10 +9,9 @@
 #include <numbers>
 
 #include "bem/model.h"
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/run.h"
 #include "theory/line_contact.h"
-#include "theory/thesis_cylinder.h"
 
 namespace tricontact::bem_oscillating_cylinder_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "contact/bodies/line_contact_scales.h"
+#include "contact/bodies/half_space_scales.h"
 #include "contact/run.h"
 #include "theory/oscillating_cylinder.h"
 

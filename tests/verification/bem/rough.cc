@@ -9,10 +9,10 @@
 
 #include "bem/model.h"
 #include "bem/periodic_compliance.h"
-#include "contact/bodies/rough_indenter.h"
+#include "contact/bodies/height_map.h"
 #include "contact/bodies/roughness.h"
-#include "contact/placement.h"
 #include "contact/run.h"
+#include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 
 namespace tricontact::bem_rough_test {

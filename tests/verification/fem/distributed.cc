@@ -12,8 +12,8 @@
 #include <string>
 
 #include "fem/layer_cache.h"
+#include "fem/layer_condenser.h"
 #include "fem/model.h"
-#include "fem/workshop.h"
 #include "io/case/case_reader.h"
 
 namespace tricontact::fem_distributed_test {

@@ -12,7 +12,7 @@
 #include "bem/model.h"
 #include "contact/load_path.h"
 #include "tests/verification/fem/rig.h"
-#include "theory/layer/case_layers.h"
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::fem::fem_interior_beside_bem_test {
 namespace {

@@ -9,8 +9,8 @@
 #include "bem/model.h"
 #include "contact/run.h"
 #include "contact/solvers/normal_solver.h"
-#include "mdr/even_load.h"
 #include "mdr/layer_model.h"
+#include "mdr/line_surface.h"
 #include "mdr/model.h"
 #include "theory/layer/elastic_layer.h"
 

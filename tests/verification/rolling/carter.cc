@@ -1,7 +1,5 @@
 // A cylinder in steady rolling against Carter (1926), over three grids.
 
-#include "theory/rolling/carter.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +8,7 @@
 
 #include "rolling/steady_rolling.h"
 #include "tests/unit/rolling/problems.h"
+#include "theory/rolling/creep_law.h"
 
 namespace tricontact::rolling_carter_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bem/model.h"
-#include "contact/solvers/moving_frame.h"
+#include "contact/substrates/substrate.h"
 #include "io/case/case_reader.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"

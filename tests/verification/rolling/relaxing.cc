@@ -8,12 +8,10 @@
 #include <memory>
 #include <vector>
 
-#include "contact/substrates/relaxing_substrate.h"
+#include "contact/substrates/relaxing_case.h"
 #include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
-#include "theory/rolling/foundation_rolling.h"
-#include "theory/rolling/hunter.h"
-#include "theory/rolling/slow_rolling.h"
+#include "theory/rolling/relaxing_rolling.h"
 
 namespace tricontact::rolling_relaxing_test {
 namespace {
@@ -129,8 +127,8 @@ TEST(RollingRelaxing, TheMaterialDissipatesWhatResistanceWorks) {
     EXPECT_LT(error[1], 1e-3);
 }
 
-// Slow rolling takes W = F_N sum g_i v tau_i/R of any paraboloid (theory/rolling/slow_rolling.h);
-// what comes next is linear in the speed.
+// Slow rolling takes W = F_N sum g_i v tau_i/R of any paraboloid
+// (theory/rolling/relaxing_rolling.h); what comes next is linear in the speed.
 TEST(RollingRelaxing, SlowRollingOfASphereResistsLikeAViscousForce) {
     const Rig rig{.n = 12};
     std::vector<double> error;

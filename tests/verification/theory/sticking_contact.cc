@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bem/layer_influence.h"
+#include "bem/influence.h"
 
 namespace tricontact::theory_sticking_contact_test {
 namespace {

@@ -95,7 +95,7 @@ TEST(ExactDeviation, ThickLayersHaveTheFirstOrderSlopes) {
             };
             const double h = integral(nu, base, [](const auto& d) { return d.normal; });
             if (nu == .5 && base == LayerBase::bonded) {
-                EXPECT_NEAR(2 / pi * h, 1.12695, 1e-5);  // c1 of theory/layer/layer_series.h
+                EXPECT_NEAR(2 / pi * h, 1.12695, 1e-5);  // c1 of tests/unit/theory/layer/layer_series.cc
             }
             check(ExactQuantity::indentation, -4 / (3 * pi) * h, 3);
             check(ExactQuantity::normal_stiffness, 2 / pi * h, 2);

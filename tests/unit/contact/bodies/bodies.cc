@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "contact/bodies/ellipsoid.h"
-#include "contact/bodies/power_law.h"
+#include "contact/bodies/indenter.h"
 #include "contact/bodies/profile_curve.h"
-#include "contact/bodies/profile_transform.h"
-#include "contact/bodies/rounded_punch.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "contact/case.h"
 #include "contact/error.h"
 

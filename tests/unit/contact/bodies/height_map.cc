@@ -1,5 +1,7 @@
 // Height maps between their nodes, and as bodies.
 
+#include "contact/bodies/height_map.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <limits>
 #include <random>
 
-#include "contact/bodies/rough_indenter.h"
 #include "contact/error.h"
 
 namespace tricontact::height_map_test {

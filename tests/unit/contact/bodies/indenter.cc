@@ -7,7 +7,7 @@
 
 #include "contact/case.h"
 #include "contact/error.h"
-#include "contact/placement.h"
+#include "contact/solvers/contact_region.h"
 
 namespace tricontact::indenter_test {
 namespace {

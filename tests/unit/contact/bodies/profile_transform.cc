@@ -1,12 +1,11 @@
-#include "contact/bodies/profile_transform.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "contact/bodies/power_law.h"
+#include "contact/bodies/indenter.h"
+#include "contact/bodies/shapes_of_revolution.h"
 #include "contact/error.h"
 #include "tests/unit/mdr/profiles.h"
 

@@ -1,10 +1,9 @@
-#include "contact/bodies/roller.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "contact/bodies/cylinder.h"
 #include "contact/error.h"
 
 namespace tricontact::roller_test {

@@ -1,10 +1,10 @@
-#include "contact/solvers/contact_radius.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "contact/solvers/contact_region.h"
 
 namespace tricontact::contact_radius_test {
 namespace {

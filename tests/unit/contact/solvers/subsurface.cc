@@ -1,8 +1,8 @@
-#include "contact/solvers/subsurface.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "contact/solvers/interior.h"
 
 namespace tricontact::contact::subsurface_test {
 namespace {

@@ -1,8 +1,7 @@
-#include "contact/substrates/retardation.h"
-
 #include <gtest/gtest.h>
 
 #include "contact/error.h"
+#include "contact/substrates/relaxation.h"
 
 namespace tricontact::retardation_test {
 namespace {

@@ -1,10 +1,10 @@
-#include "contact/substrates/stieltjes_interpolation.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "contact/substrates/partly_relaxing_substrate.h"
 
 namespace tricontact::stieltjes_interpolation_test {
 namespace {

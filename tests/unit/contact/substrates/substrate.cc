@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/substrates/partly_relaxing_substrate.h"
-#include "contact/substrates/relaxing_substrate.h"
+#include "contact/substrates/relaxing_case.h"
 #include "tests/unit/contact/dense_compliance.h"
 
 namespace tricontact::substrate_test {

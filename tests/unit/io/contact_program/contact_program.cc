@@ -6,8 +6,8 @@
 #include <sstream>
 #include <string>
 
-#include "bem/case_compliance.h"
 #include "bem/grid_compliance.h"
+#include "bem/model.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"

@@ -1,9 +1,9 @@
-#include "theory/layer/interior_waves.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+
+#include "theory/layer/layer_stack.h"
 
 namespace tricontact::theory::interior_waves_test {
 namespace {

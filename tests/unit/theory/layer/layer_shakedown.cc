@@ -1,11 +1,10 @@
-#include "theory/layer/layer_shakedown.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include "tests/unit/theory/layer/layer_cases.h"
+#include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::layer_shakedown_test {

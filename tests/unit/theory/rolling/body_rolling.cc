@@ -8,7 +8,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "theory/body_pressure.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
 

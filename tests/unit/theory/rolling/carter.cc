@@ -1,10 +1,10 @@
-#include "theory/rolling/carter.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "theory/rolling/creep_law.h"
 
 namespace tricontact::theory::carter_test {
 namespace {

@@ -1,5 +1,3 @@
-#include "theory/rolling/foundation_rolling.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "theory/rolling/slow_rolling.h"
+#include "theory/rolling/relaxing_rolling.h"
 
 namespace tricontact::theory::foundation_rolling_test {
 namespace {

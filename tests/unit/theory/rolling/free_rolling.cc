@@ -1,10 +1,10 @@
-#include "theory/rolling/free_rolling.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include "theory/rolling/creep_law.h"
 
 namespace tricontact::theory::free_rolling_test {
 namespace {
@@ -30,14 +30,6 @@ TEST(FreeRolling, WithSlipEverywhereHalfOfTheLoadSlipsEitherWay) {
     const double cosine = smooth_free_creepage(.5) / .5, y = std::sqrt(1 - cosine * cosine);
     EXPECT_NEAR(y, .404, 5e-4);
     EXPECT_NEAR((std::asin(y) + y * cosine) / (std::numbers::pi / 2), .5, 1e-12);
-}
-
-// Confined, a layer of nu = 1/4 neither bulges nor draws in at its surface.
-TEST(FreeRolling, OnAThinLayerChangesItsSignAtAQuarter) {
-    EXPECT_EQ(thin_layer_smooth_creepage(.25), 0);
-    EXPECT_EQ(thin_layer_smooth_creepage(0), .5);
-    EXPECT_LT(thin_layer_smooth_creepage(.4), 0);
-    EXPECT_THROW(thin_layer_smooth_creepage(.5), std::domain_error);
 }
 
 TEST(FreeRolling, CreepsMoreWithSlip) {

@@ -1,12 +1,10 @@
-#include "theory/rolling/hunter.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "theory/rolling/slow_rolling.h"
+#include "theory/rolling/relaxing_rolling.h"
 
 namespace tricontact::theory::hunter_test {
 namespace {

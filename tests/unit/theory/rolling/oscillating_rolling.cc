@@ -106,6 +106,15 @@ TEST(OscillatingRolling, ThesisIncrements) {
     EXPECT_EQ(thesis_increment_perpendicular(.1, .8), 0);
 }
 
+/// Line load of MDR after shakedown over its largest bound mu E* d, at xi = x/a (any sign):
+/// u in the stick zone, 1 - (|xi| + w)^2 in the slip zone, zero outside.
+double mdr_shakedown_line_load(double xi, double w, double u) {
+    const auto [stick, slip] = shakedown_zones(w, u);
+    const double distance = std::abs(xi);
+    if (distance <= stick) return u;
+    return distance < slip ? (1 - w - distance) * (1 + w + distance) : 0;
+}
+
 TEST(OscillatingRolling, LineLoadAndTractionCarryTheForce) {
     for (const double w : {0., .24, .51})
         for (const double part : {.4, .9, 1.}) {

@@ -1,0 +1,102 @@
+#include "contact/solvers/contact_region.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace tricontact::contact {
+
+namespace {
+
+/// a^2 from the mean squares m1 and fourth powers m2 of the distance, negative where the pressure
+/// is not of the form. With int sqrt(1 - s) s^k ds = B(k + 1, 3/2), the two equations for a^2 and
+/// c1/c0 leave a^4 - 7 m1 a^2 + 63/8 m2 = 0.
+double radius_squared(double m1, double m2) {
+    const double discriminant = 49 * m1 * m1 - 31.5 * m2;
+    return discriminant >= 0 ? (7 * m1 - std::sqrt(discriminant)) / 2 : -1;
+}
+
+/// The same of a line contact, whose elements of x are s^(-1/2) ds/2: B(k + 1/2, 3/2) leaves
+/// a^4 - 12 m1 a^2 + 16 m2 = 0.
+double half_width_squared(double m1, double m2) {
+    const double discriminant = 36 * m1 * m1 - 16 * m2;
+    return discriminant >= 0 ? 6 * m1 - std::sqrt(discriminant) : -1;
+}
+
+}  // namespace
+
+double counted_radius(const ContactPoints& points, const std::vector<double>& pressure) {
+    double area = 0;
+    for (std::size_t i = 0; i < pressure.size(); ++i)
+        if (pressure[i] > 0) area += points.area[i];
+    return points.line_length > 0 ? area / (2 * points.line_length)
+                                  : std::sqrt(area / std::numbers::pi);
+}
+
+double contact_radius(const ContactPoints& points, const std::vector<double>& pressure,
+                      const Vector2& centre) {
+    const bool line = points.line_length > 0;
+    double force = 0, second = 0, fourth = 0;
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+        if (!(pressure[i] > 0)) continue;
+        const double x = points.x[i] - centre[0], y = points.y[i] - centre[1];
+        const double s = x * x + (line ? 0 : y * y), f = points.area[i] * pressure[i];
+        force += f;
+        second += f * s;
+        fourth += f * s * s;
+    }
+    const double counted = counted_radius(points, pressure);
+    const double m1 = second / force, m2 = fourth / force;
+    const double square = line ? half_width_squared(m1, m2) : radius_squared(m1, m2);
+    if (!(square >= 0)) return counted;
+    const double radius = std::sqrt(square);
+    return std::abs(radius / counted - 1) < 0.3 ? radius : counted;
+}
+
+std::vector<double> heights_over(const ContactPoints& points, const Indenter& indenter,
+                                 const Vector2& offset) {
+    std::vector<double> height(points.size());
+    for (std::size_t i = 0; i < height.size(); ++i)
+        height[i] = indenter.height(points.x[i] - offset[0], points.y[i] - offset[1]);
+    return height;
+}
+
+namespace {
+
+bool edge_of_grid_carries(const ContactPoints& points, const std::vector<double>& pressure) {
+    for (int j = 0; j < points.n_y; ++j)
+        for (int i = 0; i < points.n_x; ++i) {
+            const bool edge_in_y = (j == 0 && !points.mirrored) || j == points.n_y - 1;
+            const bool edge =
+                i == 0 || i == points.n_x - 1 || (edge_in_y && points.line_length == 0);
+            if (edge && pressure[static_cast<std::size_t>(j) * points.n_x + i] > 0) return true;
+        }
+    return false;
+}
+
+/// Edges of only one element bound the surface, or lie in its plane of symmetry.
+bool edge_of_elements_carries(const ContactPoints& points, const std::vector<double>& pressure) {
+    std::map<int, int> uses;  // middle node of an edge -> elements
+    for (const auto& quad : points.quads)
+        for (int k = 4; k < 8; ++k) ++uses[quad[k]];
+    for (const auto& quad : points.quads)
+        for (int k = 0; k < 4; ++k) {
+            const int middle = quad[4 + k];
+            if (uses[middle] > 1 || (points.mirrored && points.y[middle] == 0)) continue;
+            const bool along_x = points.y[quad[k]] == points.y[quad[(k + 1) % 4]];
+            if (points.line_length > 0 && along_x) continue;
+            for (const int node : {quad[k], middle, quad[(k + 1) % 4]})
+                if (pressure[node] > 0) return true;
+        }
+    return false;
+}
+
+}  // namespace
+
+bool reaches_edge(const ContactPoints& points, const std::vector<double>& pressure) {
+    if (points.periodic) return false;
+    return points.n_x > 0 ? edge_of_grid_carries(points, pressure)
+                          : edge_of_elements_carries(points, pressure);
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,303 @@
+#include "contact/solvers/staggered_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+#include "contact/solvers/fixed_point.h"
+#include "contact/special_values.h"
+
+namespace tricontact::contact {
+
+namespace {
+
+// Solutions are kept while they fit: a period comes back to the same offsets again and again.
+constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
+
+/// The phase within its period, rounded: n + 1/3 has other last bits for each n.
+long key_of_phase(double phase) {
+    constexpr long parts = 1'000'000'000;
+    return std::lround((phase - std::floor(phase)) * parts) % parts;
+}
+
+}  // namespace
+
+void PeriodStarts::keep(double phase, Start start) {
+    const std::size_t bytes = 4 * sizeof(double) * start.traction.x.size();
+    const long key = key_of_phase(phase);
+    if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
+        starts_[key] = std::move(start);
+}
+
+const PeriodStarts::Start* PeriodStarts::find(double phase) const {
+    const auto it = starts_.find(key_of_phase(phase));
+    return it == starts_.end() ? nullptr : &it->second;
+}
+
+StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
+                                 double friction_coefficient, double tolerance,
+                                 const Case::Contact& options)
+    : name_(std::move(name)),
+      substrate_(substrate),
+      friction_coefficient_(friction_coefficient),
+      tolerance_(tolerance),
+      coupling_(substrate.compliance(), indenter, options) {
+    make_solvers();
+    release();
+}
+
+void StaggeredSolver::release() {
+    const std::size_t n = points().size();
+    now_ = {};
+    starts_.clear();
+    now_.normal = std::make_shared<NormalSolution>(
+        NormalSolution{.pressure = std::vector<double>(n), .displacement = std::vector<double>(n)});
+    now_.bound.assign(n, 0);
+    now_.tangential.traction = now_.tangential.displacement = TangentialField(n);
+    now_.displacement = SurfaceField(n);
+}
+
+void StaggeredSolver::make_solvers() {
+    normal_solver_.emplace(substrate_.compliance(), 0.1 * tolerance_);
+    // Where friction lowers the surface, its errors come back in the gap, mu times those over mu p.
+    const double finer = coupling_.is_decoupled() ? 1 : std::min(1., .1 / friction_coefficient_);
+    tangential_solver_.emplace(substrate_.compliance(), finer * tolerance_);
+}
+
+Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
+    if (before.rotation == 0) return {};
+    const double ahead = spin_point * points().spacing[0];
+    return {-before.rotation * (points().y[i] - now_.offset[1]),
+            before.rotation * (points().x[i] + ahead - now_.offset[0])};
+}
+
+SurfaceField StaggeredSolver::tractions() const {
+    const auto& p = now_.normal->pressure;
+    const auto& t = now_.tangential.traction;
+    return {coupling_.surface_traction(p, t), coupling_.downward_traction(p, t)};
+}
+
+void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
+    now_.normal_iterations = now_.tangential_iterations = 0;
+    now_.offset = step.offset;
+    if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
+    if (coupling_.is_decoupled())
+        solve_uncoupled(step, before);
+    else
+        solve_coupled(step, before);
+    update_displacement();
+}
+
+/// coupling().height() in the present pose, for the effective displacements [m].
+std::vector<double> StaggeredSolver::update_height() {
+    coupling_.place({now_.offset, now_.shift, now_.displacement.in_surface});
+    coupling_.update_height(now_.normal->pressure, now_.tangential.traction);
+    std::vector<double> height = coupling_.height();
+    if (!substrate_.relaxes()) return height;
+    for (std::size_t i = 0; i < height.size(); ++i)
+        height[i] = substrate_.stiffness() * coupling_.bare_height()[i] + coupling_.lowering()[i] -
+                    substrate_.offset().down[i];
+    return height;
+}
+
+void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& before) {
+    const Key key{step.offset, step.normal.kind, step.normal.value};
+    const auto kept = normal_cache_.find(key);
+    if (kept != normal_cache_.end()) {
+        now_.normal = kept->second;
+    } else {
+        solve_normal(step.normal, update_height());
+        const std::size_t bytes = 2 * sizeof(double) * now_.bound.size();
+        // Of a relaxing substrate the same position is not the same problem.
+        if (!substrate_.relaxes() && (normal_cache_.size() + 1) * bytes <= most_kept_bytes)
+            normal_cache_[key] = now_.normal;
+    }
+    now_.tangential.shift_increment = {};
+    solve_friction(step, before);
+}
+
+/// The staggered iteration begins where the same phase ended one period ago, if there was one.
+void StaggeredSolver::recall_start(double phase) {
+    now_.tangential.shift_increment = {};
+    const PeriodStarts::Start* start = starts_.find(phase);
+    if (!start || !(start->normal->force > 0)) return;
+    now_.normal = start->normal;
+    now_.tangential.traction = start->traction;
+    now_.tangential.shift_increment = start->shift_increment;
+}
+
+void StaggeredSolver::keep_start(double phase) {
+    if (!coupling_.is_decoupled())
+        starts_.keep(phase,
+                     {now_.normal, now_.tangential.traction, now_.tangential.shift_increment});
+}
+
+void StaggeredSolver::resume(ContactSolution solution, double phase) {
+    now_ = std::move(solution);
+    keep_start(phase);
+    update_height();  // heights and slopes follow from the rest
+}
+
+/// The geometry of a displaced surface follows behind.
+void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
+    recall_start(step.phase);
+    std::vector<double> height = update_height();
+    FixedPoint iteration;
+    for (int k = 1; k <= FixedPoint::max_iterations; ++k) {
+        NormalControl control = step.normal;
+        if (control.kind == NormalControl::Kind::force)
+            control.value -= coupling_.normal_force(now_.tangential.traction);
+        solve_normal(control, height);
+        coupling_.update_displacement(now_.normal->pressure, now_.tangential.traction);
+        solve_friction(step, before);
+        update_displacement();
+
+        // What the iteration changed under the indenter is how far the pressures are from right.
+        const std::vector<double> now = update_height();
+        double change = 0;
+        for (std::size_t i = 0; i < height.size(); ++i)
+            if (now_.normal->pressure[i] > 0) change = larger(change, std::abs(now[i] - height[i]));
+        now_.gap_residual = change / (substrate_.stiffness() * now_.normal->length);
+        if (now_.gap_residual <= tolerance_) return;
+        height = iteration.next(height, now, now_.gap_residual);
+    }
+    throw NotConverged(fmt::format(
+        "{}: normal and tangential contact do not agree at phase {:.4g}: the gap still changes by "
+        "{:.2e} of the indentation after {} staggered iterations (tolerance {:.1e})",
+        name_, step.phase, now_.gap_residual, FixedPoint::max_iterations, tolerance_));
+}
+
+/// Presses against `height`, starting from the last pressures.
+void StaggeredSolver::solve_normal(NormalControl control, const std::vector<double>& height) {
+    const bool warm = now_.normal->force > 0 && control.kind == NormalControl::Kind::force;
+    if (control.kind == NormalControl::Kind::indentation) control.value *= substrate_.stiffness();
+    NormalSolution solution = normal_solver_->solve(
+        height, control, warm ? now_.normal->pressure : std::vector<double>{});
+    solution.indentation /= substrate_.stiffness();
+    solution.length /= substrate_.stiffness();
+    now_.normal = std::make_shared<const NormalSolution>(std::move(solution));
+    now_.normal_iterations += now_.normal->iterations;
+}
+
+std::array<TangentialControl, 2> StaggeredSolver::forces_and_shifts(const LoadStep& step) const {
+    std::array<TangentialControl, 2> control = step.tangential;
+    for (TangentialControl& one : control)
+        if (one.kind == TangentialControl::Kind::ratio)
+            one = {TangentialControl::Kind::force,
+                   one.value * friction_coefficient_ *
+                       (now_.normal->force + coupling_.normal_force(now_.tangential.traction))};
+    return control;
+}
+
+void StaggeredSolver::solve_friction(const LoadStep& step, const StepStart& before) {
+    if (step.friction)
+        solve_tangential(step, before);
+    else
+        slide_freely(step);
+}
+
+void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& before) {
+    double contact_area = 0;
+    for (std::size_t i = 0; i < now_.bound.size(); ++i) {
+        now_.bound[i] = friction_coefficient_ * now_.normal->pressure[i];
+        if (now_.bound[i] > 0) contact_area += points().area[i];
+    }
+    std::array<TangentialControl, 2> control = forces_and_shifts(step);
+    const Vector2 by_pressure = coupling_.tangential_force(now_.normal->pressure);
+    const double stiffness = substrate_.stiffness();
+    for (int d = 0; d < 2; ++d)
+        control[d].value = control[d].kind == TangentialControl::Kind::shift
+                               ? stiffness * (control[d].value - before.shift[d])
+                               : control[d].value - by_pressure[d];
+    // Both halves of a mirrored contact push against each other: nothing moves it across.
+    if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
+
+    const TangentialField relative = displaced_before(before);
+    if (now_.shift_factor == 0) find_shift_factor();
+    const double contact_compliance =
+        now_.shift_factor * stiffness * now_.normal->length * contact_area / now_.normal->force;
+    for (double& increment : now_.tangential.shift_increment) increment *= stiffness;
+    tangential_solver_->solve({now_.bound, relative, control, contact_compliance}, now_.tangential);
+    now_.tangential_iterations += now_.tangential.iterations;
+    for (int d = 0; d < 2; ++d) {
+        now_.tangential.shift_increment[d] /= stiffness;
+        now_.shift[d] = before.shift[d] + now_.tangential.shift_increment[d];
+    }
+}
+
+/// In the surface before the step, relative to what all but the tangential tractions displace now.
+TangentialField StaggeredSolver::displaced_before(const StepStart& before) const {
+    TangentialField relative = before.displacement.in_surface;
+    const TangentialField& other = coupling_.displacement();
+    const double stiffness = substrate_.stiffness();
+    for (std::size_t i = 0; i < relative.size(); ++i) {
+        if (substrate_.relaxes()) {
+            relative.x[i] = stiffness * relative.x[i] + substrate_.offset().in_surface.x[i];
+            relative.y[i] = stiffness * relative.y[i] + substrate_.offset().in_surface.y[i];
+        }
+        const Vector2 by_rotation = rotated(before, i);
+        relative.x[i] += stiffness * by_rotation[0] - other.x[i];
+        relative.y[i] += stiffness * by_rotation[1] - other.y[i];
+    }
+    return relative;
+}
+
+/// Tangential displacements are about mu d under the tractions of sliding, and compared with that:
+/// on a half-space their mean is below that at the centre, mu d E*/G*, and E*/G* = (2 - nu)/(2 (1 -
+/// nu)) at most 3/2. A thin incompressible layer is softer along than that, and one that glides on
+/// its ground is like a membrane, a thousand times as soft: there mu d would ask for more than the
+/// solver's tolerance of the tractions gives.
+void StaggeredSolver::find_shift_factor() {
+    constexpr double of_half_spaces = 1.5;
+    const auto& bound = now_.bound;
+    TangentialField sliding(bound.size()), displacement(bound.size());
+    sliding.x = bound;
+    substrate_.compliance().tangential(sliding, displacement);
+    double work = 0, force = 0;
+    for (std::size_t i = 0; i < bound.size(); ++i) {
+        work += points().area[i] * bound[i] * displacement.x[i];
+        force += points().area[i] * bound[i];
+    }
+    const double mean = work / force;
+    const double across = friction_coefficient_ * substrate_.stiffness() * now_.normal->length;
+    now_.shift_factor = mean > of_half_spaces * across ? mean / across : 1;
+}
+
+/// Without friction no tangential traction is left, and only a prescribed shift moves the indenter.
+void StaggeredSolver::slide_freely(const LoadStep& step) {
+    const std::size_t n = now_.bound.size();
+    const Vector2 before = now_.shift;
+    now_.tangential = {};
+    now_.tangential.traction = now_.tangential.displacement = TangentialField(n);
+    now_.bound.assign(n, 0);
+    for (int d = 0; d < 2; ++d) {
+        if (step.tangential[d].kind == TangentialControl::Kind::shift)
+            now_.shift[d] = step.tangential[d].value;
+        now_.tangential.shift_increment[d] = now_.shift[d] - before[d];
+    }
+}
+
+/// The displacements by all tractions of the present solution.
+void StaggeredSolver::update_displacement() {
+    now_.displacement = {now_.tangential.displacement, now_.normal->displacement};
+    auto& [in_surface, down] = now_.displacement;
+    if (!coupling_.is_decoupled()) {
+        const TangentialField& other = coupling_.displacement();
+        for (std::size_t i = 0; i < down.size(); ++i) {
+            in_surface.x[i] += other.x[i];
+            in_surface.y[i] += other.y[i];
+            down[i] += coupling_.lowering()[i];
+        }
+    }
+    if (!substrate_.relaxes()) return;
+    for (int d = 0; d < 3; ++d) {
+        auto& u = *components(now_.displacement)[d];
+        const auto& offset = *components(substrate_.offset())[d];
+        for (std::size_t i = 0; i < u.size(); ++i)
+            u[i] = (u[i] - offset[i]) / substrate_.stiffness();
+    }
+}
+
+}  // namespace tricontact::contact

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "contact/solvers/coupling.h"
+#include "contact/solvers/normal_solver.h"
+#include "contact/solvers/tangential_solver.h"
+#include "contact/substrates/substrate.h"
+
+namespace tricontact::contact {
+
+/// The state of the surface that a step starts from.
+struct StepStart {
+    SurfaceField traction, displacement;  ///< [Pa], [m]
+    Vector2 shift;                        ///< U [m]
+    double rotation = 0;                  ///< of the indenter in the step [rad]
+    bool advected = false;                ///< by one cell, see advect()
+};
+
+/// Normal and tangential contact at the end of a step.
+struct ContactSolution {
+    Vector2 offset{};  ///< of the indenter [m]
+    Vector2 shift{};   ///< U [m]
+    std::shared_ptr<const NormalSolution> normal;
+    std::vector<double> bound;  ///< mu p [Pa]
+    TangentialSolution tangential;
+    SurfaceField displacement;  ///< by all tractions [m]
+    double gap_residual = 0;    ///< of coupled contact, over the length of `normal` [-]
+    double shift_factor = 0;    ///< slips are compared with it times mu d; 0: not known yet
+    int normal_iterations = 0, tangential_iterations = 0;
+};
+
+/// The last solution at each phase of the period. A contact that rolls to and fro comes back to
+/// nearly the same pressures and tractions one period later: the best start for an iteration that
+/// is to find them. Starts change no result by more than the solvers' tolerance.
+class PeriodStarts {
+  public:
+    struct Start {
+        std::shared_ptr<const NormalSolution> normal;
+        TangentialField traction;   ///< [Pa]
+        Vector2 shift_increment{};  ///< [m]
+    };
+
+    /// `phase`: of the step, in periods; all that comes before rolling has phase 0.
+    void keep(double phase, Start start);
+    /// Null where there was no step.
+    const Start* find(double phase) const;
+    void clear() { starts_.clear(); }
+
+  private:
+    std::map<long, Start> starts_;
+};
+
+/// Normal and tangential contact with Coulomb friction in one step. Uncoupled, one after the other;
+/// coupled by a staggered iteration (Panagiotopoulos 1975), Anderson-accelerated (see FixedPoint),
+/// until what the friction does to the gap no longer changes. A relaxing substrate is stepped as an
+/// elastic one whose displacements are the effective ones, stiffness u + offset: heights, shifts
+/// and what was displaced before enter the solvers in that measure.
+class StaggeredSolver {
+  public:
+    /// `name`: for messages. `tolerance` [-]: of the tangential solver and of the staggered
+    /// iteration, over mu d and d; the normal solver gets a tenth of it.
+    StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
+                    double friction_coefficient, double tolerance, const Case::Contact& options);
+
+    const ContactSolution& now() const { return now_; }
+    const Coupling& coupling() const { return coupling_; }
+    SurfaceField tractions() const;  ///< of the present solution, in all [Pa]
+
+    /// Forgets all steps; normal solutions of positions stay.
+    void release();
+    /// Begins the step of the substrate and solves. Throws NotConverged.
+    void solve(const LoadStep& step, const StepStart& before);
+    /// Keeps the solution as the start of the same phase in the next period.
+    void keep_start(double phase);
+    /// Goes on from this solution of a step at `phase`.
+    void resume(ContactSolution solution, double phase);
+    /// What is prescribed of a step, ratios as the forces that they are at the present F_N.
+    std::array<TangentialControl, 2> forces_and_shifts(const LoadStep& step) const;
+    /// Shift of the indenter at a point by its rotation in the step [m].
+    Vector2 rotated(const StepStart& before, std::size_t i) const;
+
+  private:
+    using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
+
+    const ContactPoints& points() const { return substrate_.compliance().points(); }
+    void make_solvers();
+    std::vector<double> update_height();
+    void recall_start(double phase);
+    void solve_uncoupled(const LoadStep& step, const StepStart& before);
+    void solve_coupled(const LoadStep& step, const StepStart& before);
+    void solve_normal(NormalControl control, const std::vector<double>& height);
+    void solve_friction(const LoadStep& step, const StepStart& before);
+    void solve_tangential(const LoadStep& step, const StepStart& before);
+    void slide_freely(const LoadStep& step);
+    TangentialField displaced_before(const StepStart& before) const;
+    void find_shift_factor();
+    void update_displacement();
+
+    std::string name_;
+    Substrate& substrate_;
+    double friction_coefficient_, tolerance_;
+    Coupling coupling_;
+    // They keep factors of the compliance.
+    std::optional<NormalSolver> normal_solver_;
+    std::optional<TangentialSolver> tangential_solver_;
+    ContactSolution now_;
+    std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
+    PeriodStarts starts_;  // of coupled contact
+};
+
+}  // namespace tricontact::contact
