@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 
 #include "comparisons/quantities/reference.h"

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "contact/case.h"
 #include "rolling/rolling_report.h"

@@ -43,6 +43,12 @@ py::object to_pandas(const py::object& self) {
     return py::module_::import("pandas").attr("DataFrame")(columns);
 }
 
+auto per_period(std::vector<double> History::*values) {
+    return [values](const py::object& self) {
+        return view(self.cast<const History&>().*values, self);
+    };
+}
+
 py::dict audit_of(const History& history) {
     py::dict checks;
     for (const auto& check : history.audit.checks())
@@ -90,18 +96,11 @@ void add_history(py::module_& module) {
         .def_readonly("static_shift", &History::static_shift, "U before rolling [m]")
         .def_readonly("limit_tangential_ratio", &History::limit_tangential_ratio,
                       "Largest F_T/(mu F_N) that shakes down, from the pressures.")
-        .def_property_readonly(
-            "shift_per_period",
-            [](const py::object& self) {
-                return view(self.cast<const History&>().shift_per_period, self);
-            },
-            "U after each period, the roller upright [m]")
-        .def_property_readonly(
-            "dissipation_per_period",
-            [](const py::object& self) {
-                return view(self.cast<const History&>().dissipation_per_period, self);
-            },
-            "Frictional work in each period [J]")
+        .def_property_readonly("shift_per_period", per_period(&History::shift_per_period),
+                               "U after each period, the roller upright [m]")
+        .def_property_readonly("dissipation_per_period",
+                               per_period(&History::dissipation_per_period),
+                               "Frictional work in each period [J]")
         .def_property_readonly(
             "snapshots",
             [](const py::object& self) {

@@ -1,8 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <chrono>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>

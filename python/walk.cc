@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include "app/studies/sweep.h"
-#include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <numbers>
 
 #include "app/commands/command.h"
 #include "app/models.h"

@@ -1,7 +1,6 @@
 #include <iostream>
 
 #include "app/commands/command.h"
-#include "app/models.h"
 #include "app/verification/verification_rows.h"
 #include "files/version.h"
 

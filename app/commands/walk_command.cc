@@ -5,7 +5,6 @@
 
 #include "app/commands/command.h"
 #include "files/version.h"
-#include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_animation.h"

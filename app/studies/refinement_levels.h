@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/models.h"
 #include "contact/case.h"
 
 namespace tricontact::app {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "app/roll_models.h"
 #include "app/verification/verification_rows.h"

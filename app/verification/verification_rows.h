@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "app/models.h"
 #include "comparisons/resolution/verification.h"
 #include "contact/case.h"
 #include "contact/history.h"

@@ -41,9 +41,10 @@ TOML
 for model in bem bem-layer; do
     "$program" influence case.toml --model "$model" --output "$model.txt" >"$model.told"
     grep -q "^written  *$model.txt$" "$model.told" || complain "$model: says $(cat "$model.told")"
-    "$program" run case.toml --models "$model" --output "own_$model" --quiet --no-report
+    "$program" run case.toml --models "$model" --output "own_$model" --quiet --no-report \
+        --no-studies
     "$program" run case.toml --models "$model" --output "file_$model" --quiet --no-report \
-        --set "bem.influence=$model.txt"
+        --no-studies --set "bem.influence=$model.txt"
     diff -r "own_$model/$model" "file_$model/$model" >differences ||
         complain "$model: $(head -3 differences)"
     "$program" influence case.toml --model "$model" --output again.txt --threads 2 \
@@ -52,7 +53,7 @@ for model in bem bem-layer; do
     # The resolved case names the file in full and runs anywhere.
     (mkdir -p elsewhere && cd elsewhere &&
         "$program" run "../file_$model/case.toml" --output "$work/resolved_$model" --quiet \
-            --no-report)
+            --no-report --no-studies)
     diff -r "own_$model/$model" "resolved_$model/$model" >differences ||
         complain "$model, resolved: $(head -3 differences)"
 done

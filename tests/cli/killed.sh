@@ -52,10 +52,10 @@ kill_when() {
 }
 
 # 1. While the first model writes.
-kill_when mdr/surface_000123.vtp
+kill_when mdr/surface_000040.vtp
 
 # 2. While the second one writes: the first has all its files.
-kill_when bem/surface_000005.vti 40
+kill_when bem/surface_000005.vti 8
 whole_csv killed/mdr/history.csv
 n=$(find killed/mdr -name '*.vtp' | wc -l)
 steps=$(($(wc -l <killed/mdr/history.csv) - 1))
