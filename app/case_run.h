@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models.h"
 #include "app/options.h"
 #include "comparisons/run/loading_study.h"
 #include "comparisons/run/report.h"

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "contact/case.h"
 #include "rolling/rolling_report.h"

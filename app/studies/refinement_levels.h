@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models.h"
 #include "contact/case.h"
 
 namespace tricontact::app {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/models.h"
 #include "comparisons/resolution/verification.h"
 #include "contact/case.h"
 #include "contact/history.h"
