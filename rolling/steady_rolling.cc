@@ -41,13 +41,13 @@ class Turns {
 
     void run() {
         std::vector<double> height = coupling_.bare_height();
-        contact::FixedPoint turns;
-        for (int turn = 1; turn <= contact::FixedPoint::max_iterations; ++turn) {
+        contact::FixedPoint accelerated;
+        for (int n = 1; n <= contact::FixedPoint::max_iterations; ++n) {
             solve_normal(height);
             solve_tangential();
             if (coupling_.is_decoupled()) return;
             coupling_.update_height(normal_.pressure, steady_.traction);
-            // What the turn changed under the indenter is how far the pressures are from right.
+            // What an iteration changed under the indenter is how far the pressures are off.
             const std::vector<double> now = coupling_.height();
             double change = 0;
             for (std::size_t i = 0; i < now.size(); ++i)
@@ -55,7 +55,7 @@ class Turns {
                     change = contact::larger(change, std::abs(now[i] - height[i]));
             gap_residual_ = change / normal_.length;
             if (gap_residual_ <= problem_.tolerance) return;
-            height = turns.next(height, now, gap_residual_);
+            height = accelerated.next(height, now, gap_residual_);
         }
         throw contact::NotConverged(fmt::format(
             "steady rolling: normal and tangential contact do not agree: the gap still changes by "

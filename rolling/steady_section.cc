@@ -83,7 +83,7 @@ report::DocumentTable model_table(const RollingReport& report) {
         .title = "Rolling resistance",
         .note =
             "The pressure leans forward and resists, W per rolled way; the lead is its moment "
-            "about the body's lowest point over F_N, contact::undefined of springs, which have no "
+            "about the body's lowest point over F_N, undefined for springs, which have no "
             "pressure. The material dissipates what resistance and friction's traction work "
             "on it.",
         .columns = {{"model"},

@@ -13,7 +13,7 @@
 #include "files/version.h"
 #include "io/results/atomic_file.h"
 #include "walking/input/walk_reader.h"
-#include "walking/kernels/lane.h"
+#include "walking/kernels/batch.h"
 #include "walking/report/map_page.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/run/walk.h"

@@ -1,17 +1,79 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
 #include <span>
+#include <thread>
 #include <vector>
 
 #include "walking/kernels/kernel.h"
-#include "walking/kernels/lane.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/motion.h"
 #include "walking/machine/stretch_recorder.h"
 
 namespace tricontact::walking {
+
+/// work(i) for i below n, by so many threads. The first exception is thrown again.
+template <class Work>
+void in_parallel(std::size_t n, int n_threads, const Work& work) {
+    std::atomic<std::size_t> next = 0;
+    std::atomic_flag failed;
+    std::exception_ptr failure;
+    const auto run = [&] {
+        try {
+            for (std::size_t i = next++; i < n; i = next++) work(i);
+        } catch (...) {
+            if (!failed.test_and_set()) failure = std::current_exception();
+            next = n;
+        }
+    };
+    std::vector<std::jthread> threads;
+    const auto n_workers = std::min(n, static_cast<std::size_t>(std::max(1, n_threads)));
+    for (std::size_t i = 1; i < n_workers; ++i) threads.emplace_back(run);
+    run();
+    threads.clear();  // joins
+    if (failure) std::rethrow_exception(failure);
+}
+
+/// Whether kernels know the machine's model, mechanisms and loads; see Batch.
+bool fits_lane(const Machine& machine);
+
+/// One machine of a batch in the numbers of the kernels, and back.
+class Lane {
+  public:
+    /// Throws std::invalid_argument for what kernels do not know; see Batch.
+    Lane(const Machine& machine, const Motion& start, double step);
+
+    const Machine& machine() const { return machine_; }
+    std::int64_t n_steps() const { return n_steps_; }
+
+    /// Constants and state, as the kernels want them.
+    double field(walking::kernels::Field field) const { return fields_[field]; }
+    /// The state after so many steps more.
+    void set_state(const std::array<double, walking::kernels::n_state>& state,
+                   std::int64_t n_steps);
+
+    Motion motion() const;
+    /// Of the sums over a call of so many steps.
+    StretchSums sums(const std::array<double, walking::kernels::n_sums>& sums, std::int64_t n_steps,
+                     bool everything) const;
+
+  private:
+    void set_constants();
+    void set_start(const Motion& start);
+    double bound_per_height() const;  // c_n
+
+    Machine machine_;
+    double step_;
+    double start_time_, start_base_;
+    std::int64_t n_steps_ = 0;
+    std::array<double, kernels::end_of_state> fields_{};
+};
 
 struct BatchOptions {
     Kernel kernel = best_kernel();

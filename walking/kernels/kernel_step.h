@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "walking/kernels/kernel_fields.h"
+#include "walking/kernels/kernel.h"
 
 // The step of a batch, once for all instruction sets. A unit that is compiled for one of them
 // brings its type Pack of that many numbers in a namespace without name, so that the linker cannot

@@ -1,10 +1,9 @@
-#include "walking/kernels/lane.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "walking/kernels/batch.h"
 #include "walking/machine/motion.h"
 
 namespace tricontact::walking {

@@ -24,22 +24,4 @@ Kappas kappas_of(const DimensionalMachine& machine) {
             .kappa8 = h / a};
 }
 
-DimensionalMachine with_dimensions(const Kappas& kappas, double mass, double half_width,
-                                   double gravity) {
-    const auto& [kappa1, kappa2, kappa3, kappa4, mu, kappa6, kappa7, kappa8] = kappas;
-    const double k_x = mass * gravity / (kappa4 * half_width);
-    const double a = kappa3 * half_width;
-    return {.mass = mass,
-            .half_height = a,
-            .half_width = half_width,
-            .moment_of_inertia = kappa7 * mass * half_width * half_width,
-            .spring_stiffness = kappa1 * k_x,
-            .normal_stiffness = kappa2 * k_x,
-            .tangential_stiffness = k_x,
-            .friction_coefficient = mu,
-            .base_velocity = kappa6 * half_width / std::sqrt(mass / k_x),
-            .lever_arm = kappa8 * a,
-            .gravity = gravity};
-}
-
 }  // namespace tricontact::walking

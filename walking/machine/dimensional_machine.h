@@ -48,9 +48,4 @@ double force_unit(const DimensionalMachine& machine);
 /// Dimensionless parameters of a machine: Wetter (2016), table 4.1.1.
 Kappas kappas_of(const DimensionalMachine& machine);
 
-/// The machine of these parameters that has this mass [kg], half width [m] and gravity [m/s^2]:
-/// the other way round.
-DimensionalMachine with_dimensions(const Kappas& kappas, double mass, double half_width,
-                                   double gravity = 9.81);
-
 }  // namespace tricontact::walking

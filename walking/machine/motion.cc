@@ -1,5 +1,6 @@
 #include "walking/machine/motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -41,6 +42,42 @@ Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
     }
     return {x, machine.mechanisms.vertical ? z : 0,
             machine.mechanisms.rotation ? moment / kappa7 : 0};
+}
+
+Motion between(const Motion& a, const Motion& b, double share) {
+    const auto mix = [share](double from, double to) { return from + share * (to - from); };
+    Motion motion{.time = mix(a.time, b.time),
+                  .base = mix(a.base, b.base),
+                  .x = mix(a.x, b.x),
+                  .z = mix(a.z, b.z),
+                  .phi = mix(a.phi, b.phi),
+                  .x_velocity = mix(a.x_velocity, b.x_velocity),
+                  .z_velocity = mix(a.z_velocity, b.z_velocity),
+                  .phi_velocity = mix(a.phi_velocity, b.phi_velocity)};
+    for (std::size_t i = 0; i < a.spots.size(); ++i)
+        motion.spots.push_back({mix(a.spots[i].normal, b.spots[i].normal),
+                                mix(a.spots[i].tangential, b.spots[i].tangential),
+                                mix(a.spots[i].flank, b.spots[i].flank)});
+    return motion;
+}
+
+double normal_deflection(const Machine& machine, const Spot& spring, const Motion& motion) {
+    const double slope = machine.model == Machine::Model::prism ? 1 / sqrt2 : 1;
+    return std::max(0., slope * approach(spring, motion.z, motion.phi / machine.kappas.kappa3));
+}
+
+Motion motion_at_start(const Machine& machine, const Start& start) {
+    const double rest = static_displacement(machine), speed = machine.kappas.kappa6;
+    Motion motion{.base = start.base * rest,
+                  .x = start.x * rest,
+                  .z = start.z * rest,
+                  .phi = start.phi * rest,
+                  .x_velocity = start.x_velocity * speed,
+                  .z_velocity = start.z_velocity * speed,
+                  .phi_velocity = start.phi_velocity * speed};
+    for (const Spot& spring : springs_of(machine))
+        motion.spots.push_back({.normal = normal_deflection(machine, spring, motion)});
+    return motion;
 }
 
 }  // namespace tricontact::walking

@@ -60,4 +60,22 @@ SpotForce spot_force(const Machine& machine, const Spot& spot, const SpotDeflect
 Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
                           const Motion& motion);
 
+/// On the line from a to b, `share` of the way.
+Motion between(const Motion& a, const Motion& b, double share);
+
+/// n of a spring where the body now is: normal to the ground, or to a flank of the prism.
+double normal_deflection(const Machine& machine, const Spot& spring, const Motion& motion);
+
+/// Where a run begins. Displacements in units of the static displacement, velocities in units of
+/// that of the base (kappa6); the springs of the spots have no tangential deflection.
+struct Start {
+    double x = 0, z = 1, phi = 0, base = 0;
+    double x_velocity = 0, z_velocity = 0, phi_velocity = 0;
+
+    bool operator==(const Start&) const = default;
+};
+
+/// Motion at the start; by default at rest on the ground: Wetter (2016), eq. 4.1.21.
+Motion motion_at_start(const Machine& machine, const Start& start = {});
+
 }  // namespace tricontact::walking

@@ -10,15 +10,6 @@
 
 namespace tricontact::walking {
 
-/// Where a run begins. Displacements in units of the static displacement, velocities in units of
-/// that of the base (kappa6); the springs of the spots have no tangential deflection.
-struct Start {
-    double x = 0, z = 1, phi = 0, base = 0;
-    double x_velocity = 0, z_velocity = 0, phi_velocity = 0;
-
-    bool operator==(const Start&) const = default;
-};
-
 /// What a case of the micro-walking machine says. Times in units of sqrt(m/k_x).
 struct WalkCase {
     struct Time {
@@ -51,8 +42,5 @@ struct WalkCase {
     Input input;
     Output output;
 };
-
-/// Motion at the start; by default at rest on the ground: Wetter (2016), eq. 4.1.21.
-Motion motion_at_start(const Machine& machine, const Start& start = {});
 
 }  // namespace tricontact::walking

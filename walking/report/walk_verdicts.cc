@@ -206,7 +206,7 @@ std::optional<report::Verdict> walking(const WalkReport& report) {
     return report::Verdict{Standing::finding, text + correlations + "."};
 }
 
-/// Chaos is what two nearby motions lose each other in.
+/// Chaos: nearby trajectories diverge.
 std::optional<report::Verdict> predictable(const WalkResult& result) {
     if (!result.lyapunov) return std::nullopt;
     const auto& [rate, error] = *result.lyapunov;
@@ -214,12 +214,12 @@ std::optional<report::Verdict> predictable(const WalkResult& result) {
     std::string text =
         fmt::format("Largest Lyapunov exponent {} √(k_x/m): ", report::with_error(rate, error));
     if (rate > error)
-        text += fmt::format("nearby motions part tenfold in {}, chaos.",
+        text += fmt::format("nearby trajectories diverge tenfold in {}, chaos.",
                             report::significant(std::numbers::ln10 / rate, 2));
     else if (rate < -error)
-        text += "nearby motions meet.";
+        text += "nearby trajectories converge.";
     else
-        text += "nearby motions neither part nor meet.";
+        text += "nearby trajectories neither diverge nor converge.";
     return report::Verdict{Standing::finding, text};
 }
 

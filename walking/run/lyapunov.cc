@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "walking/machine/velocity_verlet.h"
@@ -29,8 +28,7 @@ double distance(const Motion& a, const Motion& b) {
 void admit(const Machine& machine, const Spot& spot, const Motion& motion,
            SpotDeflection& deflection) {
     const Kappas& k = machine.kappas;
-    const double slope = machine.model == Machine::Model::prism ? 1 / std::numbers::sqrt2 : 1;
-    deflection.normal = std::max(0., slope * approach(spot, motion.z, motion.phi / k.kappa3));
+    deflection.normal = normal_deflection(machine, spot, motion);
     if (!machine.mechanisms.coupling) return;  // constant bounds: the next step sees to them
     const double bound = k.kappa5 * k.kappa2 * deflection.normal;
     const double length = std::hypot(deflection.tangential, deflection.flank);
@@ -42,21 +40,11 @@ void admit(const Machine& machine, const Spot& spot, const Motion& motion,
 // On the line from `motion` to `neighbour`, `ratio` times as far away as that.
 Motion moved_to(const Machine& machine, const Motion& motion, const Motion& neighbour,
                 double ratio) {
-    const auto between = [ratio](double a, double b) { return a + ratio * (b - a); };
-    Motion there = motion;
-    there.x = between(motion.x, neighbour.x);
-    there.z = between(motion.z, neighbour.z);
-    there.phi = between(motion.phi, neighbour.phi);
-    there.x_velocity = between(motion.x_velocity, neighbour.x_velocity);
-    there.z_velocity = between(motion.z_velocity, neighbour.z_velocity);
-    there.phi_velocity = between(motion.phi_velocity, neighbour.phi_velocity);
+    Motion there = between(motion, neighbour, ratio);
+    there.time = motion.time, there.base = motion.base;
     const std::vector<Spot> springs = springs_of(machine);
-    for (std::size_t i = 0; i < springs.size(); ++i) {
-        SpotDeflection& spot = there.spots[i];
-        spot.tangential = between(spot.tangential, neighbour.spots[i].tangential);
-        spot.flank = between(spot.flank, neighbour.spots[i].flank);
-        admit(machine, springs[i], there, spot);
-    }
+    for (std::size_t i = 0; i < springs.size(); ++i)
+        admit(machine, springs[i], there, there.spots[i]);
     return there;
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "walking/kernels/in_parallel.h"
+#include "walking/kernels/batch.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/limit_cycle.h"
 #include "walking/run/lyapunov.h"

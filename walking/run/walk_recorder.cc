@@ -21,23 +21,6 @@ void take_snapshot(const SpotView& run, Snapshot& snapshot) {
         snapshot.spots[i] = state_of(run.motion().spots[i], run.steps()[i]);
 }
 
-Motion between(const Motion& a, const Motion& b, double share) {
-    const auto mix = [share](double from, double to) { return from + share * (to - from); };
-    Motion motion{.time = mix(a.time, b.time),
-                  .base = mix(a.base, b.base),
-                  .x = mix(a.x, b.x),
-                  .z = mix(a.z, b.z),
-                  .phi = mix(a.phi, b.phi),
-                  .x_velocity = mix(a.x_velocity, b.x_velocity),
-                  .z_velocity = mix(a.z_velocity, b.z_velocity),
-                  .phi_velocity = mix(a.phi_velocity, b.phi_velocity)};
-    for (std::size_t i = 0; i < a.spots.size(); ++i)
-        motion.spots.push_back({mix(a.spots[i].normal, b.spots[i].normal),
-                                mix(a.spots[i].tangential, b.spots[i].tangential),
-                                mix(a.spots[i].flank, b.spots[i].flank)});
-    return motion;
-}
-
 Motion seen(SpotView& view, const Motion& start) {
     const std::vector<SpotStep> no_steps(start.spots.size());
     view.look_at(start, no_steps);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "walking/machine/dimensional_machine.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/walk_case.h"
 
@@ -21,6 +24,26 @@ inline WalkCase case_of(const Kappas& kappas, double end) {
     walk_case.machine.kappas = kappas;
     walk_case.time.end = end;
     return walk_case;
+}
+
+/// The machine of these parameters that has this mass [kg], half width [m] and gravity [m/s^2]:
+/// kappas_of the other way round.
+inline DimensionalMachine with_dimensions(const Kappas& kappas, double mass, double half_width,
+                                          double gravity = 9.81) {
+    const auto& [kappa1, kappa2, kappa3, kappa4, mu, kappa6, kappa7, kappa8] = kappas;
+    const double k_x = mass * gravity / (kappa4 * half_width);
+    const double a = kappa3 * half_width;
+    return {.mass = mass,
+            .half_height = a,
+            .half_width = half_width,
+            .moment_of_inertia = kappa7 * mass * half_width * half_width,
+            .spring_stiffness = kappa1 * k_x,
+            .normal_stiffness = kappa2 * k_x,
+            .tangential_stiffness = k_x,
+            .friction_coefficient = mu,
+            .base_velocity = kappa6 * half_width / std::sqrt(mass / k_x),
+            .lever_arm = kappa8 * a,
+            .gravity = gravity};
 }
 
 }  // namespace tricontact::walking

@@ -48,7 +48,7 @@ TEST(WalkDocument, TellsWhatALimitCycleIs) {
     EXPECT_TRUE(contains(document.verdicts[0].sentence, "95.6 % less friction"));
     EXPECT_TRUE(contains(document.verdicts[1].sentence, "jumps 0.4289 static"));
     EXPECT_TRUE(contains(document.verdicts[2].sentence, "r_1 = −0.759, r_2 = −0.727"));
-    EXPECT_TRUE(contains(document.verdicts[3].sentence, "neither part nor meet"));
+    EXPECT_TRUE(contains(document.verdicts[3].sentence, "neither diverge nor converge"));
     EXPECT_TRUE(contains(document.verdicts[4].sentence, "0.2329"));
     EXPECT_EQ(document.verdicts[5].standing, Standing::holds);
     EXPECT_NO_THROW(report::document_html(document));

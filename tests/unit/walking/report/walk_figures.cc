@@ -244,7 +244,8 @@ TEST(WalkFigures, NearbyMotionsPartTenfoldAtTheirExponent) {
     std::string text;
     for (const report::Verdict& verdict : walk_verdicts(report, {}))
         text += verdict.sentence + '\n';
-    EXPECT_NE(text.find("nearby motions part tenfold in 23, chaos"), std::string::npos) << text;
+    EXPECT_NE(text.find("nearby trajectories diverge tenfold in 23, chaos"), std::string::npos)
+        << text;
 }
 
 // Half of 400 independent places are unstable: 50 % with the error of a binomial, 4.9 %. One series
