@@ -12,7 +12,7 @@ namespace {
 // Chaos comes near its past now and then, but does not stay: with a Lyapunov exponent of 0.2 two
 // returns a tolerance apart are a hundred times as far six returns later. 48 returns hold three
 // periods of the longest cycle looked for.
-constexpr std::size_t judged = 48, longest = 16, fewest_returns = 12;
+constexpr std::size_t returns_looked_at = 48, longest = 16, fewest_returns = 12;
 
 StretchSums total(std::span<const SectionReturn> returns) {
     StretchSums sums;
@@ -102,7 +102,7 @@ LimitCycle mean_cycle(const Machine& machine, std::span<const SectionReturn> ret
 
 std::optional<LimitCycle> find_limit_cycle(const Machine& machine,
                                            std::span<const SectionReturn> returns, double step) {
-    const auto end = returns.last(std::min(returns.size(), judged));
+    const auto end = returns.last(std::min(returns.size(), returns_looked_at));
     if (end.size() < fewest_returns) return std::nullopt;
     const StretchSums sums = total(end);
     const double size = std::sqrt(2 * sums.kinetic_energy / static_cast<double>(sums.steps));
