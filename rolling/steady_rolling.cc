@@ -24,9 +24,9 @@ namespace {
 
 using contact::TangentialField;
 
-class Turns {
+class StaggeredIteration {
   public:
-    Turns(const contact::Compliance& compliance, const RollingProblem& problem)
+    StaggeredIteration(const contact::Compliance& compliance, const RollingProblem& problem)
         : compliance_(compliance),
           points_(compliance.points()),
           problem_(problem),
@@ -192,12 +192,12 @@ class Turns {
 
 SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem) {
     contact::check_rolls_on("steady rolling", compliance.points());
-    Turns turns(compliance, problem);
-    turns.run();
+    StaggeredIteration iteration(compliance, problem);
+    iteration.run();
     SteadyRolling result;
-    result.surface = turns.surface();
-    result.state = turns.state(result.surface);
-    result.audit = turns.audit(result);
+    result.surface = iteration.surface();
+    result.state = iteration.state(result.surface);
+    result.audit = iteration.audit(result);
     return result;
 }
 
