@@ -12,9 +12,7 @@ namespace tricontact::report {
 std::string chart_label(const std::string& text);
 
 /// What document.js draws: {"colours": [...], "figures": [...]} with the figures' own data, NaN as
-/// null. Curves carry the number of their style (colour and marker), null for the grey of theory:
-/// their own, else that of an earlier curve of the same name, else the next that no curve uses.
-/// Bands have their own, else that of the curve of their name.
+/// null, and the numbers of their styles (see FigureStyles), null for grey.
 nlohmann::ordered_json chart_json(const std::vector<Figure>& figures);
 
 }  // namespace tricontact::report

@@ -17,7 +17,12 @@ function screen() {
 // `automargin`: an axis makes room across itself only. Along it the last number and the legend would
 // ask for room in turns.
 function axis(content, theme, automargin) {
+    const end = value => value === null || value === undefined || !content.logarithmic ? value
+                                                                                       : Math.log10(value);
+    const ends = [end(content.low), end(content.high)];
+    const chosen = ends.every(value => value === null || value === undefined);
     return {
+        ...(chosen ? {} : {range: ends}),
         title: {text: content.label, standoff: 8}, type: content.logarithmic ? "log" : "linear",
         automargin, exponentformat: "power", gridcolor: theme.line, zerolinecolor: theme.line,
         linecolor: theme.soft, showline: true, ticks: "outside", tickcolor: theme.soft, ticklen: 4,

@@ -1,60 +1,15 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "report/figure.h"
+
 namespace tricontact::report {
-
-/// Values over the first axis of a figure. NaN is a gap.
-struct Curve {
-    enum class Kind { line, points, line_and_points };
-
-    std::string name;  ///< in the legend, plain text; curves of one name share an entry
-    std::vector<double> x = {}, y = {};
-    std::vector<double> x_error = {}, y_error = {};  ///< half widths of intervals; empty: none
-    Kind kind = Kind::line;
-    bool theory = false;             ///< a closed form: dashed, in grey unless it has a colour
-    std::optional<int> colour = {};  ///< equal numbers, equal colours; empty: the next one
-
-    void add(double at, double value) {
-        x.push_back(at);
-        y.push_back(value);
-    }
-};
-
-/// The area between two curves: an interval of confidence.
-struct Band {
-    std::string name;  ///< in the legend; that of a curve: shares its entry and colour
-    std::vector<double> x = {}, low = {}, high = {};
-    std::optional<int> colour = {};  ///< empty: that of the curve of its name, else grey
-};
-
-/// Values over a grid, drawn as lines of equal value on a coloured ground.
-struct ContourMap {
-    std::string label;                ///< of the values, with unit
-    std::vector<double> x, y;         ///< increasing
-    std::vector<double> values;       ///< x fastest; NaN is a gap
-    std::vector<double> levels = {};  ///< of the lines; empty: chosen
-};
-
-struct FigureAxis {
-    std::string label = {};  ///< quantity and unit, "layer thickness b [mm]"
-    bool logarithmic = false;
-};
-
-/// A figure as data: whoever draws it decides nothing about what it says.
-struct Figure {
-    std::string id;       ///< of its files: letters, digits, underscores
-    std::string title;    ///< plain text
-    std::string caption;  ///< what is drawn, for which setting, and how to read it
-    FigureAxis x = {}, y = {};
-    std::vector<Curve> curves = {};
-    std::vector<Band> bands = {};
-    std::optional<ContourMap> map = {};  ///< curves lie over it
-};
 
 /// A number with the half width of its interval.
 struct WithError {
@@ -64,20 +19,27 @@ struct WithError {
 struct Link {
     std::string text, path;
 };
-/// Words, a number (NaN: undefined), a number with its error, or a file.
-using Cell = std::variant<std::string, double, WithError, Link>;
+/// Words, a number (NaN: undefined), a count, a number with its error, or a file.
+using Cell = std::variant<std::string, double, int, WithError, Link>;
+
+/// Empty: undefined.
+inline Cell number_cell(std::optional<double> value) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
 /// A table that readers can sort by any column.
 struct DocumentTable {
     struct Column {
         std::string heading;  ///< with unit
         int digits = 4;       ///< significant, of numbers; none where all are whole
+        bool change = false;  ///< numbers are differences in percent: with their sign
     };
-    std::string id;  ///< of its file: letters, digits, underscores
+    std::string id;  ///< of its file: letters, digits, hyphens, underscores
     std::string title;
     std::string note = {};  ///< definitions of columns, sources
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};
+    bool folded = false;  ///< shown on a click
 };
 
 /// A statement that comes first in a report.
@@ -85,11 +47,12 @@ struct Verdict {
     enum class Standing { holds, fails, cannot_tell, finding };
 
     Standing standing = Standing::finding;
-    std::string sentence;  ///< with its number
+    std::string sentence;   ///< with its number
+    std::string word = {};  ///< instead of the standing's
 };
 
 struct DocumentSection {
-    std::string id;  ///< letters, digits, underscores
+    std::string id;  ///< letters, digits, hyphens, underscores
     std::string heading;
     std::vector<std::string> paragraphs = {};
     std::vector<Figure> figures = {};
@@ -107,6 +70,10 @@ struct Document {
     std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
     std::string command = {};                                     ///< that makes it again
     std::string version = {};                                     ///< of the program
+    std::string input = {};  ///< text of the resolved case, shown on a click
+    /// Folder of ID.svg, ID.png and ID.csv of all figures, from the report; empty: the page makes
+    /// them itself.
+    std::string plots = {};
 };
 
 /// One HTML file that needs no network: verdicts, figures whose drawing (SVG) and data (CSV) can

@@ -6,7 +6,7 @@ const content = JSON.parse(document.getElementById("figures").textContent);
 // In the order of plot_style.h.
 const markers = ["circle", "square", "triangle-up", "diamond", "triangle-down",
                  "circle-open", "square-open", "diamond-open"];
-const dashes = ["solid", "dot", "dashdot", "longdashdot"];
+const dashes = ["solid", "dash", "dot", "dashdot", "longdash", "longdashdot"];
 const most_grounds = 30;
 const on_paper = {width: 640, height: 340};  // three to a page in portrait
 const on_screen = {width: undefined, height: 400};
@@ -20,17 +20,17 @@ function error_bars(errors) {
     return errors.length ? {type: "data", array: errors, thickness: 1.2, width: 3} : undefined;
 }
 
-function curve_trace(curve, theme, in_legend) {
+function curve_trace(curve, theme, place = {}) {
     const style = curve.style ?? 0;
     const points = curve.kind !== "line", lines = curve.kind !== "points";
     return {
-        type: "scatter", name: curve.name, x: curve.x, y: curve.y,
+        ...place, type: "scatter", name: curve.name, x: curve.x, y: curve.y,
         mode: lines ? (points ? "lines+markers" : "lines") : "markers",
-        legendgroup: "curve " + curve.name, showlegend: in_legend,
+        legendgroup: "curve " + curve.name, showlegend: curve.named && !place.xaxis,
         error_x: error_bars(curve.x_error), error_y: error_bars(curve.y_error),
         line: {
             color: colour_of(curve.style, theme), width: 1.8,
-            dash: curve.theory ? "dash" : dashes[Math.floor(style / content.colours.length) % dashes.length],
+            dash: dashes[curve.dash % dashes.length],
         },
         marker: {color: colour_of(curve.style, theme), size: 7, symbol: markers[style % markers.length]},
         connectgaps: false,
@@ -97,29 +97,89 @@ function map_traces(map, theme) {
     return traces;
 }
 
-function traces_of(figure, theme) {
-    const named = new Set();
-    const curves = figure.curves.map(curve => {
-        const first = curve.name !== "" && !named.has(curve.name);
-        named.add(curve.name);
-        return curve_trace(curve, theme, first);
+// A shade from that of the background, 0, to that of the letters, 1.
+function shaded(shade, theme) {
+    const parts = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
+    const [from, to] = [parts(theme.panel), parts(theme.text)];
+    return `rgb(${from.map((part, i) => Math.round(part + shade * (to[i] - part)))})`;
+}
+
+// A row of boxes per strip, with the kind's name where it fits.
+function strip_traces(figure, theme) {
+    return figure.strips.map(strip => {
+        const kinds = strip.stretches.map(([kind]) => figure.kinds[kind]);
+        return {
+            type: "bar", orientation: "h", yaxis: "y2", showlegend: false, hoverinfo: "text",
+            y: strip.stretches.map(() => strip.name), base: strip.stretches.map(([, begin]) => begin),
+            x: strip.stretches.map(([, begin, end]) => end - begin), text: kinds.map(kind => kind.name),
+            textposition: "inside", insidetextanchor: "middle", textangle: 0, constraintext: "inside",
+            marker: {color: kinds.map(kind => shaded(kind.shade, theme)),
+                     line: {color: theme.panel, width: 1}},
+        };
     });
-    return [...(figure.map ? map_traces(figure.map, theme) : []),
-            ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)), ...curves];
+}
+
+function panel_traces(figure, theme) {
+    return figure.panels.flatMap((panel, i) => {
+        const place = {xaxis: "x" + (i ? i + 1 : ""), yaxis: "y"};
+        const of_kinds = get => panel.rows.map(row => row.map(kind => kind < 0 ? null : get(figure.kinds[kind])));
+        return [{
+            ...place, type: "heatmap", x: panel.x, y: panel.y, zmin: 0, zmax: 1,
+            colorscale: [[0, theme.panel], [1, theme.text]], z: of_kinds(kind => kind.shade), text: of_kinds(kind => kind.name), showscale: false,
+            hovertemplate: "%{x:.3g}, %{y:.3g}: %{text}<extra></extra>",
+        }, ...panel.curves.map(curve => curve_trace(curve, theme, place))];
+    });
+}
+
+function traces_of(figure, theme) {
+    return [...(figure.map ? map_traces(figure.map, theme) : []), ...strip_traces(figure, theme),
+            ...figure.bands.flatMap(band => band_traces(band, theme, figure.curves)),
+            ...figure.curves.map(curve => curve_trace(curve, theme)), ...panel_traces(figure, theme)];
+}
+
+// The axes of panels side by side and of strips beneath the curves.
+function further_axes(figure, theme) {
+    const [n_panels, n_strips] = [figure.panels.length, figure.strips.length];
+    const axes = {};
+    const share = 1 / n_panels, gap = 0.02;
+    figure.panels.forEach((panel, i) => {
+        axes["xaxis" + (i ? i + 1 : "")] = {
+            ...charts.axis(figure.x, theme, "height"), ...(i ? {matches: "x"} : {}), constrain: "domain",
+            domain: [i * share, (i + 1) * share - (i + 1 < n_panels ? gap : 0)],
+        };
+    });
+    if (n_strips) {
+        const height = 0.075 * n_strips;
+        axes.yaxis2 = {domain: [0, height], autorange: "reversed", type: "category", fixedrange: true,
+                       showgrid: false, automargin: "width", ticks: ""};
+        axes.yaxis = {...charts.axis(figure.y, theme, "width"), domain: [height + 0.03, 1]};
+        axes.xaxis = {...charts.axis(figure.x, theme, "height"), anchor: "y2"};
+        axes.barmode = "overlay";
+        axes.bargap = 0.15;
+    }
+    return axes;
 }
 
 function layout_of(figure, theme) {
-    const empty = !figure.map && figure.curves.every(curve => !curve.x.length) && !figure.bands.length;
-    return {
+    const empty = !figure.map && !figure.panels.length && !figure.bands.length &&
+                  figure.curves.every(curve => !curve.x.length);
+    const layout = {
         ...charts.layout(theme),
         xaxis: charts.axis(figure.x, theme, "height"), yaxis: charts.axis(figure.y, theme, "width"),
+        ...further_axes(figure, theme),
         margin: {l: 60, r: 16, t: 16, b: 48},
-        showlegend: true, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
+        showlegend: !figure.panels.length, legend: {orientation: "h", y: 1.02, yanchor: "bottom", x: 0},
         hovermode: "closest",
         // A finger scrolls the page, a mouse zooms.
         dragmode: matchMedia("(pointer: coarse)").matches ? false : "zoom",
-        annotations: empty ? [charts.note("no data")] : [],
+        annotations: empty ? [charts.note("no data")] : figure.panels.map((panel, i) => ({
+            text: panel.title, showarrow: false, x: (i + 0.49) / figure.panels.length, xref: "paper",
+            y: 1, yref: "paper", yanchor: "bottom",
+        })),
     };
+    if (figure.equal_scales) Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain"});
+    if (figure.panels.length) layout.margin.t = 32;
+    return layout;
 }
 
 function draw(theme, size) {
@@ -134,9 +194,10 @@ function save_drawing(figure) {
     return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id);
 }
 
-// Undefined values come last in either order.
+// Words come after numbers and undefined values last in either order.
 function compare(a, b, direction) {
     if (a === undefined || b === undefined) return (a === undefined) - (b === undefined);
+    if (typeof a !== typeof b) return (typeof a === "string") - (typeof b === "string");
     return direction * (typeof a === "number" ? a - b : a.localeCompare(b, "en", {numeric: true}));
 }
 
@@ -172,6 +233,7 @@ if (content.figures.length) {
     addEventListener("afterprint", () => draw(charts.screen(), on_screen));
     for (const figure of content.figures) {
         const button = document.querySelector("#figure_" + figure.id + " button");
+        if (!button) continue;  // its drawing is a file
         button.hidden = false;
         button.addEventListener("click", () => save_drawing(figure));
     }

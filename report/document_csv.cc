@@ -1,5 +1,7 @@
 #include "report/document_csv.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "report/csv.h"
@@ -64,14 +66,41 @@ std::string map_csv(const Figure& figure) {
     return text;
 }
 
+std::string strips_csv(const Figure& figure) {
+    std::string text = csv_line({"strip", "kind", "begin", "end"});
+    for (const Strip& strip : figure.strips)
+        for (const auto& [kind, begin, end] : strip.stretches)
+            text += csv_line({csv_field(strip.name), csv_field(figure.kinds[kind].name),
+                              csv_field(begin), csv_field(end)});
+    return text;
+}
+
+/// As a matrix: x along the first line, then y and the kinds of its cells.
+std::string panel_csv(const Figure& figure, const Panel& panel) {
+    std::vector<std::string> fields{
+        csv_field(panel.title + ": " + figure.y.label + " \\ " + figure.x.label)};
+    for (const double x : panel.x) fields.push_back(csv_field(x));
+    std::string text = csv_line(fields);
+    auto kind = panel.kinds.begin();
+    for (const double y : panel.y) {
+        fields = {csv_field(y)};
+        for (std::size_t i = 0; i < panel.x.size(); ++i, ++kind)
+            fields.push_back(*kind < 0 ? "" : csv_field(figure.kinds[*kind].name));
+        text += csv_line(fields);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string figure_csv(const Figure& figure) {
-    std::string text = figure.map ? map_csv(figure) : "";
-    const std::vector<Column> columns = columns_of(figure);
-    // Curves over a map: a second table below.
-    if (figure.map && !columns.empty()) text += '\n';
-    return columns.empty() ? text : text + table_of(columns);
+    std::vector<std::string> parts;
+    if (figure.map) parts.push_back(map_csv(figure));
+    if (const auto columns = columns_of(figure); !columns.empty())
+        parts.push_back(table_of(columns));
+    if (!figure.strips.empty()) parts.push_back(strips_csv(figure));
+    for (const Panel& panel : figure.panels) parts.push_back(panel_csv(figure, panel));
+    return fmt::format("{}", fmt::join(parts, "\n"));
 }
 
 std::string table_csv(const DocumentTable& table) {
@@ -94,6 +123,8 @@ std::string table_csv(const DocumentTable& table) {
                 fields.push_back(csv_field(*words));
             } else if (const auto* number = std::get_if<double>(&row[i])) {
                 fields.push_back(csv_field(*number));
+            } else if (const auto* count = std::get_if<int>(&row[i])) {
+                fields.push_back(std::to_string(*count));
             } else if (const auto* link = std::get_if<Link>(&row[i])) {
                 fields.push_back(csv_field(link->path));
             } else {

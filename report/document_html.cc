@@ -40,7 +40,7 @@ data verdicts(const std::vector<Verdict>& list) {
         const auto [name, word] = words_of(verdict.standing);
         data item{data::type::object};
         item.set("class", name);
-        item.set("standing", word);
+        item.set("standing", verdict.word.empty() ? word : verdict.word);
         item.set("sentence", typeset(verdict.sentence));
         result << item;
     }
@@ -53,6 +53,7 @@ struct ColumnStyle {
     bool words = true;   ///< nothing else: aligned left
     bool whole = true;   ///< numbers, if any, are whole: written without decimals
     int digits = 4;      ///< significant, of other numbers
+    bool change = false;
 };
 
 bool is_text(const Cell& content) {
@@ -65,7 +66,9 @@ std::string escaped(const std::string& text) {
 
 ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
     constexpr double most = 1e6;  // beyond, numbers are magnitudes and no counts
-    ColumnStyle style{.first = column == 0, .digits = content.columns[column].digits};
+    ColumnStyle style{.first = column == 0,
+                      .digits = content.columns[column].digits,
+                      .change = content.columns[column].change};
     for (const std::vector<Cell>& row : content.rows) {
         style.words = style.words && is_text(row[column]);
         if (const auto* number = std::get_if<double>(&row[column]))
@@ -75,10 +78,22 @@ ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
     return style;
 }
 
+/// "+16.5": the heading has the unit.
+std::string signed_percent(double value) {
+    const std::string text = percent(1 + value / 100);
+    return text.substr(0, text.find(' '));
+}
+
+std::string number_text(double number, const ColumnStyle& style) {
+    if (style.change) return signed_percent(number);
+    return style.whole ? as_given(number) : significant(number, style.digits);
+}
+
 data cell(const Cell& content, const ColumnStyle& style) {
     data result{data::type::object};
     const auto* words = std::get_if<std::string>(&content);
-    result.set("is_words", is_text(content));
+    result.set("has_words", is_text(content));
+    result.set("is_words", style.words);
     result.set("is_heading", words && style.first);
     std::string value;
     if (words) {
@@ -88,7 +103,10 @@ data cell(const Cell& content, const ColumnStyle& style) {
                    R"(<a href=")" + escaped(link->path) + R"(">)" + escaped(link->text) + "</a>");
     } else if (const auto* number = std::get_if<double>(&content)) {
         value = csv_field(*number);
-        result.set("text", style.whole ? as_given(*number) : significant(*number, style.digits));
+        result.set("text", number_text(*number, style));
+    } else if (const auto* count = std::get_if<int>(&content)) {
+        value = std::to_string(*count);
+        result.set("text", value);
     } else {
         const auto& measured = std::get<WithError>(content);
         value = csv_field(measured.value);
@@ -120,27 +138,31 @@ data table(const DocumentTable& content) {
     result.set("title", typeset(content.title));
     result.set("title_text", content.title);
     result.set("note", typeset(content.note));
+    result.set("folded", content.folded);
     result.set("columns", columns);
     result.set("rows", rows);
     result.set("csv", base64(table_csv(content)));
     return result;
 }
 
-data figure_data(const Figure& content) {
+data figure_data(const Figure& content, const std::string& plots) {
     data result{data::type::object};
     result.set("id", content.id);
     result.set("title", typeset(content.title));
     result.set("title_text", content.title);
     result.set("caption", typeset(content.caption));
     result.set("caption_text", content.caption);
-    result.set("csv", base64(figure_csv(content)));
+    result.set("wide", content.panels.size() > 2);
+    result.set("files", plots.empty() ? "" : plots + "/" + content.id);
+    result.set("has_files", !plots.empty());
+    result.set("csv", plots.empty() ? base64(figure_csv(content)) : "");
     return result;
 }
 
-data section(const DocumentSection& content) {
+data section(const DocumentSection& content, const std::string& plots) {
     data paragraphs{data::type::list}, figures{data::type::list}, tables{data::type::list};
     for (const std::string& text : content.paragraphs) paragraphs << data{"text", typeset(text)};
-    for (const Figure& each : content.figures) figures << figure_data(each);
+    for (const Figure& each : content.figures) figures << figure_data(each, plots);
     for (const DocumentTable& each : content.tables) tables << table(each);
     data result{data::type::object};
     result.set("id", content.id);
@@ -183,7 +205,10 @@ void set_origin(const Document& document, data& page) {
     page.set("files", files);
     page.set("has_command", !document.command.empty());
     page.set("command", document.command);
-    page.set("has_origin", !document.files.empty() || !document.command.empty());
+    page.set("has_input", !document.input.empty());
+    page.set("input", document.input);
+    page.set("has_origin",
+             !document.files.empty() || !document.command.empty() || !document.input.empty());
 }
 
 }  // namespace
@@ -191,7 +216,7 @@ void set_origin(const Document& document, data& page) {
 std::string document_html(const Document& document) {
     check_document(document);
     data sections{data::type::list};
-    for (const DocumentSection& each : document.sections) sections << section(each);
+    for (const DocumentSection& each : document.sections) sections << section(each, document.plots);
     data page{data::type::object};
     page.set("style", std::string(page_style) + document_style);
     page.set("version", document.version);

@@ -10,10 +10,6 @@ extern const char* const page_style;
 /// What the scripts that draw share; stands before them.
 extern const char* const charts_script;
 
-extern const char* const report_template;
-extern const char* const report_table_template;
-extern const char* const report_style;
-
 extern const char* const document_template;
 extern const char* const document_style;
 extern const char* const document_script;

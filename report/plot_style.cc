@@ -10,7 +10,8 @@ namespace tricontact::report {
 
 std::string model_colour(std::size_t i) {
     // Okabe and Ito (2008), Color Universal Design: vermilion, blue, green, purple, amber.
-    constexpr std::array colours{"#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00"};
+    constexpr std::array<const char*, n_model_colours> colours{"#d55e00", "#0072b2", "#009e73",
+                                                               "#cc79a7", "#e69f00"};
     return colours[i % colours.size()];
 }
 
@@ -46,14 +47,6 @@ std::string data_block(const std::string& name, const std::vector<std::vector<do
     }
     fmt::format_to(out, "EOD\n");
     return fmt::to_string(text);
-}
-
-std::vector<std::size_t> thinned(std::size_t size, std::size_t at_most) {
-    const std::size_t stride = size <= at_most ? 1 : (size + at_most - 1) / at_most;
-    std::vector<std::size_t> indices;
-    for (std::size_t i = 0; i < size; i += stride) indices.push_back(i);
-    if (size > 0 && indices.back() != size - 1) indices.push_back(size - 1);
-    return indices;
 }
 
 }  // namespace tricontact::report

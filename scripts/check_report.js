@@ -89,6 +89,7 @@ addEventListener("load", async () => {
     }
     for (const {name} of performance.getEntriesByType("resource"))
         expect(/^(data|blob):/.test(name), `asks for ${name}`);
+    for (const folded of all("details")) folded.open = true;
     for (const image of all("img")) expect(image.naturalWidth > 0, `picture ${image.alt} is missing`);
 
     const names = new Set();

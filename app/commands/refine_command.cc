@@ -140,8 +140,8 @@ void write_report(const Level& finest, const contact::History& history,
                   const comparisons::ReportExtras& extras, const RefineOptions& options) {
     io::make_output_folder(options.output + "/plots");
     options.write(resolved_case_name, finest.resolved);
-    for (const auto& file :
-         comparisons::make_report(finest.c, finest.resolved, files::version, {history}, extras))
+    for (const auto& file : comparisons::report_files(comparisons::run_document(
+             finest.c, finest.resolved, files::version, {history}, extras)))
         options.write(file.name, file.content);
 }
 

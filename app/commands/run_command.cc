@@ -42,8 +42,8 @@ CaseRun compute(const contact::Case& c, const RunOptions& options) {
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
     if (options.report) {
         io::make_output_folder(options.output + "/plots");
-        for (const auto& file :
-             comparisons::make_report(c, resolved, files::version, run.histories, run.extras))
+        for (const auto& file : comparisons::report_files(
+                 comparisons::run_document(c, resolved, files::version, run.histories, run.extras)))
             options.write(file.name, file.content);
     }
     return run;

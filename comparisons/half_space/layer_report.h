@@ -12,6 +12,6 @@ namespace tricontact::comparisons {
 std::vector<std::string> layer_sentences(const contact::Case& c, const LayerComparison& layer);
 
 /// Exact layer, half-space and models, with differences to the first of these that is there.
-Table layer_table(const LayerComparison& layer);
+report::DocumentTable layer_table(const LayerComparison& layer);
 
 }  // namespace tricontact::comparisons

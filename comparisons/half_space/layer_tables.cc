@@ -9,10 +9,6 @@ namespace {
 
 using Value = std::optional<double>;
 
-Value ratio(Value value, Value base) {
-    return value && base && *base != 0 ? Value(*value / *base) : Value();
-}
-
 report::Unit common_unit(const PressedQuantity& q, const LayerComparison& layer) {
     double largest = q.get(layer.half_space).value_or(0);
     for (const auto& model : layer.models)
@@ -22,26 +18,27 @@ report::Unit common_unit(const PressedQuantity& q, const LayerComparison& layer)
 
 }  // namespace
 
-Table layer_table(const LayerComparison& layer) {
-    Table table{"Pressed contact on the layer", {}, {{}}};
-    if (layer.exact) table.columns = {"exact layer"};
-    table.columns.emplace_back("half-space");
-    for (const auto& model : layer.models)
-        table.columns.push_back(report::display_name(model.name));
+report::DocumentTable layer_table(const LayerComparison& layer) {
+    report::DocumentTable table{
+        .id = "layer", .title = "Pressed contact on the layer", .columns = quantity_columns()};
+    const auto name_of = [](const auto& model) { return report::display_name(model.name); };
+    if (layer.exact) table.columns.push_back({"exact layer"});
+    table.columns.push_back({"half-space"});
+    for (const auto& model : layer.models) table.columns.push_back({name_of(model)});
     if (layer.exact) {
-        table.columns.emplace_back("half-space vs exact");
+        table.columns.push_back(change_column("half-space", "exact"));
         for (const auto& model : layer.models)
-            table.columns.push_back(report::display_name(model.name) + " vs exact");
+            table.columns.push_back(change_column(name_of(model), "exact"));
     }
     for (const PressedQuantity& q : pressed_quantities()) {
         const report::Unit unit = common_unit(q, layer);
-        Table::Row row{report::typeset(label_of(*q.quantity)), unit.symbol, {}};
+        std::vector<report::Cell> row{label_of(*q.quantity), unit.symbol};
         const auto add = [&](const PressedValues& values) {
             const Value value = q.get(values);
-            row.cells.push_back(report::significant(value ? Value(*value / unit.factor) : Value()));
+            row.push_back(report::number_cell(value ? Value(*value / unit.factor) : Value()));
         };
         const auto compare = [&](const PressedValues& values) {
-            row.cells.push_back(report::percent(ratio(q.get(values), q.get(*layer.exact))));
+            row.push_back(change_cell(q.get(values), q.get(*layer.exact)));
         };
         if (layer.exact) add(*layer.exact);
         add(layer.half_space);
@@ -50,7 +47,7 @@ Table layer_table(const LayerComparison& layer) {
             compare(layer.half_space);
             for (const auto& model : layer.models) compare(model.values);
         }
-        table.groups.front().rows.push_back(row);
+        table.rows.push_back(row);
     }
     return table;
 }

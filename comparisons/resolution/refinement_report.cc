@@ -81,25 +81,25 @@ std::string wide_sentence(const Refinement& r) {
         most->quantity->symbol);
 }
 
-Table::Row table_row(const Refinement& r, const RefinedQuantity& q) {
+std::vector<report::Cell> table_row(const Refinement& r, const RefinedQuantity& q) {
     const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
-    Table::Row row{report::typeset(label_of(*q.quantity)), unit.symbol, {}};
+    std::vector<report::Cell> row{label_of(*q.quantity), unit.symbol};
     const auto add = [&](Value value) {
-        row.cells.push_back(report::significant(value ? Value(*value / unit.factor) : value, 5));
+        row.push_back(report::number_cell(value ? Value(*value / unit.factor) : value));
     };
     const bool ordered = q.limit.convergence == Convergence::ordered;
     for (const double value : q.values) add(value);
-    row.cells.emplace_back(name_of(q.limit.convergence));
-    row.cells.push_back(report::significant(q.limit.order, 3));
+    row.emplace_back(name_of(q.limit.convergence));
+    row.push_back(report::number_cell(q.limit.order));
     add(ordered ? Value(q.limit.value) : Value());
-    row.cells.push_back(relative(q.limit.error, q.values.back()));
+    row.emplace_back(relative(q.limit.error, q.values.back()));
     if (has_exact(r)) {
         add(q.exact);
-        row.cells.push_back(report::percent(q.exact ? Value(q.values.back() / *q.exact) : Value()));
+        row.push_back(change_cell(q.values.back(), q.exact));
     }
     if (r.wide_factor > 0) {
         const Value change = q.wide_change();
-        row.cells.push_back(report::percent(change ? Value(1 + *change) : change));
+        row.push_back(report::number_cell(change ? Value(100 * *change) : change));
     }
     return row;
 }
@@ -122,18 +122,25 @@ std::vector<std::string> refinement_sentences(const Refinement& r) {
     return result;
 }
 
-Table refinement_table(const Refinement& r) {
-    Table table{"Values on finer and finer levels", {}, {{}}};
-    for (const double size : r.sizes) table.columns.push_back(report::quantity(size, "m", 3));
-    for (const char* column : {"sequence", "order", "limit", "error"})
-        table.columns.emplace_back(column);
+report::DocumentTable refinement_table(const Refinement& r) {
+    report::DocumentTable table{
+        .id = "refinement",
+        .title = "Values on finer and finer levels",
+        .note =
+            "Order: p of v + C h^p through the finest three levels; limit: Richardson's "
+            "extrapolation with it. Error: of the finest value, 1.25 times its distance from "
+            "the limit with an order of at most 2 (Roache's grid convergence index); where "
+            "the sequence is not ordered, the spread of the last three values.",
+        .columns = quantity_columns()};
+    for (const double size : r.sizes) table.columns.push_back({report::quantity(size, "m", 3), 5});
+    table.columns.insert(table.columns.end(),
+                         {{"sequence"}, {"order", 3}, {"limit", 5}, {"error"}});
     if (has_exact(r)) {
-        table.columns.push_back(r.exact_name);
-        table.columns.push_back("finest vs " + r.exact_name);
+        table.columns.push_back({r.exact_name, 5});
+        table.columns.push_back(change_column("finest", r.exact_name));
     }
-    if (r.wide_factor > 0) table.columns.emplace_back("wide block");
-    for (const RefinedQuantity& q : r.quantities)
-        table.groups.front().rows.push_back(table_row(r, q));
+    if (r.wide_factor > 0) table.columns.push_back({.heading = "wide block [%]", .change = true});
+    for (const RefinedQuantity& q : r.quantities) table.rows.push_back(table_row(r, q));
     return table;
 }
 

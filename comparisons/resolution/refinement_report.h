@@ -12,7 +12,7 @@ namespace tricontact::comparisons {
 std::vector<std::string> refinement_sentences(const Refinement& refinement);
 
 /// A row per quantity: values on all levels, order, limit, error, theory, wide block.
-Table refinement_table(const Refinement& refinement);
+report::DocumentTable refinement_table(const Refinement& refinement);
 
 /// An error in percent of a value; "-" of none.
 std::string relative(double error, double value);

@@ -16,6 +16,6 @@ std::vector<std::string> treatment_sentences(const contact::Case& c,
                                              const std::vector<LoadingVariant>& variants);
 
 /// Shifts after loading and, where it was computed, after rolling with one choice changed.
-Table variants_table(const std::vector<LoadingVariant>& variants);
+report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants);
 
 }  // namespace tricontact::comparisons

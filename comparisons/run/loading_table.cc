@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "comparisons/run/loading_report.h"
 #include "report/format.h"
 
@@ -8,34 +6,31 @@ namespace tricontact::comparisons {
 namespace {
 
 using contact::State;
+using report::Cell;
 
-Table::Row row(const LoadingVariant& v, double chosen, const std::string& changed,
-               const report::Unit& unit, std::optional<double> ratio) {
-    return {v.key + ": " + v.changed + " instead of " + v.chosen,
+/// `get`: the shift of an outcome [m]. Where the other has none to compare, its verdict stands in
+/// the place of a number.
+template <class Get>
+std::vector<Cell> row(const LoadingVariant& v, const std::string& what, const Get& get,
+                      std::optional<double> ratio, const std::string& other_verdict) {
+    const report::Unit unit = report::fitting_unit(get(v.run), "m");
+    Cell changed = report::number_cell({});
+    if (!other_verdict.empty())
+        changed = other_verdict;
+    else if (v.other)
+        changed = get(*v.other) / unit.factor;
+    return {report::display_name(v.model) + ": " + what,
+            v.key + ": " + v.changed + " instead of " + v.chosen,
             unit.symbol,
-            {report::significant(chosen / unit.factor), changed, report::percent(ratio)}};
+            get(v.run) / unit.factor,
+            changed,
+            report::number_cell(ratio ? std::optional(100 * (*ratio - 1)) : ratio)};
 }
 
-Table::Row static_row(const LoadingVariant& v) {
-    const report::Unit unit = report::fitting_unit(v.run.static_shift, "m");
-    const std::string changed = v.other ? report::significant(v.other->static_shift / unit.factor)
-                                        : report::significant({});
-    return row(v, v.run.static_shift, changed, unit, v.static_ratio());
-}
-
-/// After rolling; where the verdicts differ, the other one stands in the place of a number.
-Table::Row rolled_row(const LoadingVariant& v) {
-    const bool ratchets = *v.run.state == State::ratcheting;
-    const auto shift = [&](const LoadingOutcome& outcome) {
-        return ratchets ? outcome.increment : outcome.final_shift;
-    };
-    const report::Unit unit = report::fitting_unit(shift(v.run), "m");
-    std::string changed = report::significant({});
-    if (v.rolled_ratio())
-        changed = report::significant(shift(*v.other) / unit.factor);
-    else if (v.other && v.other->state)
-        changed = contact::name_of(*v.other->state);
-    return row(v, shift(v.run), changed, unit, v.rolled_ratio());
+std::vector<Cell> static_row(const LoadingVariant& v) {
+    return row(
+        v, "static shift", [](const LoadingOutcome& outcome) { return outcome.static_shift; },
+        v.static_ratio(), "");
 }
 
 std::string rolled_title(const LoadingVariant& v) {
@@ -50,21 +45,32 @@ std::string rolled_title(const LoadingVariant& v) {
     }
 }
 
-/// The group of that title, made if need be.
-Table::Group& group_of(Table& table, const std::string& title) {
-    for (Table::Group& group : table.groups)
-        if (group.title == title) return group;
-    return table.groups.emplace_back(Table::Group{title, {}});
+/// After rolling.
+std::vector<Cell> rolled_row(const LoadingVariant& v) {
+    const bool ratchets = *v.run.state == State::ratcheting;
+    const bool differs = !v.rolled_ratio() && v.other && v.other->state;
+    return row(
+        v, rolled_title(v),
+        [&](const LoadingOutcome& outcome) {
+            return ratchets ? outcome.increment : outcome.final_shift;
+        },
+        v.rolled_ratio(), differs ? contact::name_of(*v.other->state) : "");
 }
 
 }  // namespace
 
-Table variants_table(const std::vector<LoadingVariant>& variants) {
-    Table table{"Shift with one choice changed", {"this run", "changed", "difference"}, {}};
+report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants) {
+    report::DocumentTable table{.id = "variants",
+                                .title = "Shift with one choice changed",
+                                .columns = {{"quantity"},
+                                            {"changed key"},
+                                            {"unit"},
+                                            {"this run"},
+                                            {"changed"},
+                                            {.heading = "difference [%]", .change = true}}};
     for (const LoadingVariant& v : variants) {
-        const std::string model = report::display_name(v.model) + ": ";
-        group_of(table, model + "static shift").rows.push_back(static_row(v));
-        if (v.run.state) group_of(table, model + rolled_title(v)).rows.push_back(rolled_row(v));
+        table.rows.push_back(static_row(v));
+        if (v.run.state) table.rows.push_back(rolled_row(v));
     }
     return table;
 }

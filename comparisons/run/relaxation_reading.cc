@@ -138,53 +138,57 @@ std::vector<std::string> relaxation_sentences(const Case& c, const RelaxationStu
     return result;
 }
 
-Table relaxation_table(const Case& c, const RelaxationStudy& study) {
-    Table table{"Relaxing substrate", {}, {}};
-    using Cell = std::function<std::string(const TwinComparison&)>;
-    const auto row = [&](const std::string& label, const std::string& unit, const Cell& cell) {
-        Table::Row line{label, unit, {}};
-        for (const TwinComparison& twin : study.twins) line.cells.push_back(cell(twin));
-        table.groups.back().rows.push_back(line);
+report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& study) {
+    report::DocumentTable table{
+        .id = "relaxation",
+        .title = "Relaxing substrate",
+        .note =
+            "The elastic substrate has the relaxed modulus: what an infinitely slow drive "
+            "finds, with the same a, d and U_max. Its error is its shift over that of the "
+            "relaxing one, minus 1; settled shifts are compared where both shake down, "
+            "increments where both ratchet. Scales, closed forms and κ, η of this report know "
+            "the relaxed substrate only.",
+        .columns = quantity_columns()};
+    const auto row = [&](const std::string& label, const std::string& unit, const auto& cell) {
+        std::vector<report::Cell> cells{label, unit};
+        for (const TwinComparison& twin : study.twins) cells.emplace_back(cell(twin));
+        table.rows.push_back(cells);
     };
-    const auto error = [&](const std::string& label,
+    const auto error = [&](const std::string& of,
                            std::optional<double> (TwinComparison::*get)() const) {
-        row(label, "", [get](const TwinComparison& twin) {
+        row("error of the elastic substrate: " + of, "%", [get](const TwinComparison& twin) {
             const auto value = (twin.*get)();
-            return report::percent(value ? std::optional(*value + 1) : std::nullopt);
+            return report::number_cell(value ? std::optional(100 * *value) : value);
         });
     };
     for (const TwinComparison& twin : study.twins)
-        table.columns.push_back(report::display_name(twin.model));
+        table.columns.push_back({report::display_name(twin.model)});
 
     if (!study.twins.empty() && study.twins.front().drive) {
         const DriveValues& d = *study.twins.front().drive;
-        table.groups.push_back({"Drive", {}});
         const auto drive = [&](const std::string& label, const report::Unit& unit,
                                const std::function<double(const DriveValues&)>& get) {
-            row(label, unit.symbol, [&](const TwinComparison& twin) {
-                return report::significant(get(*twin.drive) / unit.factor);
-            });
+            row("drive: " + label, unit.symbol,
+                [&](const TwinComparison& twin) { return get(*twin.drive) / unit.factor; });
         };
         const report::Unit modulus = report::fitting_unit(d.storage, "Pa");
-        drive("amplitude <i>W</i>", report::fitting_unit(d.amplitude, "m"),
+        drive("amplitude W", report::fitting_unit(d.amplitude, "m"),
               [](auto& v) { return v.amplitude; });
-        drive("frequency <i>f</i> = <i>v</i>/(4 <i>W</i>)", {1, "Hz"},
-              [](auto& v) { return v.frequency; });
-        drive("storage modulus <i>G</i>′", modulus, [](auto& v) { return v.storage; });
-        drive("loss modulus <i>G</i>″", modulus, [](auto& v) { return v.loss; });
+        drive("frequency f = v/(4 W)", {1, "Hz"}, [](auto& v) { return v.frequency; });
+        drive("storage modulus G′", modulus, [](auto& v) { return v.storage; });
+        drive("loss modulus G″", modulus, [](auto& v) { return v.loss; });
         drive("loss tangent", {}, [](auto& v) { return v.loss_tangent(); });
-        table.groups.push_back({"Deborah number 2πfτ", {}});
         for (std::size_t i = 0; i < d.deborah.size(); ++i)
-            drive("<i>τ</i> = " + report::quantity(c.relaxation->branches[i].time, "s", 3), {},
-                  [i](auto& v) { return v.deborah[i]; });
+            drive("Deborah number 2πfτ, τ = " +
+                      report::quantity(c.relaxation->branches[i].time, "s", 3),
+                  {}, [i](auto& v) { return v.deborah[i]; });
     }
-    table.groups.push_back({"Error of the elastic substrate", {}});
     error("static shift", &TwinComparison::static_error);
     if (!c.rolling) return table;
     error("shift after the last period", &TwinComparison::final_error);
     error("settled shift", &TwinComparison::settled_error);
     error("ratcheting increment", &TwinComparison::increment_error);
-    error("limit <i>f</i><sub>T,lim</sub>", &TwinComparison::limit_error);
+    error("limit f_T,lim", &TwinComparison::limit_error);
     const auto state = [&](const std::string& label, auto get) {
         row(label, "", [get](const TwinComparison& twin) -> std::string {
             const std::optional<State> value = get(twin);

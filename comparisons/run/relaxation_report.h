@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "comparisons/quantities/relaxation_study.h"
-#include "comparisons/run/plots.h"
 #include "comparisons/run/report_tables.h"
+#include "report/figure.h"
 
 namespace tricontact::comparisons {
 
@@ -20,11 +20,11 @@ std::vector<std::string> relaxation_sentences(const contact::Case& c, const Rela
 std::string twin_sentence(const TwinComparison& twin);
 
 /// Drive values, Deborah numbers and errors of the elastic twin, a column per model.
-Table relaxation_table(const contact::Case& c, const RelaxationStudy& study);
+report::DocumentTable relaxation_table(const contact::Case& c, const RelaxationStudy& study);
 
 /// G' and G'' over the frequency with drive and limit; beside a DMA table's points, if the case has
-/// one, with residuals below.
-Plot modulus_plot(const contact::Case& c, const RelaxationStudy& study);
+/// one, and their residuals.
+std::vector<report::Figure> modulus_figures(const contact::Case& c, const RelaxationStudy& study);
 
 /// The section "relaxation" of summary.json.
 nlohmann::ordered_json relaxation_json(const contact::Case& c, const RelaxationStudy& study);

@@ -3,96 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <kainjow/mustache.hpp>
-#include <stdexcept>
-#include <utility>
 
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/resolution/refinement_report.h"
+#include "comparisons/run/figures.h"
 #include "comparisons/run/loading_report.h"
-#include "comparisons/run/plots.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
+#include "comparisons/run/report_notes.h"
 #include "comparisons/run/report_tables.h"
-#include "report/base64.h"
+#include "report/document_csv.h"
 #include "report/format.h"
-#include "report/page_templates.h"
-#include "report/plot_style.h"
+#include "report/gnuplot_figure.h"
 
 namespace tricontact::comparisons {
 
 namespace {
 
 using contact::State;
-using kainjow::mustache::data;
+using report::DocumentSection;
+using report::Verdict;
 
-constexpr int most_open_periods = 12;  // longer tables start folded
-
-data list(const std::vector<std::string>& texts) {
-    data result{data::type::list};
-    for (const std::string& text : texts) result << data{"text", text};
-    return result;
-}
-
-/// Sentences as HTML.
-data typeset_list(const std::vector<std::string>& sentences) {
-    data result{data::type::list};
-    for (const std::string& sentence : sentences) result << data{"text", report::typeset(sentence)};
-    return result;
-}
-
-/// A cell's class: verdicts stand out, words align left.
-std::string cell_class(const std::string& cell) {
-    for (const char* word :
-         {"shakedown", "cyclic-slip", "ratcheting", "undecided", "passed", "FAILED"})
-        if (cell == word) return std::string("verdict ") + word;
-    return "";
-}
-
-data cells(const std::vector<std::string>& texts) {
-    data result{data::type::list};
-    for (const std::string& text : texts) {
-        data cell{data::type::object};
-        cell.set("text", text);
-        cell.set("class", cell_class(text));
-        result << cell;
-    }
-    return result;
-}
-
-data to_data(const Table& table) {
-    data groups{data::type::list};
-    for (const Table::Group& group : table.groups) {
-        data rows{data::type::list};
-        for (const Table::Row& row : group.rows) {
-            data line{data::type::object};
-            line.set("label", row.label);
-            line.set("unit", row.unit);
-            line.set("cells", cells(row.cells));
-            rows << line;
-        }
-        data block{data::type::object};
-        block.set("has_title", !group.title.empty());
-        block.set("title", group.title);
-        block.set("span", std::to_string(table.columns.size() + 2));
-        block.set("rows", rows);
-        groups << block;
-    }
-    data result{data::type::object};
-    result.set("name", table.name);
-    result.set("columns", list(table.columns));
-    result.set("groups", groups);
-    return result;
-}
-
-/// The number that answers the case, with its name.
-std::pair<std::string, std::string> headline(const Results& s) {
+/// The number that answers the case: "settled shift 55.9 µm (0.4755 U_max)".
+std::string headline(const Results& s) {
     using namespace quantities;
     const auto shown = [&s](const Quantity& length, const Quantity& ratio, const char* meaning) {
-        return std::pair(
-            report::quantity(s.number(length).value_or(0), "m"),
-            fmt::format("{} ({} {})", meaning, report::significant(s.number(ratio)), ratio.over));
+        return fmt::format("{} {} ({} {})", meaning,
+                           report::quantity(s.number(length).value_or(0), "m"),
+                           report::significant(s.number(ratio)), ratio.over);
     };
     if (s.state() == State::ratcheting)
         return shown(shift_increment, shift_increment_ratio, "shift per period");
@@ -101,136 +40,130 @@ std::pair<std::string, std::string> headline(const Results& s) {
     return shown(final_shift, final_shift_ratio, "shift so far");
 }
 
-data cards(const std::vector<Results>& summaries) {
-    data result{data::type::list};
-    for (std::size_t i = 0; i < summaries.size(); ++i) {
-        const Results& s = summaries[i];
-        const auto [value, meaning] = headline(s);
-        data card{data::type::object};
-        card.set("model", report::display_name(s.model));
-        card.set("colour", report::model_colour(i));
-        card.set("state", s.state() ? contact::name_of(*s.state()) : "static");
-        card.set("value", value);
-        card.set("meaning", report::typeset(meaning));
-        const auto kappa = s.number(quantities::kappa), eta = s.number(quantities::eta);
-        if (kappa) card.set("factor", "κ = " + report::significant(kappa, 3));
-        if (eta) card.set("factor", "η = " + report::significant(eta, 3));
-        card.set("has_factor", kappa || eta);
-        result << card;
+Verdict::Standing standing_of(std::optional<State> state) {
+    if (!state) return Verdict::Standing::finding;
+    if (*state == State::ratcheting) return Verdict::Standing::fails;
+    return *state == State::undecided ? Verdict::Standing::cannot_tell : Verdict::Standing::holds;
+}
+
+Verdict verdict_of(const Results& s) {
+    std::string sentence = report::display_name(s.model) + ": " + headline(s);
+    const auto kappa = s.number(quantities::kappa), eta = s.number(quantities::eta);
+    if (kappa) sentence += ", κ = " + report::significant(kappa, 3);
+    if (eta) sentence += ", η = " + report::significant(eta, 3);
+    return {standing_of(s.state()), sentence + ".",
+            s.state() ? contact::name_of(*s.state()) : "static"};
+}
+
+DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
+    DocumentSection section{
+        .id = "results", .heading = "Results", .tables = results_tables(c, results)};
+    section.tables.front().note = results_note(c, results.size() > 1);
+    if (!c.rolling) return section;
+    const auto rolled = std::ranges::find(section.tables, "rolled", &report::DocumentTable::id);
+    rolled->note = rolling_note(c);
+    if (std::ranges::any_of(results, [](const Results& s) { return s.periods() > 0; }))
+        section.tables.push_back(period_table(results));
+    return section;
+}
+
+/// Sections that only some cases have.
+std::vector<DocumentSection> study_sections(const contact::Case& c,
+                                            const std::vector<contact::History>& histories,
+                                            const ReportExtras& extras) {
+    std::vector<DocumentSection> sections;
+    if (const auto layer = compare_with_layer(c, histories, extras.study)) {
+        report::DocumentTable table = layer_table(*layer);
+        table.note = layer_note(c);
+        sections.push_back({"layer", "The layer", layer_sentences(c, *layer), {}, {table}});
     }
-    return result;
-}
-
-data figures(const std::vector<Plot>& plots, const std::vector<Drawing>& drawings) {
-    data result{data::type::list};
-    for (std::size_t i = 0; i < plots.size(); ++i) {
-        const bool svg = plots[i].embedded == report::ImageFormat::svg;
-        data figure{data::type::object};
-        figure.set("name", plots[i].name);
-        figure.set("title", plots[i].title);
-        figure.set("caption", plots[i].caption);
-        figure.set("caption_html", report::typeset(plots[i].caption));
-        figure.set("width", std::to_string(plots[i].picture.width));
-        figure.set("height", std::to_string(plots[i].picture.height));
-        figure.set("wide", plots[i].picture.width > 700);
-        figure.set("source", svg ? "data:image/svg+xml;base64," + report::base64(drawings[i].svg)
-                                 : "data:image/png;base64," + report::base64(drawings[i].png));
-        result << figure;
+    const auto& variants = extras.study.variants;
+    if (c.layer.thickness || !variants.empty()) {
+        auto& section = sections.emplace_back(
+            DocumentSection{.id = "loading",
+                            .heading = "Coupling, displaced surface, pressing",
+                            .paragraphs = treatment_sentences(c, c.models, variants)});
+        if (!variants.empty()) section.tables = {variants_table(variants)};
+        for (report::DocumentTable& table : section.tables) table.note = variants_note(c);
     }
-    return result;
+    if (c.relaxation) {
+        auto& section = sections.emplace_back(
+            DocumentSection{.id = "relaxation",
+                            .heading = "Relaxation",
+                            .paragraphs = relaxation_sentences(c, extras.relaxation)});
+        if (!extras.relaxation.twins.empty())
+            section.tables = {relaxation_table(c, extras.relaxation)};
+    }
+    if (extras.refinement)
+        sections.push_back({"refinement",
+                            "Refinement",
+                            refinement_sentences(*extras.refinement),
+                            {},
+                            {refinement_table(*extras.refinement)}});
+    return sections;
 }
 
-void set_layer(const contact::Case& c, const std::vector<contact::History>& histories,
-               const LoadingStudy& study, data& page) {
-    const auto layer = compare_with_layer(c, histories, study);
-    page.set("has_layer", layer.has_value());
-    if (!layer) return;
-    page.set("layer_sentences", typeset_list(layer_sentences(c, *layer)));
-    page.set("layer_table", to_data(layer_table(*layer)));
-}
-
-void set_loading(const contact::Case& c, const std::vector<LoadingVariant>& variants, data& page) {
-    page.set("has_loading", c.layer.thickness || !variants.empty());
-    page.set("treatment_sentences", typeset_list(treatment_sentences(c, c.models, variants)));
-    page.set("has_variants", !variants.empty());
-    page.set("variants_table", to_data(variants_table(variants)));
-}
-
-void set_relaxation(const contact::Case& c, const RelaxationStudy& study, data& page) {
-    page.set("has_relaxation", c.relaxation.has_value());
-    if (!c.relaxation) return;
-    page.set("relaxation_sentences", typeset_list(relaxation_sentences(c, study)));
-    page.set("has_twins", !study.twins.empty());
-    page.set("relaxation_table", to_data(relaxation_table(c, study)));
-}
-
-void set_refinement(const std::optional<Refinement>& refinement, data& page) {
-    page.set("has_refinement", refinement.has_value());
-    if (!refinement) return;
-    page.set("refinement_sentences", typeset_list(refinement_sentences(*refinement)));
-    page.set("refinement_table", to_data(refinement_table(*refinement)));
-}
-
-/// Everything but figures, layer, loading, relaxation and refinement.
-data page(const contact::Case& c, const std::string& resolved_case, const std::string& version,
-          const std::vector<Results>& summaries) {
-    data settings{data::type::list};
-    for (const Table& table : setting_tables(c)) settings << to_data(table);
-    data result{data::type::object};
-    result.set("style", std::string(report::page_style) + report::report_style);
-    result.set("table", data{kainjow::mustache::partial{
-                            [] { return std::string(report::report_table_template); }}});
-    result.set("title", c.title.empty() ? "Frictional contact" : c.title);
-    result.set("version", version);
-    result.set("cards", cards(summaries));
-    result.set("findings", typeset_list(reading(c, summaries)));
-    result.set("settings", settings);
-    result.set("results", to_data(results_table(c, summaries)));
-    result.set("rolling", c.rolling.has_value());
-    int periods = 0;
-    for (const Results& s : summaries) periods = std::max(periods, s.periods());
-    result.set("has_periods", periods > 0);
-    result.set("few_periods", periods <= most_open_periods);
-    result.set("period_table", to_data(period_table(summaries)));
-    result.set("audit", to_data(audit_table(summaries)));
-    result.set("resolved_case", resolved_case);
-    result.set("several_models", summaries.size() > 1);
-    result.set("round", contact::is_hertz_round(c));
-    result.set("line", c.is_cylindrical());
-    result.set("body", !contact::is_hertz_round(c) && !c.is_cylindrical());
-    result.set("ellipse", c.indenter.shape == contact::Case::Shape::ellipsoid);
-    return result;
-}
-
-std::string render(const data& content) {
-    kainjow::mustache::mustache engine{report::report_template};
-    if (!engine.is_valid())
-        throw std::logic_error("report.html.mustache: " + engine.error_message());
-    return engine.render(content);
+std::vector<std::pair<std::string, std::string>> files_of(const std::vector<Results>& results,
+                                                          bool is_refinement) {
+    std::vector<std::pair<std::string, std::string>> files{{"resolved case", "case.toml"}};
+    if (is_refinement) {
+        files.emplace_back("values on all levels", "refinement.csv");
+        files.emplace_back("the same for scripts", "refinement.json");
+        return files;
+    }
+    files.emplace_back("these numbers for scripts", "summary.json");
+    for (const Results& s : results)
+        files.emplace_back("every step of " + report::display_name(s.model),
+                           s.model + "/history.csv");
+    return files;
 }
 
 }  // namespace
 
-std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
-                                    const std::string& version,
-                                    const std::vector<contact::History>& histories,
-                                    const ReportExtras& extras) {
-    std::vector<Results> summaries;
-    for (const contact::History& history : histories) summaries.emplace_back(c, history);
-    std::vector<Plot> plots = make_plots(c, histories);
-    if (c.relaxation) plots.push_back(modulus_plot(c, extras.relaxation));
-    const std::vector<Drawing> drawings = draw_all(plots);
-    data content = page(c, resolved_case, version, summaries);
-    set_layer(c, histories, extras.study, content);
-    set_loading(c, extras.study.variants, content);
-    set_relaxation(c, extras.relaxation, content);
-    set_refinement(extras.refinement, content);
-    content.set("figures", figures(plots, drawings));
+report::Document run_document(const contact::Case& c, const std::string& resolved_case,
+                              const std::string& version,
+                              const std::vector<contact::History>& histories,
+                              const ReportExtras& extras) {
+    std::vector<Results> results;
+    for (const contact::History& history : histories) results.emplace_back(c, history);
+    report::Document document{.kind = "contact report",
+                              .title = c.title.empty() ? "Frictional contact" : c.title,
+                              .settings = settings_of(c),
+                              .files = files_of(results, extras.refinement.has_value()),
+                              .command = "tricontact run case.toml",
+                              .version = version,
+                              .input = resolved_case,
+                              .plots = "plots"};
+    for (const Results& s : results) document.verdicts.push_back(verdict_of(s));
+    report::DocumentTable derived = derived_table(c);
+    derived.note = derived_note(c);
+    document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
+    for (DocumentSection& section : study_sections(c, histories, extras))
+        document.sections.push_back(std::move(section));
+    auto& figures =
+        document.sections.emplace_back(DocumentSection{.id = "plots", .heading = "Figures"})
+            .figures;
+    figures = make_figures(c, histories);
+    if (c.relaxation)
+        for (report::Figure& figure : modulus_figures(c, extras.relaxation))
+            figures.push_back(std::move(figure));
+    document.sections.push_back({"derived_values", "Derived values", {}, {}, {derived}});
+    document.sections.push_back({"audit", "Audit", {audit_paragraph}, {}, {audit_table(results)}});
+    document.sections.push_back({"sources", "Sources", {sources}});
+    return document;
+}
 
-    std::vector<ReportFile> files{{"report.html", render(content)}};
-    for (std::size_t i = 0; i < plots.size(); ++i) {
-        files.push_back({"plots/" + plots[i].name + ".svg", drawings[i].svg});
-        files.push_back({"plots/" + plots[i].name + ".png", drawings[i].png});
+std::vector<ReportFile> report_files(const report::Document& document) {
+    std::vector<report::Figure> figures;
+    for (const DocumentSection& section : document.sections)
+        figures.insert(figures.end(), section.figures.begin(), section.figures.end());
+    std::vector<ReportFile> files{{"report.html", report::document_html(document)}};
+    const std::vector<report::Drawing> drawings = report::draw_all(figures);
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const std::string name = document.plots + "/" + figures[i].id;
+        files.push_back({name + ".svg", drawings[i].svg});
+        files.push_back({name + ".png", drawings[i].png});
+        files.push_back({name + ".csv", report::figure_csv(figures[i])});
     }
     return files;
 }

@@ -9,6 +9,7 @@
 #include "comparisons/run/loading_study.h"
 #include "contact/case.h"
 #include "contact/history.h"
+#include "report/document.h"
 
 namespace tricontact::comparisons {
 
@@ -25,13 +26,15 @@ struct ReportExtras {
     RelaxationStudy relaxation;            ///< of cases with a relaxing substrate
 };
 
-/// report.html, which needs no other file and no network, and plots/*.svg, plots/*.png.
-/// `resolved_case` is the case's TOML text with all defaults. Histories stand in the order of the
-/// models; the others are compared with the last. Same input, same bytes (but for the CPU times).
-/// Throws GnuplotError.
-std::vector<ReportFile> make_report(const contact::Case& c, const std::string& resolved_case,
-                                    const std::string& version,
-                                    const std::vector<contact::History>& histories,
-                                    const ReportExtras& extras = {});
+/// The report of a run or a refinement. `resolved_case` is the case's TOML text with all defaults.
+/// Histories stand in the order of the models; the others are compared with the last. Same input,
+/// same document (but for the CPU times).
+report::Document run_document(const contact::Case& c, const std::string& resolved_case,
+                              const std::string& version,
+                              const std::vector<contact::History>& histories,
+                              const ReportExtras& extras = {});
+
+/// Its report.html and the figures' files plots/*.svg, *.png, *.csv. Throws GnuplotError.
+std::vector<ReportFile> report_files(const report::Document& document);
 
 }  // namespace tricontact::comparisons

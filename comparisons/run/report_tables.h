@@ -1,40 +1,37 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparisons/quantities/results.h"
 #include "contact/case.h"
+#include "report/document.h"
 
 namespace tricontact::comparisons {
 
-/// A table of the report. Labels and units are HTML, cells are plain text.
-struct Table {
-    struct Row {
-        std::string label;               ///< HTML: symbols with subscripts
-        std::string unit;                ///< HTML
-        std::vector<std::string> cells;  ///< one per column
-    };
-    struct Group {
-        std::string title;  ///< empty: no heading
-        std::vector<Row> rows;
-    };
-    std::string name;                  ///< for screen readers
-    std::vector<std::string> columns;  ///< after label and unit
-    std::vector<Group> groups;
-};
+/// Names and values with units of what a case gives: bodies, load and rolling path.
+std::vector<std::pair<std::string, std::string>> settings_of(const contact::Case& c);
 
-/// Bodies, load, rolling path, and what follows from them by Hertz.
-std::vector<Table> setting_tables(const contact::Case& c);
+/// What follows from bodies and load by Hertz.
+report::DocumentTable derived_table(const contact::Case& c);
 
 /// Models side by side, the closed forms, and differences to the last model (with one model: to
-/// the closed forms).
-Table results_table(const contact::Case& c, const std::vector<Results>& results);
+/// the closed forms); a table per part, none where nothing is known.
+std::vector<report::DocumentTable> results_tables(const contact::Case& c,
+                                                  const std::vector<Results>& results);
 
 /// u, its increment and the frictional work after each period.
-Table period_table(const std::vector<Results>& results);
+report::DocumentTable period_table(const std::vector<Results>& results);
 
 /// Each model's checks: worst violation, what is allowed, verdict.
-Table audit_table(const std::vector<Results>& results);
+report::DocumentTable audit_table(const std::vector<Results>& results);
+
+/// The first two columns of a table with a quantity per row.
+std::vector<report::DocumentTable::Column> quantity_columns();
+/// A column of differences in percent.
+report::DocumentTable::Column change_column(const std::string& of, const std::string& to);
+/// A ratio as such a difference; undefined without either value or where `base` vanishes.
+report::Cell change_cell(std::optional<double> value, std::optional<double> base);
 
 }  // namespace tricontact::comparisons

@@ -258,9 +258,9 @@ std::string refusal(const Change& change) {
 
 TEST(DocumentHtml, RefusesWhatHasNoPlaceOrNoPartner) {
     EXPECT_EQ(refusal([](auto& s) { s.figures[0].id = "a b"; }),
-              "document: figure 'a b': an id consists of letters, digits and underscores");
+              "document: figure 'a b': an id consists of letters, digits, hyphens and underscores");
     EXPECT_EQ(refusal([](auto& s) { s.tables[0].id = ""; }),
-              "document: table '': an id consists of letters, digits and underscores");
+              "document: table '': an id consists of letters, digits, hyphens and underscores");
     EXPECT_EQ(refusal([](auto& s) { s.figures[1].id = "shift"; }),
               "document: figure 'shift': the id occurs twice");
     EXPECT_EQ(refusal([](auto& s) { s.id = "setting"; }),

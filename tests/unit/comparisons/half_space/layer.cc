@@ -8,6 +8,7 @@
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/summary.h"
 #include "comparisons/run/report.h"
+#include "tests/unit/comparisons/document.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::layer_test {
@@ -185,24 +186,26 @@ TEST(Layer, ModelsStandBesideTheExactLayer) {
     // 2 E* a of Hertz' own radius.
     EXPECT_NEAR(*layer.models[0].values.normal_stiffness, *layer.half_space.normal_stiffness, 1e-6);
 
-    const Table table = layer_table(layer);
-    EXPECT_EQ(table.columns,
-              (std::vector<std::string>{"exact layer", "half-space", "MDR", "FEM",
-                                        "half-space vs exact", "MDR vs exact", "FEM vs exact"}));
-    const auto& d = table.groups.front().rows[1];
-    EXPECT_EQ(d.cells, (std::vector<std::string>{"322.9", "506.9", "506.9", "326.1", "+57.0 %",
-                                                 "+57.0 %", "+1.0 %"}));
-    for (const auto& row : table.groups.front().rows)
-        EXPECT_EQ(row.cells.size(), table.columns.size()) << row.label;
+    const report::DocumentTable table = layer_table(layer);
+    EXPECT_EQ(headings(table),
+              (std::vector<std::string>{"quantity", "unit", "exact layer", "half-space", "MDR",
+                                        "FEM", "half-space vs exact [%]", "MDR vs exact [%]",
+                                        "FEM vs exact [%]"}));
+    const auto& d = table.rows[1];
+    const double due[] = {322.9, 506.9, 506.9, 326.1, 57, 57, 1};
+    for (std::size_t i = 0; i < std::size(due); ++i)
+        EXPECT_NEAR(std::get<double>(d[i + 2]), due[i], 0.05) << i;
+    for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
 }
 
 TEST(Layer, TableWithoutTheoryHasNoDifferences) {
     Case c = rig();
     const auto histories = histories_of(c);
     c.layer.lower = {{2e-3, {1e7, 0.4}}};
-    const Table table = layer_table(compare_with_layer(c, histories).value());
-    EXPECT_EQ(table.columns, (std::vector<std::string>{"half-space", "MDR", "FEM"}));
-    EXPECT_EQ(table.groups.front().rows.back().cells.back(), "–");  // nobody measured it
+    const report::DocumentTable table = layer_table(compare_with_layer(c, histories).value());
+    EXPECT_EQ(headings(table),
+              (std::vector<std::string>{"quantity", "unit", "half-space", "MDR", "FEM"}));
+    EXPECT_TRUE(std::isnan(std::get<double>(table.rows.back().back())));  // nobody measured it
 }
 
 TEST(LayerSentences, SayWhatIgnoringTheThicknessDoes) {
@@ -263,15 +266,20 @@ TEST(LayerReport, HasItsSectionsAndTables) {
     ReportExtras extras{study(), Refinement{}, {}};
     extras.refinement->key = "fem.size";
     extras.refinement->sizes = {1e-3, 7e-4, 5e-4};
-    const std::string with = make_report(c, "case", "1", histories_of(c), extras).front().content;
-    expect_parts(with, {"<section id=\"layer\">", "href=\"#layer\"", "exact layer",
-                        "layer thickness", "<section id=\"refinement\">", "half-space theory"});
+    const auto theory_column = [](const report::Document& document) {
+        return find_section(document, "results")->tables.front().columns[4].heading;
+    };
+    const report::Document with = run_document(c, "case", "1", histories_of(c), extras);
+    EXPECT_EQ(find_section(with, "layer")->tables.front().id, "layer");
+    EXPECT_EQ(find_section(with, "refinement")->tables.front().id, "refinement");
+    EXPECT_TRUE(std::ranges::count(
+        with.settings, std::pair<std::string, std::string>{"layer thickness b", "8 mm"}));
+    EXPECT_EQ(theory_column(with), "half-space theory");
     Case without_layer = c;
     without_layer.layer.thickness.reset();
-    const std::string without =
-        make_report(without_layer, "case", "1", histories_of(c)).front().content;
-    for (const char* part : {"id=\"layer\"", "#layer\"", "id=\"refinement\"", "half-space theory"})
-        EXPECT_EQ(without.find(part), std::string::npos) << part;
+    const report::Document without = run_document(without_layer, "case", "1", histories_of(c));
+    for (const char* id : {"layer", "refinement"}) EXPECT_FALSE(find_section(without, id)) << id;
+    EXPECT_EQ(theory_column(without), "theory");
 }
 
 }  // namespace

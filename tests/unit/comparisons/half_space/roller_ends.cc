@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "comparisons/run/plots.h"
+#include "comparisons/run/figures.h"
 
 namespace tricontact::comparisons::roller_ends_test {
 namespace {
@@ -102,7 +102,8 @@ TEST(RollerEnds, CaptionsAreThoseOfTheEnds) {
     history.scales.contact_radius = 1;
     const auto captions = [&] {
         std::string text;
-        for (const Plot& plot : end_plots(c, {history})) text += plot.caption + '\n';
+        for (const report::Figure& figure : end_figures(c, {history}))
+            text += figure.caption + '\n';
         return text;
     };
     const std::string sharp = "sharp edge's singularity", round = "Rounded ends close";

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "comparisons/quantities/surface_fields.h"
-#include "report/plot_style.h"
+#include "report/figure.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::fields_test {

@@ -5,7 +5,8 @@
 #include <cmath>
 
 #include "comparisons/quantities/surface_fields.h"
-#include "comparisons/run/plots.h"
+#include "comparisons/run/figures.h"
+#include "report/document_csv.h"
 #include "tests/unit/comparisons/nodes.h"
 
 namespace tricontact::comparisons::resample_test {
@@ -166,11 +167,11 @@ TEST_F(NodesLayout, RegularNodesAreReadLikeAGrid) {
         EXPECT_EQ(a.zone, b.zone);
     }
     const contact::Case c = synthetic::unit_case(options_);
-    const auto expected = make_plots(c, {grid}), plots = make_plots(c, {nodes});
-    ASSERT_EQ(plots.size(), expected.size());
-    for (std::size_t i = 0; i < plots.size(); ++i) {
-        EXPECT_EQ(plots[i].name, expected[i].name);
-        EXPECT_EQ(plots[i].picture.script, expected[i].picture.script);
+    const auto expected = make_figures(c, {grid}), figures = make_figures(c, {nodes});
+    ASSERT_EQ(figures.size(), expected.size());
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        EXPECT_EQ(figures[i].id, expected[i].id);
+        EXPECT_EQ(report::figure_csv(figures[i]), report::figure_csv(expected[i]));
     }
 }
 
@@ -200,8 +201,8 @@ TEST_F(NodesLayout, IrregularNodesShowTheSameZones) {
         EXPECT_NEAR(parts[3].end, 1, 0.04);
     }
     std::vector<std::string> names;
-    for (const Plot& plot : make_plots(synthetic::unit_case(options_), resampled))
-        names.push_back(plot.name);
+    for (const report::Figure& figure : make_figures(synthetic::unit_case(options_), resampled))
+        names.push_back(figure.id);
     EXPECT_EQ(names,
               (std::vector<std::string>{"traction_x", "traction_y", "zones_fem",
                                         "traction_surface_fem", "displacement_surface_fem"}));
@@ -216,11 +217,10 @@ TEST_F(NodesLayout, HolesBetweenElementsAreLeftOutOfThePicture) {
     const contact::History h = synthetic::with_surfaces(
         history({.rolling = false, .n_x = 31, .n_y = 31}),
         [&](const Surface& s) { return synthetic::as_irregular_nodes(s, shrunk); });
-    const auto plots = surface_plots(synthetic::unit_case({.rolling = false}), on_grids({h}));
-    ASSERT_EQ(plots.size(), 2u);
-    EXPECT_NE(plots[1].picture.script.find(" NaN\n"), std::string::npos);
-    for (const Drawing& drawing : draw_all(plots))
-        EXPECT_NE(drawing.png.find("IEND"), std::string::npos);
+    const auto figures = surface_figures(synthetic::unit_case({.rolling = false}), on_grids({h}));
+    ASSERT_EQ(figures.size(), 2u);
+    EXPECT_TRUE(
+        std::ranges::any_of(figures[1].map->values, [](double u) { return std::isnan(u); }));
 }
 
 }  // namespace

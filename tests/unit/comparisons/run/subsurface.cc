@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/summary.h"
-#include "comparisons/run/plots.h"
+#include "comparisons/run/figures.h"
 #include "comparisons/run/report_tables.h"
 #include "tests/unit/comparisons/history.h"
 
@@ -42,33 +42,34 @@ TEST(ComparisonsSubsurface, SummarySaysWhereTheStressPeaks) {
     EXPECT_NEAR(s["peak_von_mises_ratio"].get<double>(), .2 * std::numbers::pi, 1e-15);
     EXPECT_EQ(s["peak_position_m"].get<std::vector<double>>(), (std::vector{.1, 0., -.5}));
 
-    const Table table = results_table(c, summaries);
-    const auto group = std::find_if(table.groups.begin(), table.groups.end(), [](const auto& g) {
-        return g.title == "Inside the substrate";
-    });
-    ASSERT_NE(group, table.groups.end());
-    EXPECT_EQ(group->rows[1].cells[0], "–");
-    EXPECT_EQ(group->rows[1].cells[1], "0.6283");
-    EXPECT_EQ(group->rows[3].cells[1], "−0.5000");
+    const auto tables = results_tables(c, summaries);
+    const auto table = std::ranges::find(tables, "inside", &report::DocumentTable::id);
+    ASSERT_NE(table, tables.end());
+    EXPECT_TRUE(std::isnan(std::get<double>(table->rows[1][2])));
+    EXPECT_NEAR(std::get<double>(table->rows[1][3]), .2 * std::numbers::pi, 1e-12);
+    EXPECT_EQ(std::get<double>(table->rows[3][3]), -.5);
 }
 
 TEST(ComparisonsSubsurface, FiguresShowTheSectionAndTheAxis) {
     const auto c = synthetic::unit_case();
-    EXPECT_TRUE(subsurface_plots(c, synthetic::two_models()).empty());
-    const auto plots = subsurface_plots(c, with_inside(inside()));
-    ASSERT_EQ(plots.size(), 2U);
-    EXPECT_EQ(plots[0].name, "von_mises_bem");
-    EXPECT_NE(plots[0].caption.find("0.628 p_0"), std::string::npos) << plots[0].caption;
+    EXPECT_TRUE(subsurface_figures(c, synthetic::two_models()).empty());
+    const auto figures = subsurface_figures(c, with_inside(inside()));
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_EQ(figures[0].id, "von_mises_bem");
+    EXPECT_NE(figures[0].caption.find("0.628 p_0"), std::string::npos) << figures[0].caption;
     // 2 a to either side, 3 a deep, in a and p0.
-    EXPECT_NE(plots[0].picture.script.find("\n2 -3 0.62832\n"), std::string::npos);
-    EXPECT_EQ(plots[0].picture.script.find("\n2.5 "), std::string::npos);
-    EXPECT_EQ(plots[1].name, "axis_stress");
-    EXPECT_NE(plots[1].picture.script.find("\n3 0.628319 0.628319 \n"), std::string::npos);
-    EXPECT_NE(plots[1].picture.script.find("Hertz"), std::string::npos);
-    for (const Drawing& drawing : draw_all(plots)) {
-        EXPECT_GT(std::count(drawing.svg.begin(), drawing.svg.end(), '\n'), 60);
-        EXPECT_NE(drawing.png.find("IEND"), std::string::npos);
-    }
+    const report::ContourMap& map = figures[0].map.value();
+    EXPECT_EQ(map.x.front(), -2);
+    EXPECT_EQ(map.x.back(), 2);
+    EXPECT_EQ(map.y.front(), -3);
+    EXPECT_EQ(map.y.back(), 0);
+    EXPECT_NEAR(map.values.front(), .2 * std::numbers::pi, 1e-12);
+    EXPECT_EQ(figures[1].id, "axis_stress");
+    EXPECT_EQ(figures[1].curves[0].name, "von Mises, Hertz");
+    const report::Curve& pressure = figures[1].curves.back();
+    EXPECT_EQ(pressure.name, "−σ_z, BEM");
+    EXPECT_EQ(pressure.y.back(), 3);
+    EXPECT_NEAR(pressure.x.back(), .2 * std::numbers::pi, 1e-12);
 }
 
 TEST(ComparisonsSubsurface, PointsThatAreNoGridAreNotDrawn) {
@@ -76,7 +77,7 @@ TEST(ComparisonsSubsurface, PointsThatAreNoGridAreNotDrawn) {
     s.x.clear();
     s.z.clear();
     s.stress.clear();
-    EXPECT_TRUE(subsurface_plots(synthetic::unit_case(), with_inside(s)).empty());
+    EXPECT_TRUE(subsurface_figures(synthetic::unit_case(), with_inside(s)).empty());
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "comparisons/run/plots.h"
+#include "comparisons/run/figures.h"
 #include "contact/bodies/height_map.h"
 #include "tests/unit/comparisons/history.h"
 
-namespace tricontact::comparisons::rough_plots_test {
+namespace tricontact::comparisons::rough_figures_test {
 namespace {
 
 /// E* = 1, rms slope 0.5, a square of 2 m: p/(E* h') = F_N/2.
@@ -43,40 +43,40 @@ Histories pressed() {
     return {history};
 }
 
-TEST(RoughPlots, SpectrumAndAreaOverLoad) {
-    const auto plots = rough_plots(rough_case(), pressed());
-    ASSERT_EQ(plots.size(), 2U);
-    EXPECT_EQ(plots[0].name, "spectrum");
-    EXPECT_NE(plots[0].picture.script.find("prescribed"), std::string::npos);
-    EXPECT_EQ(plots[1].name, "contact_area");
-    EXPECT_NE(plots[1].picture.script.find("EOD\n0.1 0.2 \n0.2 0.4 \nEOD"), std::string::npos)
-        << plots[1].picture.script;
-    EXPECT_NE(plots[1].caption.find("2.00 for BEM"), std::string::npos) << plots[1].caption;
-    for (const Drawing& drawing : draw_all(plots)) {
-        EXPECT_GT(std::count(drawing.svg.begin(), drawing.svg.end(), '\n'), 60);
-        EXPECT_NE(drawing.png.find("IEND"), std::string::npos);
+TEST(RoughFigures, SpectrumAndAreaOverLoad) {
+    const auto figures = rough_figures(rough_case(), pressed());
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_EQ(figures[0].id, "spectrum");
+    EXPECT_EQ(figures[0].curves.back().name, "prescribed");
+    EXPECT_EQ(figures[1].id, "contact_area");
+    const report::Curve& area = figures[1].curves.front();
+    ASSERT_EQ(area.x.size(), 2U);
+    for (const int i : {0, 1}) {
+        EXPECT_NEAR(area.x[i], .1 * (i + 1), 1e-12);
+        EXPECT_NEAR(area.y[i], .2 * (i + 1), 1e-12);
     }
+    EXPECT_NE(figures[1].caption.find("2.00 for BEM"), std::string::npos) << figures[1].caption;
 }
 
-TEST(RoughPlots, AMeasuredMapHasNoPrescribedSpectrum) {
+TEST(RoughFigures, AMeasuredMapHasNoPrescribedSpectrum) {
     contact::Case c = rough_case();
     const contact::HeightMap map = make_roughness(*c.indenter.roughness, 32);
     c.indenter.roughness.reset();
     c.indenter.shape = contact::Case::Shape::height_map;
     c.indenter.height_map = std::make_shared<const contact::HeightMap>(map);
-    const auto plots = rough_plots(c, pressed());
-    ASSERT_EQ(plots.size(), 2U);
-    EXPECT_EQ(plots[0].picture.script.find("prescribed"), std::string::npos);
+    const auto figures = rough_figures(c, pressed());
+    ASSERT_EQ(figures.size(), 2U);
+    EXPECT_EQ(figures[0].curves.size(), 1U);
 }
 
-TEST(RoughPlots, ARoughBallHasNoNominalArea) {
+TEST(RoughFigures, ARoughBallHasNoNominalArea) {
     contact::Case c = rough_case();
     c.indenter.shape = contact::Case::Shape::paraboloid;
     c.indenter.radius = 50;
     c.bem.period.reset();
-    ASSERT_EQ(rough_plots(c, pressed()).size(), 1U);
-    EXPECT_TRUE(rough_plots(synthetic::unit_case(), synthetic::two_models()).empty());
+    ASSERT_EQ(rough_figures(c, pressed()).size(), 1U);
+    EXPECT_TRUE(rough_figures(synthetic::unit_case(), synthetic::two_models()).empty());
 }
 
 }  // namespace
-}  // namespace tricontact::comparisons::rough_plots_test
+}  // namespace tricontact::comparisons::rough_figures_test

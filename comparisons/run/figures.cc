@@ -1,0 +1,37 @@
+#include "comparisons/run/figures.h"
+
+#include "comparisons/quantities/resample.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+std::vector<report::Kind> zone_kinds() {
+    return {{"stick", 0.83}, {"slip", 0.4}, {"zero", 0.14}, {"released", 0.14}};
+}
+
+report::Curve curve_of(const contact::History& history, std::size_t i) {
+    return {.name = report::display_name(history.model), .colour = static_cast<int>(i)};
+}
+
+Figures make_figures(const contact::Case& c, const Histories& histories) {
+    Figures figures;
+    const auto add = [&](const auto& maker, const Histories& of) {
+        for (report::Figure& figure : maker(c, of)) figures.push_back(std::move(figure));
+    };
+    add(shift_figures, histories);
+    add(dissipation_figures, histories);
+    const Histories on_grid = are_on_grids(histories) ? histories : on_grids(histories);
+    add(traction_figures, on_grid);
+    if (c.is_line_contact()) {  // nothing varies along y
+        add(line_contact_figures, on_grid);
+    } else {
+        add(zone_figures, on_grid);
+        add(surface_figures, on_grid);
+    }
+    add(end_figures, histories);
+    add(rough_figures, histories);
+    add(subsurface_figures, histories);
+    return figures;
+}
+
+}  // namespace tricontact::comparisons

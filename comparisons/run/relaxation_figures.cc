@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "comparisons/run/relaxation_report.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+using contact::DmaFit;
+using report::Curve;
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr int curve_points = 241;
+
+struct Range {
+    double low, high;
+
+    void include(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+};
+
+/// G' and G'' [MPa] of the case over f [Hz].
+std::vector<Curve> moduli(const Case& c, const Range& range) {
+    Curve storage{.name = "G′", .colour = 0}, loss{.name = "G″", .colour = 1};
+    for (int i = 0; i < curve_points; ++i) {
+        const double f = range.low * std::pow(range.high / range.low, i / (curve_points - 1.));
+        const auto modulus =
+            c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(turn * f) * 1e-6;
+        storage.add(f, modulus.real());
+        loss.add(f, modulus.imag());
+    }
+    return {storage, loss};
+}
+
+/// Points of the table: G', G'' [MPa] with the case's relaxed modulus, and residuals of both [%].
+struct Measured {
+    Curve storage{.name = "G′, measured", .kind = Curve::Kind::points, .colour = 0};
+    Curve loss{.name = "G″, measured", .kind = Curve::Kind::points, .colour = 1};
+    Curve storage_residual{.name = "G′", .kind = Curve::Kind::points, .colour = 0};
+    Curve loss_residual{.name = "G″", .kind = Curve::Kind::points, .colour = 1};
+
+    Measured(const DmaFit& fit, double relaxed) {
+        const double factor = relaxed / fit.relaxed_modulus;
+        for (std::size_t k = 0; k < fit.table.size(); ++k) {
+            const double omega = fit.table.omega[k], f = omega / turn;
+            const auto fitted = fit.relaxed_modulus * fit.relaxation.dynamic_ratio(omega);
+            storage.add(f, fit.table.storage[k] * factor * 1e-6);
+            loss.add(f, fit.table.loss[k] * factor * 1e-6);
+            storage_residual.add(f, 100 * (fitted.real() / fit.table.storage[k] - 1));
+            loss_residual.add(f, 100 * (fitted.imag() / fit.table.loss[k] - 1));
+        }
+    }
+};
+
+/// A vertical line over the whole of the figure.
+struct Mark {
+    double frequency;
+    const char* name;
+    const char* meaning;  ///< sentence of the caption
+};
+
+std::vector<Mark> marks(const RelaxationStudy& study) {
+    std::vector<Mark> result;
+    if (!study.twins.empty() && study.twins.front().drive)
+        result.push_back(
+            {study.twins.front().drive->frequency, "drive", "Drive: frequency of the rolling."});
+    if (study.limit && study.limit->frequency)
+        result.push_back({*study.limit->frequency, "elastic within 1 %",
+                          "Below the other vertical line the elastic substrate errs by less than "
+                          "1 %."});
+    return result;
+}
+
+/// Two decades beyond the relaxation times, and everything that is marked [Hz].
+Range frequencies(const Case& c, const std::vector<Mark>& marked) {
+    const auto [fast, slow] =
+        std::minmax_element(c.relaxation->branches.begin(), c.relaxation->branches.end(),
+                            [](const auto& a, const auto& b) { return a.time < b.time; });
+    Range range{0.01 / (turn * slow->time), 100 / (turn * fast->time)};
+    for (const Mark& mark : marked) range.include(mark.frequency);
+    if (c.dma_fit)
+        for (const double omega : c.dma_fit->table.omega) range.include(omega / turn);
+    return range;
+}
+
+}  // namespace
+
+std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy& study) {
+    const std::vector<Mark> marked = marks(study);
+    const Range range = frequencies(c, marked);
+    report::Figure figure{.id = "modulus",
+                          .title = "Dynamic shear modulus of the substrate",
+                          .caption = "Storage modulus G′ and loss modulus G″ of the case.",
+                          .x = {.label = "frequency f [Hz]",
+                                .logarithmic = true,
+                                .low = range.low,
+                                .high = range.high},
+                          .y = {"modulus [MPa]", true},
+                          .curves = moduli(c, range)};
+    // Decades in which G'' is next to nothing are not worth the room.
+    const double highest = 1.5 * figure.curves[0].y.back();
+    figure.y.low = std::max(figure.curves[1].y.front(), 1e-3 * highest) / 2;
+    figure.y.high = highest;
+    for (const Mark& mark : marked) {
+        figure.curves.push_back({.name = mark.name,
+                                 .x = {mark.frequency, mark.frequency},
+                                 .y = {*figure.y.low, *figure.y.high},
+                                 .theory = true});
+        figure.caption += std::string(" ") + mark.meaning;
+    }
+    if (!c.dma_fit) return {figure};
+    const Measured measured(*c.dma_fit, c.substrate.shear_modulus());
+    figure.curves.insert(figure.curves.end(), {measured.storage, measured.loss});
+    figure.caption +=
+        " Points: the DMA table times one factor, so that its relaxed modulus is the case's.";
+    return {figure,
+            {.id = "modulus_residuals",
+             .title = "Residuals of the fit to the DMA table",
+             .caption = "Curve over point, minus 1.",
+             .x = figure.x,
+             .y = {"residual [%]"},
+             .curves = {measured.storage_residual, measured.loss_residual}}};
+}
+
+}  // namespace tricontact::comparisons

@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "comparisons/quantities/reference.h"
+#include "comparisons/run/report_tables.h"
+#include "report/format.h"
+
+namespace tricontact::comparisons {
+
+namespace {
+
+using contact::Case;
+
+/// Names and values, in the order of the report.
+class Settings {
+  public:
+    void add(const std::string& name, const std::string& text) { list_.emplace_back(name, text); }
+    void add(const std::string& name, double value, const char* base = "") {
+        add(name, *base ? report::given_quantity(value, base) : report::as_given(value));
+    }
+    /// The same where it is given.
+    void add(const std::string& name, const std::optional<double>& value, const char* base = "") {
+        if (value) add(name, *value, base);
+    }
+    void add_unless_zero(const std::string& name, double value, const char* base = "") {
+        if (value != 0) add(name, value, base);
+    }
+    void add_angle(const std::string& name, double radians) {
+        add(name, report::as_given(radians * 180 / std::numbers::pi) + "°");
+    }
+    std::vector<std::pair<std::string, std::string>> take() { return std::move(list_); }
+
+  private:
+    std::vector<std::pair<std::string, std::string>> list_;
+};
+
+void add_layer(const Case& c, Settings& settings) {
+    const Case::Layer& layer = c.layer;
+    if (!layer.thickness) return;
+    settings.add("layer thickness b", *layer.thickness, "m");
+    for (const auto& lower : layer.lower) {
+        settings.add("lower layer's thickness", lower.thickness, "m");
+        settings.add("lower layer's E", lower.material.young, "Pa");
+        settings.add("lower layer's ν", lower.material.poisson);
+    }
+    settings.add("base", layer.base == Case::Base::half_space ? "elastic half-space"
+                         : layer.base == Case::Base::bonded   ? "bonded"
+                                                              : "frictionless");
+    if (layer.base == Case::Base::half_space) {
+        settings.add("ground's E", layer.ground->young, "Pa");
+        settings.add("ground's ν", layer.ground->poisson);
+    }
+    settings.add("period of the indenters (bem-layer)", c.bem.period, "m");
+    for (const auto& [name, side] : {std::pair("width", layer.width), {"depth", layer.depth}})
+        settings.add(name, side ? report::given_quantity(*side, "m") : "unbounded");
+}
+
+/// Times that only a relaxing substrate feels.
+void add_times(const Case& c, Settings& settings) {
+    if (!c.relaxation) return;
+    settings.add("pressing time",
+                 c.load.press_time ? report::given_quantity(*c.load.press_time, "s") : "slow");
+    settings.add("hold time under F_T", c.load.hold, "s");
+    if (c.rolling) settings.add("drive speed v", c.rolling->speed, "m/s");
+}
+
+/// How models that can treat coupled contact do it.
+void add_treatment(const Case& c, Settings& settings) {
+    if (!c.layer.thickness) return;
+    const bool friction = c.load.press == Case::Press::friction;
+    settings.add("pressing", friction ? "with friction" : "without friction");
+    if (friction) settings.add("pressing steps", std::to_string(c.load.press_steps));
+    settings.add("coupling", c.contact.coupling ? "yes" : "left out");
+    settings.add("kinematics",
+                 c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed");
+}
+
+std::string shape_name(const Case& c) {
+    switch (c.indenter.shape) {
+        case Case::Shape::sphere:
+            return "sphere";
+        case Case::Shape::cylinder:
+            return "cylinder";
+        case Case::Shape::roller:
+            return "roller";
+        case Case::Shape::cone:
+            return "cone";
+        case Case::Shape::power_law:
+            return "power law r^n/(n R^(n−1))";
+        case Case::Shape::rounded_punch:
+            return "flat punch with rounded edge";
+        case Case::Shape::ellipsoid:
+            return "ellipsoid";
+        case Case::Shape::profile:
+            return "profile from a table";
+        case Case::Shape::flat:
+            return "plane";
+        case Case::Shape::height_map:
+            return "height map";
+        default:
+            return "paraboloid";
+    }
+}
+
+/// Shape and lengths of the indenter.
+void add_indenter(const Case& c, Settings& settings) {
+    const Case::IndenterData& body = c.indenter;
+    settings.add("indenter", shape_name(c));
+    settings.add_unless_zero("radius R", body.radius, "m");
+    settings.add_unless_zero("radius across R_y", body.radius_y, "m");
+    settings.add_unless_zero("length L", body.length, "m");
+    settings.add_unless_zero("radius of its ends", body.chamfer, "m");
+    settings.add_unless_zero("radius of the flat part b", body.flat_radius, "m");
+    settings.add_unless_zero("exponent n", body.exponent);
+    if (body.angle != 0) settings.add_angle("flank to the surface", body.angle);
+    if (!body.profile.empty())
+        settings.add("radius of its last point", body.profile.back().radius, "m");
+    if (const auto& map = body.height_map) {
+        settings.add("rms height", rms_height(*map), "m");
+        settings.add("rms slope", rms_slope(*map));
+    }
+    if (const auto& r = body.roughness) {
+        settings.add("roughness: rms height", rms_height(*r), "m");
+        settings.add("rms slope", r->rms_slope);
+        settings.add("Hurst exponent", r->hurst);
+        settings.add("longest wave", r->long_wavelength, "m");
+        settings.add_unless_zero("roll-off", r->roll_off, "m");
+        settings.add("shortest wave", r->short_wavelength, "m");
+    }
+}
+
+void add_bodies(const Case& c, Settings& settings) {
+    add_indenter(c, settings);
+    if (c.indenter.material) {
+        settings.add("indenter E_1", c.indenter.material->young, "Pa");
+        settings.add("indenter ν_1", c.indenter.material->poisson);
+    } else {
+        settings.add("indenter material", "rigid");
+    }
+    settings.add("substrate E_2", c.substrate.young, "Pa");
+    settings.add("substrate ν_2", c.substrate.poisson);
+    if (c.relaxation) {
+        settings.add("unrelaxed over relaxed modulus G_0/G_inf",
+                     c.relaxation->instantaneous_ratio());
+        settings.add("relaxation terms", std::to_string(c.relaxation->branches.size()));
+    }
+    add_layer(c, settings);
+    if (c.bem.influence) settings.add("influence coefficients (bem)", "from a file");
+    settings.add("friction coefficient μ", c.friction_coefficient);
+}
+
+void add_oscillation(const std::string& what, double ratio, double phase, Settings& settings) {
+    if (ratio == 0) return;
+    settings.add(what + " oscillation, over its mean", ratio);
+    settings.add_angle(what + " phase", phase);
+}
+
+void add_steps(const Case::Rolling& rolling, Settings& settings) {
+    switch (rolling.steps) {
+        case Case::Steps::increment:
+            return settings.add("step ΔW at most", rolling.increment, "m");
+        case Case::Steps::turning_points:
+            return settings.add("steps", "turning points only");
+        case Case::Steps::per_quarter:
+            return settings.add("steps per quarter period",
+                                std::to_string(rolling.steps_per_quarter));
+    }
+}
+
+void add_rolling(const Case& c, Settings& settings) {
+    if (!c.rolling) return settings.add("rolling", "none");
+    const Case::Rolling& rolling = *c.rolling;
+    settings.add("rolling amplitude W", rolling.amplitude, "m");
+    settings.add(rolling.amplitude_reference != Case::AmplitudeReference::hertz
+                     ? "rolling amplitude over the model's radius"
+                 : contact::is_hertz_round(c) ? "rolling amplitude over Hertz' radius"
+                                              : "rolling amplitude over the half-space's radius",
+                 rolling.amplitude_ratio);
+    settings.add_angle("angle of rolling to load", rolling.angle);
+    settings.add(rolling.run_all ? "periods" : "periods at most", std::to_string(rolling.periods));
+    add_steps(rolling, settings);
+}
+
+void add_load(const Case& c, Settings& settings) {
+    const Case::Load& load = c.load;
+    settings.add("normal force F_N", load.normal_force, "N");
+    settings.add("indentation d, prescribed", load.indentation, "m");
+    settings.add("tangential force F_T", load.tangential_force, "N");
+    settings.add("tangential force over μF_N", load.tangential_ratio);
+    add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, settings);
+    add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
+                    settings);
+    add_treatment(c, settings);
+    add_times(c, settings);
+    add_rolling(c, settings);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Case& c) {
+    Settings settings;
+    add_bodies(c, settings);
+    add_load(c, settings);
+    return settings.take();
+}
+
+report::DocumentTable derived_table(const Case& c) {
+    const Reference r = reference(c);
+    const contact::MaterialPair pair = c.materials();
+    report::DocumentTable table{.id = "derived",
+                                .title = contact::is_hertz_round(c) ? "Derived (Hertz)"
+                                         : r.is_nominal             ? "Derived (nominal)"
+                                                                    : "Derived (half-space)",
+                                .columns = {{"quantity"}, {"unit"}, {"value"}}};
+    const auto add = [&](const std::string& name, double value, const char* base = "") {
+        const report::Unit unit = *base ? report::fitting_unit(value, base) : report::Unit{};
+        table.rows.push_back({name, unit.symbol, value / unit.factor});
+    };
+    add("effective modulus E*", pair.effective_modulus(), "Pa");
+    add("effective shear modulus G*", pair.effective_shear_modulus(), "Pa");
+    add("Dundurs' β", pair.dundurs_beta());
+    add(size_name(c) + " a", r.hertz.contact_radius, "m");
+    add("indentation d", r.hertz.indentation, "m");
+    add(std::string(pressure_name(c)) + (contact::has_conical_tip(c) ? " p_m" : " p_0"),
+        r.hertz.peak_pressure, "Pa");
+    add("normal force F_N", r.hertz.normal_force, "N");
+    add("friction limit μF_N", c.friction_coefficient * r.hertz.normal_force, "N");
+    add("unit of shift U_max", r.hertz.unit_shift, "m");
+    add("f_T = F_T/(μF_N)", r.tangential_ratio);
+    if (c.rolling) add("w = W/a", r.amplitude_ratio);
+    if (r.limit_tangential_ratio) add("limit of shakedown f_T,lim", *r.limit_tangential_ratio);
+    return table;
+}
+
+}  // namespace tricontact::comparisons

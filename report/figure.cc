@@ -1,0 +1,60 @@
+#include "report/figure.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "report/plot_style.h"
+
+namespace tricontact::report {
+
+namespace {
+
+using Style = std::optional<int>;
+
+Style known_style(const std::map<std::string, Style>& styles, const std::string& name) {
+    const auto found = styles.find(name);
+    return found == styles.end() || name.empty() ? Style() : found->second;
+}
+
+}  // namespace
+
+FigureStyles styles_of(const Figure& figure) {
+    FigureStyles result;
+    std::set<int> taken;
+    for (const Curve& curve : figure.curves)
+        if (curve.colour) taken.insert(*curve.colour);
+    std::map<std::string, Style> styles;
+    std::vector<std::string> theories;
+    int next = 0;
+    for (const Curve& curve : figure.curves) {
+        Style style = curve.colour;
+        if (!style && !curve.theory) style = known_style(styles, curve.name);
+        if (!style && !curve.theory) {
+            while (taken.contains(next)) ++next;
+            style = next++;
+        }
+        const bool known = styles.contains(curve.name);
+        if (style || !known) styles[curve.name] = style;
+        result.curves.push_back(style);
+        result.named.push_back(!known && !curve.name.empty());
+        if (curve.theory && !std::ranges::count(theories, curve.name))
+            theories.push_back(curve.name);
+        const auto theory = std::ranges::find(theories, curve.name) - theories.begin();
+        result.dashes.push_back(curve.theory ? 1 + static_cast<int>(theory)
+                                             : style.value_or(0) / n_model_colours);
+    }
+    for (const Band& band : figure.bands)
+        result.bands.push_back(band.colour ? band.colour : known_style(styles, band.name));
+    return result;
+}
+
+std::vector<std::size_t> thinned(std::size_t size, std::size_t at_most) {
+    const std::size_t stride = size <= at_most ? 1 : (size + at_most - 1) / at_most;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < size; i += stride) indices.push_back(i);
+    if (size > 0 && indices.back() != size - 1) indices.push_back(size - 1);
+    return indices;
+}
+
+}  // namespace tricontact::report

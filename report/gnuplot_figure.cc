@@ -1,0 +1,339 @@
+#include "report/gnuplot_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <system_error>
+#include <thread>
+
+#include "report/plot_style.h"
+
+namespace tricontact::report {
+
+namespace {
+
+constexpr int most_key_columns = 2;
+constexpr int key_line = 22;  // height of a line of the key [CSS pixels]
+
+/// A text in gnuplot's single quotes.
+std::string quoted(const std::string& text) {
+    return "'" + gnuplot_label(text) + "'";
+}
+
+std::string grey(double shade) {
+    const int level = static_cast<int>(std::lround(255 * (1 - shade)));
+    return fmt::format("#{0:02x}{0:02x}{0:02x}", level);
+}
+
+/// Smallest and largest value of all that is drawn along an axis.
+struct Extent {
+    double low = INFINITY, high = -INFINITY;
+
+    void include(const std::vector<double>& values) {
+        for (const double value : values)
+            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    }
+};
+
+std::string end_of(std::optional<double> value) {
+    return value ? fmt::format("{:.6g}", *value) : "*";
+}
+
+/// Commands of one axis, 'x' or 'y'.
+std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
+    std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name,
+                                   quoted(axis.label), end_of(axis.low), end_of(axis.high));
+    if (!axis.logarithmic) return text;
+    const bool decades = axis.high.value_or(extent.high) >= 30 * axis.low.value_or(extent.low);
+    return text + fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '{1}'\n", name,
+                              decades ? "10^{%T}" : "%g");
+}
+
+std::string axes(const Figure& figure) {
+    Extent x, y;
+    for (const Curve& curve : figure.curves) x.include(curve.x), y.include(curve.y);
+    for (const Band& band : figure.bands)
+        x.include(band.x), y.include(band.low), y.include(band.high);
+    if (figure.map) x.include(figure.map->x), y.include(figure.map->y);
+    return axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
+}
+
+/// Inline data and what draws them.
+struct Parts {
+    std::string data;
+    std::vector<std::string> plots;
+
+    /// Adds a block; its name.
+    std::string add_data(const std::vector<std::vector<double>>& columns) {
+        const std::string name = fmt::format("$data{}", n_blocks_++);
+        data += data_block(name, columns);
+        return name;
+    }
+    std::string plot(const char* command = "plot") const {
+        return plots.empty() ? "" : fmt::format("{} {}\n", command, fmt::join(plots, ", "));
+    }
+
+  private:
+    int n_blocks_ = 0;
+};
+
+/// `flat`: columns of a curve on the ground of `splot`.
+void add_curve(const Curve& curve, std::optional<int> style, int dash, bool named, bool flat,
+               Parts& parts) {
+    if (curve.x.empty()) return;
+    const std::string block = parts.add_data({curve.x, curve.y});
+    const std::string colour =
+        style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
+    constexpr const char* kinds[] = {"lines", "points", "linespoints"};
+    std::string plot =
+        fmt::format("{} using {} with {} linecolor rgb '{}'", block, flat ? "1:2:(0)" : "1:2",
+                    kinds[static_cast<int>(curve.kind)], colour);
+    if (curve.kind != Curve::Kind::points)
+        plot += fmt::format(" linewidth 1.5 dashtype {}", dash + 1);
+    if (curve.kind != Curve::Kind::line)
+        plot += fmt::format(" pointtype {} pointsize 0.7",
+                            model_marker(static_cast<std::size_t>(style.value_or(0))));
+    parts.plots.push_back(plot + (named ? " title " + quoted(curve.name) : " notitle"));
+    const auto add_errors = [&](const std::vector<double>& errors, char axis) {
+        if (!errors.empty() && !flat)
+            parts.plots.push_back(fmt::format(
+                "{} using 1:2:3 with {}errorbars pointtype 0 linewidth 1 linecolor rgb '{}' "
+                "notitle",
+                parts.add_data({curve.x, curve.y, errors}), axis, colour));
+    };
+    add_errors(curve.x_error, 'x');
+    add_errors(curve.y_error, 'y');
+}
+
+void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
+                bool with_key, Parts& parts) {
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        add_curve(curves[i], styles.curves[i], styles.dashes[i], with_key && styles.named[i], flat,
+                  parts);
+}
+
+void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
+    for (std::size_t i = 0; i < figure.bands.size(); ++i) {
+        const Band& band = figure.bands[i];
+        const std::string colour = styles.bands[i]
+                                       ? model_colour(static_cast<std::size_t>(*styles.bands[i]))
+                                       : theory_colour;
+        const bool alone = std::ranges::none_of(
+            figure.curves, [&](const Curve& curve) { return curve.name == band.name; });
+        parts.plots.push_back(fmt::format(
+            "{} using 1:2:3 with filledcurves fillstyle transparent solid 0.25 noborder fillcolor "
+            "rgb '{}' {}",
+            parts.add_data({band.x, band.low, band.high}), colour,
+            alone && !band.name.empty() ? "title " + quoted(band.name) : "notitle"));
+    }
+}
+
+std::string key_commands(const std::vector<bool>& named) {
+    return fmt::format(
+        "set key outside top center horizontal maxcols {} samplen 1.6\n",
+        std::max<long>(1, std::min<long>(most_key_columns, std::ranges::count(named, true))));
+}
+
+/// The strips' rows, in a plot of their own beneath the curves: rows 0, 1, ... downwards.
+std::string strip_panel(const Figure& figure) {
+    constexpr double letter_width = 0.019;  // of the frame
+    const double low = figure.x.low.value_or(0), width = figure.x.high.value_or(1) - low;
+    std::string text =
+        fmt::format("set yrange [{}:0]\nunset logscale y\nunset ytics\nunset ylabel\nunset key\n",
+                    figure.strips.size());
+    for (std::size_t row = 0; row < figure.strips.size(); ++row) {
+        const double middle = static_cast<double>(row) + 0.5;
+        text += fmt::format("set label {} at graph -0.015, first {} right textcolor rgb '{}'\n",
+                            quoted(figure.strips[row].name), middle, model_colour(row));
+        for (const auto& [index, begin, end] : figure.strips[row].stretches) {
+            const Kind& kind = figure.kinds[index];
+            text += fmt::format(
+                "set object rectangle from {:.5g},{} to {:.5g},{} fillcolor rgb '{}' fillstyle "
+                "solid border linecolor rgb '#ffffff' front\n",
+                begin, middle - 0.4, end, middle + 0.4, grey(kind.shade));
+            if (end - begin < letter_width * width * static_cast<double>(kind.name.size()))
+                continue;
+            text += fmt::format("set label {} at {:.5g},{} center front textcolor rgb '{}'\n",
+                                quoted(kind.name), (begin + end) / 2, middle,
+                                kind.shade > 0.5 ? "#ffffff" : "#111111");
+        }
+    }
+    return text + "plot NaN notitle\n";
+}
+
+Picture curves_picture(const Figure& figure) {
+    const FigureStyles styles = styles_of(figure);
+    Parts parts;
+    add_bands(figure, styles, parts);
+    add_curves(figure.curves, styles, false, true, parts);
+    if (parts.plots.empty()) parts.plots.emplace_back("NaN notitle");
+    const std::string head = parts.data + plot_style() + axes(figure) + key_commands(styles.named);
+    if (figure.strips.empty()) return {640, 420, head + parts.plot()};
+    const int key_rows =
+        static_cast<int>(std::ranges::count(styles.named, true) + most_key_columns - 1) /
+        most_key_columns;
+    const int strips = 24 * static_cast<int>(figure.strips.size());
+    const int foot = 76, top = key_line * key_rows + 12, height = foot + strips + 330 + top;
+    const auto from_below = [height](int pixels) { return static_cast<double>(pixels) / height; };
+    return {640, height,
+            head +
+                fmt::format("set multiplot\nset lmargin at screen 0.12\nset rmargin at screen "
+                            "0.97\nset tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                            "set xlabel ''\nset format x ''\n",
+                            from_below(height - top), from_below(foot + strips + 6)) +
+                parts.plot() +
+                fmt::format("set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                            "set xlabel {}\nset format x '%h'\n",
+                            from_below(foot + strips), from_below(foot), quoted(figure.x.label)) +
+                strip_panel(figure) + "unset multiplot\n"};
+}
+
+// Viridis (van der Walt and Smith 2015): even in lightness, safe without colour vision. Without its
+// dark end, so that black lines stand out.
+constexpr const char* palette =
+    "set palette defined (0 '#2a788e', 1 '#21918c', 2 '#22a884', 3 '#44bf70', 4 '#7ad151', "
+    "5 '#bddf26', 6 '#fde725')\n";
+
+/// Points (x, y, value) in rows, as gnuplot's surfaces need them.
+std::string grid_data(const ContourMap& map) {
+    std::string text = "$map << EOD\n";
+    auto value = map.values.begin();
+    for (const double y : map.y) {
+        for (const double x : map.x) {
+            text += std::isfinite(*value) ? fmt::format("{:.5g} {:.5g} {:.5g}\n", x, y, *value)
+                                          : fmt::format("{:.5g} {:.5g} NaN\n", x, y);
+            ++value;
+        }
+        text += '\n';
+    }
+    return text + "EOD\n";
+}
+
+Picture map_picture(const Figure& figure) {
+    constexpr int margins = 130, width = 400;  // of the frame, above, below and across [CSS pixels]
+    const ContourMap& map = *figure.map;
+    const FigureStyles styles = styles_of(figure);
+    Parts parts;
+    const bool has_values =
+        std::ranges::any_of(map.values, [](double v) { return !std::isnan(v); });
+    if (has_values) {
+        parts.plots.emplace_back("$map using 1:2:3 with pm3d notitle");
+        parts.plots.emplace_back(
+            "$lines using 1:2:(0) with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
+    }
+    add_curves(figure.curves, styles, true, true, parts);
+    const auto length = [](const FigureAxis& axis, const std::vector<double>& values) {
+        return std::abs(axis.high.value_or(values.back()) - axis.low.value_or(values.front()));
+    };
+    const double ratio =
+        figure.equal_scales ? length(figure.y, map.y) / length(figure.x, map.x) : 0.75;
+    const std::string levels =
+        map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
+    return {600, margins + static_cast<int>(std::lround(width * ratio)),
+            grid_data(map) + parts.data + plot_style() + axes(figure) +
+                (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
+                                          "surface\nset table $lines\nsplot $map using 1:2:3\n"
+                                          "unset table\nset surface\nunset contour\n",
+                                          levels)
+                            : "") +
+                fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
+                            "set size ratio {:.4g}\nset cblabel {}\n",
+                            palette, ratio, quoted(map.label)) +
+                key_commands(styles.named) + parts.plot("splot")};
+}
+
+/// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than
+/// cells, and crisp at any size. Boxes overlap a little: no seams where they meet.
+std::vector<std::vector<double>> boxes(const Panel& panel, int kind) {
+    constexpr double overlap = 0.15;  // of a cell
+    const std::size_t n = panel.x.size();
+    const auto half = [](const std::vector<double>& x) {
+        return x.size() < 2 ? 0.5 : (x[1] - x[0]) / 2;
+    };
+    std::vector<std::vector<double>> columns(6);
+    for (std::size_t j = 0; j < panel.y.size(); ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+            const auto is_kind = [&](std::size_t at) {
+                return at < n && panel.kinds[j * n + at] == kind;
+            };
+            if (!is_kind(i)) continue;
+            const double low = panel.x[i] - half(panel.x);
+            while (is_kind(i + 1)) ++i;
+            const double high = panel.x[i] + half(panel.x), bottom = panel.y[j] - half(panel.y);
+            const double top = panel.y[j] + (1 + 2 * overlap) * half(panel.y);
+            const double row[] = {(low + high) / 2, (bottom + top) / 2, low, high, bottom, top};
+            for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(row[k]);
+        }
+    return columns;
+}
+
+Picture panels_picture(const Figure& figure) {
+    constexpr int panel_width = 216, gap = 12, side = 56, foot = 70, head = 34;
+    const int n = static_cast<int>(figure.panels.size());
+    const double ratio = std::abs((figure.y.high.value_or(1) - figure.y.low.value_or(0)) /
+                                  (figure.x.high.value_or(1) - figure.x.low.value_or(0)));
+    const int map_height = static_cast<int>(std::lround(panel_width * ratio));
+    const int width = side + n * (panel_width + gap), height = head + map_height + foot;
+    std::string script =
+        plot_style() + axes(figure) +
+        fmt::format(
+            "unset key\nunset grid\nset border 15\nset xtics 1\nset ytics 1\n"
+            "set multiplot\nset tmargin at screen {:.6g}\nset bmargin at screen {:.6g}\n",
+            1 - static_cast<double>(head) / height, static_cast<double>(foot) / height);
+    for (int i = 0; i < n; ++i) {
+        const Panel& panel = figure.panels[static_cast<std::size_t>(i)];
+        const double left = side + i * (panel_width + gap), right = left + panel_width;
+        Parts parts;
+        for (std::size_t kind = 0; kind < figure.kinds.size(); ++kind)
+            if (const auto columns = boxes(panel, static_cast<int>(kind)); !columns[0].empty())
+                parts.plots.push_back(fmt::format(
+                    "{} using 1:2:3:4:5:6 with boxxyerror fillstyle solid noborder fillcolor rgb "
+                    "'{}'",
+                    parts.add_data(columns), grey(figure.kinds[kind].shade)));
+        add_curves(panel.curves, styles_of({.curves = panel.curves}), false, false, parts);
+        script += parts.data +
+                  fmt::format(
+                      "set lmargin at screen {:.6g}\nset rmargin at screen {:.6g}\n"
+                      "set title {} offset 0,-0.6\n{}",
+                      left / width, right / width, quoted(panel.title),
+                      i == 0 ? "" : "unset ylabel\nset format y ''\n") +
+                  parts.plot();
+    }
+    return {width, height, script + "unset multiplot\n"};
+}
+
+}  // namespace
+
+Picture picture_of(const Figure& figure) {
+    if (!figure.panels.empty()) return panels_picture(figure);
+    return figure.map ? map_picture(figure) : curves_picture(figure);
+}
+
+std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
+    std::vector<Drawing> drawings(figures.size());
+    std::atomic<std::size_t> next = 0;
+    // Two jobs per figure, one per format; each writes only its own string.
+    const auto work = [&] {
+        for (std::size_t job = next++; job < 2 * figures.size(); job = next++) {
+            const Picture picture = picture_of(figures[job / 2]);
+            if (job % 2 == 0)
+                drawings[job / 2].svg = draw(picture, ImageFormat::svg);
+            else
+                drawings[job / 2].png = draw(picture, ImageFormat::png);
+        }
+    };
+    std::vector<std::future<void>> workers;
+    try {
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i)
+            workers.push_back(std::async(std::launch::async, work));
+    } catch (const std::system_error&) {  // no further thread is to be had: those there are do it
+    }
+    work();
+    for (auto& worker : workers) worker.get();
+    return drawings;
+}
+
+}  // namespace tricontact::report

@@ -1,0 +1,112 @@
+#include "report/gnuplot_figure.h"
+
+#include <gtest/gtest.h>
+#include <pthread.h>
+
+#include <cmath>
+#include <system_error>
+#include <thread>
+
+namespace tricontact::report::gnuplot_figure_test {
+namespace {
+
+Figure curves() {
+    return {.id = "curves",
+            .title = "Curves",
+            .x = {.label = "position x/a", .low = -1, .high = 1},
+            .y = {"u_stat [1]", true},
+            .curves = {{.name = "MDR", .x = {-1, 0, 1}, .y = {1, NAN, 3}, .y_error = {.1, .1, .1}},
+                       {.name = "it's {a}", .x = {0}, .y = {2}, .kind = Curve::Kind::points},
+                       {.name = "exact", .x = {-1, 1}, .y = {2, 2}, .theory = true}},
+            .bands = {{.name = "95 %", .x = {-1, 1}, .low = {1, 1}, .high = {2, 3}}},
+            .kinds = {{"stick", 0.8}, {"slip", 0.4}},
+            .strips = {{"MDR", {{1, -1, -0.5}, {0, -0.5, 0.5}}}}};
+}
+
+Figure map() {
+    return {.id = "map",
+            .x = {"x/a"},
+            .y = {"y/a"},
+            .curves = {{.name = "largest", .x = {1}, .y = {1}, .kind = Curve::Kind::points}},
+            .map = ContourMap{"τ_x", {0, 1, 2}, {0, 1}, {0, 1, 2, 3, NAN, 5}},
+            .equal_scales = true};
+}
+
+Figure panels() {
+    const Panel panel{
+        "n = 0", {0, 1, 2}, {0, 1}, {0, 0, -1, 1, 1, 1}, {{.x = {0, 1}, .y = {0, 1}}}};
+    return {.id = "panels",
+            .x = {.label = "x/a", .low = -0.5, .high = 2.5},
+            .y = {.label = "y/a", .low = -0.5, .high = 1.5},
+            .kinds = {{"stick", 0.8}, {"slip", 0.4}},
+            .panels = {panel, panel},
+            .equal_scales = true};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST(GnuplotFigure, AllKindsAreDrawnInBothFormats) {
+    const std::vector<Figure> figures{curves(), map(), panels()};
+    const auto drawings = draw_all(figures);
+    ASSERT_EQ(drawings.size(), figures.size());
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const auto& [svg, png] = drawings[i];
+        EXPECT_TRUE(svg.starts_with("<?xml")) << figures[i].id;
+        EXPECT_TRUE(contains(svg, "</svg>")) << figures[i].id;
+        EXPECT_TRUE(png.starts_with("\x89PNG\r\n\x1a\n")) << figures[i].id;
+        EXPECT_TRUE(contains(png, "IEND")) << figures[i].id;
+    }
+    for (const char* text : {">position x/a<", ">stick<", ">exact<", ">95 %<"})
+        EXPECT_TRUE(contains(drawings[0].svg, text)) << text;
+    EXPECT_TRUE(contains(drawings[1].svg, ">largest<"));
+    EXPECT_TRUE(contains(drawings[2].svg, ">n\u00a0=\u00a00<"));
+}
+
+TEST(GnuplotFigure, LabelsInGnuplotsNotation) {
+    EXPECT_EQ(gnuplot_label("u_stat [1]"), "u_{stat} [1]");
+    EXPECT_EQ(gnuplot_label("C(q) [m^4]"), "C(q) [m^{4}]");
+    EXPECT_EQ(gnuplot_label("it's a_b_c {x}"), "it''s a\\_b\\_c \\{x\\}");
+    EXPECT_EQ(gnuplot_label("a & b < c"), "a \\& b < c");
+}
+
+TEST(GnuplotFigure, TheScriptHoldsTheData) {
+    const std::string script = picture_of(curves()).script;
+    EXPECT_TRUE(contains(script, "-1 1 \n0 NaN \n1 3 \nEOD"));
+    EXPECT_TRUE(contains(script, "set logscale y"));
+    EXPECT_TRUE(contains(script, "set xrange [-1:1]"));
+    EXPECT_TRUE(contains(script, "title 'exact'"));
+    // Two cells of stick in the first row are one box.
+    EXPECT_TRUE(contains(picture_of(panels()).script, "0.5 0.075 -0.5 1.5 -0.5 0.65 \nEOD"));
+    EXPECT_TRUE(contains(picture_of(map()).script, "1 1 NaN\n"));
+}
+
+// Where the system gives no further thread - here none whose stack is larger than all addresses -
+// one draws them all.
+TEST(GnuplotFigure, OneThreadDrawsWhatMoreWouldDraw) {
+    const std::vector<Figure> figures{curves(), panels()};
+    const auto due = draw_all(figures);
+    pthread_attr_t usual, none;
+    ASSERT_EQ(pthread_getattr_default_np(&usual), 0);
+    ASSERT_EQ(pthread_attr_init(&none), 0);
+    ASSERT_EQ(pthread_attr_setstacksize(&none, std::size_t{1} << 60), 0);
+    ASSERT_EQ(pthread_setattr_default_np(&none), 0);
+    EXPECT_THROW(std::thread([] {}).join(), std::system_error);
+    const auto drawings = draw_all(figures);
+    ASSERT_EQ(pthread_setattr_default_np(&usual), 0);
+    ASSERT_EQ(drawings.size(), due.size());
+    for (std::size_t i = 0; i < due.size(); ++i) {
+        EXPECT_EQ(drawings[i].svg, due[i].svg) << figures[i].id;
+        EXPECT_EQ(drawings[i].png, due[i].png) << figures[i].id;
+    }
+}
+
+TEST(GnuplotFigure, ErrorsOfGnuplotReachTheCaller) {
+    Figure broken = curves();
+    broken.x.low = NAN;
+    EXPECT_THROW(draw_all({broken}), GnuplotError);
+}
+
+}  // namespace
+}  // namespace tricontact::report::gnuplot_figure_test
