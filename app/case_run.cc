@@ -13,13 +13,13 @@
 #include "comparisons/run/relaxation_report.h"
 #include "contact/error.h"
 #include "files/version.h"
-#include "io/case/case_writer.h"
+#include "io/case/case_reader.h"
+#include "io/keys/toml_document.h"
 #include "io/results/atomic_file.h"
-#include "io/results/case_json.h"
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
 #include "io/results/progress.h"
-#include "io/results/vtk_series.h"
+#include "io/results/vtk_files.h"
 
 namespace tricontact::app {
 

@@ -19,8 +19,8 @@
 #include "files/version.h"
 #include "io/case/case_reader.h"
 #include "io/results/atomic_file.h"
-#include "io/results/mesh_vtu.h"
 #include "io/results/output_folder.h"
+#include "io/results/vtk_files.h"
 #include "meshes/hex_mesh.h"
 #include "meshes/mesh_file.h"
 

@@ -7,7 +7,7 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "contact/special_values.h"
-#include "io/results/case_json.h"
+#include "io/keys/toml_document.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "rolling/rolling_report.h"

@@ -7,9 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "io/keys/messages.h"
-#include "io/results/case_json.h"
+#include "io/keys/toml_document.h"
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"
 

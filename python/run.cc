@@ -10,7 +10,6 @@
 #include "comparisons/quantities/results.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "python/bindings.h"
 #include "rolling/rolling_document.h"
 

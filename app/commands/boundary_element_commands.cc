@@ -13,11 +13,8 @@
 #include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"
 #include "io/contact_program/sequence.h"
-#include "io/contact_program/sequence_text.h"
-#include "io/keys/file_kind.h"
 #include "io/keys/input_file.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_target.h"
 
 namespace tricontact::app {
 

@@ -3,12 +3,12 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "app/roll_models.h"
 #include "app/studies/study_kind.h"
 #include "comparisons/half_space/deviation_output.h"
 #include "contact/error.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "io/results/result_store.h"
 
 namespace tricontact::app {

@@ -11,7 +11,6 @@
 #include "contact/error.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 
 namespace tricontact::app {
 

@@ -14,9 +14,8 @@
 #include "contact/verdict.h"
 #include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
-#include "io/results/paraview_macro.h"
+#include "io/results/vtk_files.h"
 #include "report/format.h"
 
 namespace tricontact::app {

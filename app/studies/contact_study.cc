@@ -12,7 +12,6 @@
 #include "app/studies/study_kind.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "io/results/atomic_file.h"
 #include "report/format.h"
 

@@ -9,7 +9,6 @@
 #include "app/roll_models.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif

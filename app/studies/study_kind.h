@@ -11,7 +11,7 @@
 #include "io/case/study_reader.h"
 #include "io/results/result_store.h"
 #include "report/document.h"
-#include "walking/input/any_case.h"
+#include "walking/input/walk_reader.h"
 
 namespace tricontact::app {
 

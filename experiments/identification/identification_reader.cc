@@ -5,15 +5,12 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "experiments/identification/identification_table.h"
 #include "io/case/case_reader.h"
 #include "io/keys/field_reader.h"
-#include "io/keys/file_kind.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key_guess.h"
-#include "io/keys/key_kinds.h"
+#include "io/keys/key.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/refusal.h"
 #include "io/keys/toml_document.h"
 
 namespace tricontact::experiments {
@@ -26,25 +23,25 @@ using Kind = io::Key::Kind;
 
 constexpr std::string_view errors_section = "standard_errors";
 
-const std::vector<io::Key>& own_keys() {
+const std::vector<io::PlacedKey<Input>>& own_keys() {
     using enum Input::Measurement;
-    static const std::vector<io::Key> keys{
-        io::text_key("title", R"("Rig, static shift")", "what was measured"),
-        io::choice_key("measurement",
-                       {io::choice("static-shift", static_shift),
-                        io::choice("force-indentation", force_indentation),
-                        io::choice("contact-radius", contact_radius)},
-                       R"("static-shift")", "what the table holds"),
-        io::text_key("data", R"("shift.csv")", "the table"),
-        io::list_of(io::choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
-                                   R"(["half-space", "layer"])", "models that explain it")),
-        io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals")};
+    static const std::vector<io::PlacedKey<Input>> keys{
+        {io::text_key("title", R"("Rig, static shift")", "what was measured"),
+         [](Input& i) -> io::Field { return &i.title; }},
+        {io::choice_key("measurement",
+                        {io::choice("static-shift", static_shift),
+                         io::choice("force-indentation", force_indentation),
+                         io::choice("contact-radius", contact_radius)},
+                        R"("static-shift")", "what the table holds"),
+         [](Input& i) -> io::Field { return &i.measurement; }},
+        {io::text_key("data", R"("shift.csv")", "the table"),
+         [](Input& i) -> io::Field { return &i.data_file; }},
+        {io::list_of(io::choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
+                                    R"(["half-space", "layer"])", "models that explain it")),
+         [](Input& i) -> io::Field { return &i.models; }},
+        {io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals"),
+         [](Input& i) -> io::Field { return &i.confidence; }}};
     return keys;
-}
-
-const io::Key* own_key(std::string_view path) {
-    const auto found = std::ranges::find(own_keys(), path, &io::Key::path);
-    return found == own_keys().end() ? nullptr : &*found;
 }
 
 /// Keys of a case that describe a rig.
@@ -62,48 +59,33 @@ bool is_nested_in_measurement(std::string_view path) {
 }
 
 bool is_error(const io::Entry& entry) {
-    return entry.path.starts_with("standard_errors.");
+    return is_nested_in_measurement(entry.path);
+}
+
+/// Its own keys, and those that describe a rig.
+const io::KeyList& key_list() {
+    static const io::KeyList list = [] {
+        std::vector<const io::Key*> keys;
+        for (const io::Key& key : own_keys()) keys.push_back(&key);
+        for (const io::Key& key : io::case_keys())
+            if (describes_rig(key)) keys.push_back(&key);
+        return io::KeyList(keys, "docs/identify.md");
+    }();
+    return list;
 }
 
 void check_measurement_keys(const io::Document& document) {
-    constexpr std::string_view listed = "docs/identify.md lists what it has";
-    std::vector<std::string_view> known;
-    for (const io::Key& key : own_keys()) known.push_back(key.path);
-    for (const io::Key& key : io::case_keys())
-        if (describes_rig(key)) known.push_back(key.path);
-    std::vector<std::string_view> sections{errors_section};
-    for (const std::string_view path : known)
-        if (!io::section_of(path).empty()) sections.push_back(io::section_of(path));
-    for (const auto& section : document.sections)
-        if (!is_nested_in_measurement(section.name) &&
-            std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
-            io::fail(section.place, "",
-                     (io::is_section(section.name) ? "a measurement has no section ["
-                                                   : "unknown section [") +
-                         section.name + "]",
-                     io::did_you_mean(io::nearest(section.name, sections), listed));
-        }
-    for (const io::Entry& entry : document.entries) {
-        if (is_error(entry) || std::find(known.begin(), known.end(), entry.path) != known.end())
-            continue;
-        io::fail(
-            entry.key_place, "",
-            (io::find_key(entry.path) ? "a measurement has no key " : "unknown key ") + entry.path,
-            io::did_you_mean(io::likely_path(entry.path, known), listed));
-    }
+    const std::string listed = "docs/identify.md lists what it has";
+    for (const io::Entry& entry : document.entries)
+        if (io::find_key(entry.path) && !key_list().find(entry.path))
+            io::fail(entry.key_place, "", "a measurement has no key " + entry.path, listed);
+    io::check_names(
+        document, key_list(),
+        {.sections = {errors_section}, .is_open = is_nested_in_measurement, .remedy = listed});
 }
 
 const io::Entry& required(const io::Document& document, std::string_view path) {
-    const io::Key* key = own_key(path) ? own_key(path) : io::find_key(path);
-    const std::string section(io::section_of(path));
-    return document.required(path, "add " + std::string(io::name_of_key(path)) + " = " +
-                                       std::string(key->example) +
-                                       (section.empty() ? "" : " to [" + section + "]"));
-}
-
-template <class T>
-void read_own(const io::Document& document, std::string_view path, T& value) {
-    io::read_field(*own_key(path), *document.find(path), io::Field(&value));
+    return io::required(*key_list().find(path), document, key_list());
 }
 
 double quantity_of(const io::Document& document, std::string_view path) {
@@ -287,7 +269,7 @@ void check_friction(const Input& input, const io::Document& document) {
 }  // namespace
 
 std::string_view name_of(Measurement measurement) {
-    const auto& words = own_key("measurement")->choices;
+    const auto& words = key_list().find("measurement")->choices;
     return std::ranges::find(words, static_cast<int>(measurement), &io::Choice::enumerator)->word;
 }
 
@@ -297,13 +279,9 @@ Input parse_identification(std::string_view text, const std::string& name) {
     check_measurement_keys(document);
     Input input;
     input.name = name;
-    if (document.find("title")) read_own(document, "title", input.title);
-    if (document.find("confidence")) read_own(document, "confidence", input.confidence);
-    const io::Entry& measurement = required(document, "measurement");
-    input.measurement =
-        static_cast<Measurement>(io::read_choice(*own_key("measurement"), measurement).enumerator);
-    required(document, "models");
-    read_own(document, "models", input.models);
+    for (const char* path : {"measurement", "models", "data"}) required(document, path);
+    io::read_given(own_keys(), input, document);
+    input.data_file = document.path_of(input.data_file);
     check_models(input, document);
     input.young_is_free = !document.find("substrate.young");
     input.friction_is_free =
@@ -313,10 +291,6 @@ Input parse_identification(std::string_view text, const std::string& name) {
                  document.find("substrate.young")->subject(), "nothing is left to be identified",
                  "omit the key that is to be found");
 
-    std::string file;
-    const io::Entry& data = required(document, "data");
-    io::read_field(*own_key("data"), data, io::Field(&file));
-    input.data_file = document.path_of(file);
     io::told_at(document, "data", [&] { read_measured_table(input); });
     input.rig = rig_of(input, document);
     input.rig.title = input.title;

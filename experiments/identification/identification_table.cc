@@ -1,7 +1,6 @@
-#include "experiments/identification/identification_table.h"
-
 #include <algorithm>
 
+#include "experiments/identification/identification_reader.h"
 #include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
 
@@ -12,24 +11,6 @@ namespace {
 using Measurement = IdentificationInput::Measurement;
 
 constexpr std::size_t most_rows = 10'000;
-
-void check_columns(const io::CsvTable& table, const MeasuredColumns& columns,
-                   const std::string& error_column) {
-    for (const auto& column : table.columns())
-        if (column.name != columns.given && column.name != columns.observed &&
-            column.name != error_column)
-            table.refuse_header("unknown column " +
-                                io::toml_string(io::shortened(column.name, 40)) + "; known are " +
-                                std::string(columns.given) + ", " + std::string(columns.observed) +
-                                ", " + error_column);
-}
-
-void check_positive(const io::CsvTable& table, std::string_view column,
-                    const std::vector<double>& values) {
-    for (std::size_t row = 0; row < values.size(); ++row)
-        if (!(values[row] > 0))
-            table.refuse_value(row, column, "must be positive", "correct or remove the row");
-}
 
 }  // namespace
 
@@ -54,16 +35,15 @@ void read_measured_table(IdentificationInput& input) {
                                              .header = std::string(columns.example),
                                              .most_rows = most_rows,
                                              .thinning = "thin it out, or take means"});
-    check_columns(table, columns, error_column);
+    table.check_names({columns.given, columns.observed, error_column});
     input.given = table.values(columns.given, columns.given_dimension);
     input.observed = table.values(columns.observed, columns.observed_dimension);
-    check_positive(table, columns.given, input.given);
+    table.check_positive(columns.given);
     // A shift may be lost in noise; a force or radius that is not there was not measured.
-    if (input.measurement != Measurement::static_shift)
-        check_positive(table, columns.observed, input.observed);
+    if (input.measurement != Measurement::static_shift) table.check_positive(columns.observed);
     if (table.has(error_column)) {
         input.standard_errors = table.values(error_column, columns.observed_dimension);
-        check_positive(table, error_column, input.standard_errors);
+        table.check_positive(error_column);
     }
     const int n_free = input.young_is_free + input.friction_is_free;
     if (table.n_rows() <= static_cast<std::size_t>(n_free))

@@ -4,18 +4,15 @@
 #include <array>
 
 #include "io/keys/field_reader.h"
-#include "io/keys/file_kind.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key_guess.h"
-#include "io/keys/key_kinds.h"
+#include "io/keys/key.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
 
 namespace tricontact::experiments {
 
 namespace {
-
-constexpr std::array<std::string_view, 3> sections{"record", "drive", "errors"};
 
 // Up to a day of three columns at 20 samples per second.
 const io::CsvForm& form() {
@@ -24,73 +21,49 @@ const io::CsvForm& form() {
     return form;
 }
 
-const std::vector<io::Key>& keys() {
+const std::vector<io::PlacedKey<ExperimentInput>>& keys() {
     using enum io::Dimension;
     using enum Experiment::Kind;
+    using Input = ExperimentInput;
     constexpr double longest = 1e9;  // [s], as in cases
-    static const std::vector<io::Key> keys{
-        io::text_key("title", R"("title")", "what was measured"),
-        io::choice_key("kind",
-                       {io::choice("shakedown", shakedown), io::choice("ratcheting", ratcheting),
-                        io::choice("limit", limit)},
-                       R"("shakedown")", "procedure"),
-        io::text_key("case", R"("case.toml")", "the case file"),
-        io::number_key("confidence", {0.5, 0.999}, "0.683", "level of the intervals"),
-        io::quantity_key("record.resolution", length, io::above_zero(1), R"("80 nm")",
-                         "step of the recorded shift"),
-        io::quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
-                         "when the tangential load was applied"),
-        io::quantity_key("drive.start", time, {-longest, longest}, R"("60 s")",
-                         "when rolling began"),
-        io::quantity_key("drive.period", time, io::above_zero(longest), R"("4.5 s")",
-                         "of the rolling"),
-        io::quantity_key("drive.amplitude", length, io::above_zero(1), R"("1.1 mm")",
-                         "rolling amplitude"),
-        io::quantity_key("drive.speed", velocity, io::above_zero(1e9), R"("1 mm/s")",
-                         "speed of the drive"),
-        io::integer_key("drive.periods", {1, 100'000}, "12", "rolling periods")};
+    static const std::vector<io::PlacedKey<Input>> keys{
+        {io::text_key("title", R"("title")", "what was measured"),
+         [](Input& i) -> io::Field { return &i.experiment.title; }},
+        {io::choice_key("kind",
+                        {io::choice("shakedown", shakedown), io::choice("ratcheting", ratcheting),
+                         io::choice("limit", limit)},
+                        R"("shakedown")", "procedure"),
+         [](Input& i) -> io::Field { return &i.experiment.kind; }},
+        {io::text_key("case", R"("case.toml")", "the case file"),
+         [](Input& i) -> io::Field { return &i.case_file; }},
+        {io::text_key("runs", R"(["run_1.csv"])", "the records")},
+        {io::number_key("confidence", {0.5, 0.999}, "0.683", "level of the intervals"),
+         [](Input& i) -> io::Field { return &i.experiment.confidence; }},
+        {io::quantity_key("record.resolution", length, io::above_zero(1), R"("80 nm")",
+                          "step of the recorded shift"),
+         [](Input& i) -> io::Field { return &i.experiment.resolution; }},
+        {io::quantity_key("record.loading", time, {-longest, longest}, R"("10 s")",
+                          "when the tangential load was applied"),
+         [](Input& i) -> io::Field { return &i.experiment.loading; }},
+        {io::quantity_key("drive.start", time, {-longest, longest}, R"("60 s")",
+                          "when rolling began"),
+         [](Input& i) -> io::Field { return &i.experiment.drive.start; }},
+        {io::quantity_key("drive.period", time, io::above_zero(longest), R"("4.5 s")",
+                          "of the rolling"),
+         [](Input& i) -> io::Field { return &i.experiment.drive.period; }},
+        {io::quantity_key("drive.amplitude", length, io::above_zero(1), R"("1.1 mm")",
+                          "rolling amplitude"),
+         [](Input& i) -> io::Field { return &i.experiment.drive.amplitude; }},
+        {io::quantity_key("drive.speed", velocity, io::above_zero(1e9), R"("1 mm/s")",
+                          "speed of the drive"),
+         [](Input& i) -> io::Field { return &i.experiment.drive.speed; }},
+        {io::integer_key("drive.periods", {1, 100'000}, "12", "rolling periods"),
+         [](Input& i) -> io::Field { return &i.experiment.drive.periods.emplace(); }}};
     return keys;
 }
 
 bool is_nested_in_experiment(std::string_view path) {
     return path.starts_with("errors.");
-}
-
-void check_experiment_keys(const io::Document& document) {
-    for (const auto& section : document.sections) {
-        if (is_nested_in_experiment(section.name) ||
-            std::find(sections.begin(), sections.end(), section.name) != sections.end())
-            continue;
-        io::fail(section.place, "", "unknown section [" + section.name + "]",
-                 "known are record, drive and errors");
-    }
-    std::vector<std::string_view> paths{"runs"};
-    for (const io::Key& key : keys()) paths.push_back(key.path);
-    for (const io::Entry& entry : document.entries) {
-        if (is_nested_in_experiment(entry.path) ||
-            std::find(paths.begin(), paths.end(), entry.path) != paths.end())
-            continue;
-        io::fail(entry.key_place, "", "unknown key " + entry.path,
-                 io::did_you_mean(io::likely_path(entry.path, paths),
-                                  "docs/experiment.md lists the keys"));
-    }
-}
-
-const io::Key& key_of(std::string_view path) {
-    return *std::ranges::find(keys(), path, &io::Key::path);
-}
-
-// Into a field of a type that cases have too.
-template <class T>
-void read(const io::Document& document, std::string_view path, T* field) {
-    if (const io::Entry* entry = document.find(path))
-        io::read_field(key_of(path), *entry, io::Field(field));
-}
-
-Experiment::Kind read_kind(const io::Document& document) {
-    const io::Entry& entry =
-        document.required("kind", R"(add kind = "shakedown", "ratcheting" or "limit")");
-    return static_cast<Experiment::Kind>(io::read_choice(key_of("kind"), entry).enumerator);
 }
 
 Record read_record(const std::string& path) {
@@ -100,14 +73,9 @@ Record read_record(const std::string& path) {
                   .shift = table.values("shift", io::Dimension::length),
                   .drive = {}};
     if (table.has("drive")) record.drive = table.values("drive", io::Dimension::length);
-    for (const auto& column : table.columns())
-        if (column.name != "time" && column.name != "shift" && column.name != "drive")
-            table.refuse_header("the column " + io::toml_string(io::shortened(column.heading, 40)) +
-                                " is none of time, shift and drive");
-    for (std::size_t i = 1; i < record.time.size(); ++i)
-        if (!(record.time[i] > record.time[i - 1]))
-            table.refuse_value(i, "time", "times must increase from row to row",
-                               "sort the table, or remove the row");
+    table.check_names({"time", "shift", "drive"});
+    table.check_increasing("time", "times must increase from row to row",
+                           "sort the table, or remove the row");
     return record;
 }
 
@@ -134,11 +102,9 @@ std::vector<ExperimentInput::CaseError> read_errors(const io::Document& document
         const std::string path = entry.path.substr(std::string_view("errors.").size());
         const io::CaseKey* key = io::find_key(path);
         if (!key || (key->kind != io::Key::Kind::quantity && key->kind != io::Key::Kind::number)) {
-            std::vector<std::string_view> paths;
-            for (const io::Key& k : io::case_keys()) paths.push_back(k.path);
             io::fail(entry.key_place, "",
                      "unknown key " + entry.path + ": the case has no number " + path,
-                     io::did_you_mean(key ? "" : io::likely_path(path, paths),
+                     io::did_you_mean(key ? "" : io::likely_path(path, io::case_key_list().paths()),
                                       "docs/case-file.md lists the keys"));
         }
         double error = 0;
@@ -190,22 +156,15 @@ ExperimentInput read_experiment(const std::string& path) {
     const io::Document document = io::parse_document(io::read_input_file(path, "experiment file"),
                                                      path, is_nested_in_experiment);
     io::require_kind(io::FileKind::experiment, document);
-    check_experiment_keys(document);
+    io::check_names(document, io::KeyList(keys(), {}),
+                    {.sections = {"errors"},
+                     .is_open = is_nested_in_experiment,
+                     .remedy = "docs/experiment.md lists the keys"});
+    document.required("kind", R"(add kind = "shakedown", "ratcheting" or "limit")");
     ExperimentInput input;
     Experiment& e = input.experiment;
-    read(document, "title", &e.title);
-    e.kind = read_kind(document);
-    read(document, "confidence", &e.confidence);
-    read(document, "record.resolution", &e.resolution);
-    read(document, "record.loading", &e.loading);
-    read(document, "drive.start", &e.drive.start);
-    read(document, "drive.period", &e.drive.period);
-    read(document, "drive.amplitude", &e.drive.amplitude);
-    read(document, "drive.speed", &e.drive.speed);
-    if (document.find("drive.periods")) read(document, "drive.periods", &e.drive.periods.emplace());
-    std::string case_file;
-    read(document, "case", &case_file);
-    if (!case_file.empty()) input.case_file = document.path_of(case_file);
+    io::read_given(keys(), input, document);
+    if (input.case_file) input.case_file = document.path_of(*input.case_file);
     input.errors = read_errors(document);
     e.records = read_records(document);
     check_drive(e, document);

@@ -3,8 +3,8 @@
 
 #include "contact/bodies/half_space_scales.h"
 #include "io/case/case_checks.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/refusal.h"
 
 namespace tricontact::io {
 
@@ -20,7 +20,7 @@ constexpr int samples = 200;          // of the indenter's height, along a side
 void check_influence(const Case& c, const Document& document) {
     if (c.bem.period)
         refuse(document, "bem.influence",
-               "coefficients of single cells say nothing of what is periodic",
+               "coefficients of single cells do not describe periodic contacts",
                "omit it or bem.period");
     if (computes(c, "bem") && computes(c, "bem-layer"))
         refuse(document, "bem.influence",
@@ -115,8 +115,8 @@ void check_room(const Case& c, const Document& document) {
 
 void check_inside(const Case& c, const Document& document) {
     if (c.output.volume == Case::VolumeOutput::none) return;
-    const char* why = c.bem.influence ? "coefficients of the surface say nothing of the inside"
-                      : c.bem.period  ? "the inside below periodic contacts is not computed"
+    const char* why = c.bem.influence ? "coefficients of the surface do not describe the interior"
+                      : c.bem.period  ? "the interior below periodic contacts is not computed"
                                       : nullptr;
     if (why) refuse(document, "output.volume", why, "leave output.volume out");
 }

@@ -5,9 +5,8 @@
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
-#include "io/case/relaxation_input.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/refusal.h"
 
 namespace tricontact::io {
 

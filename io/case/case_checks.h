@@ -79,4 +79,26 @@ void check_tractive_rolling(const contact::Case& c, const Document& document);
 /// Steps of a case that rolls on, at most: loading, then one per cell. The case has to be one.
 double steps_of_tractive_rolling(const contact::Case& c, const contact::HalfSpaceScales& scales);
 
+/// The word that stands for a shape in case files.
+std::string_view word_of(contact::Case::Shape shape);
+
+/// Throws contact::InputError at a key of [indenter] that the case's shape, which has been read,
+/// does not take.
+void check_indenter_keys(const contact::Case& c, const Document& document);
+
+/// Reads what `indenter.file` holds of a profile. Throws contact::InputError at the key.
+void resolve_indenter_file(contact::Case& c, const Document& document);
+
+/// Turns whichever of the three ways a case took (`relaxation_input`) into the branches of
+/// `relaxation`, and into the moduli and times that say the same. Without relaxation it does
+/// nothing. Throws contact::InputError; contact::NotConverged if no series fits a DMA table.
+void resolve_relaxation(contact::Case& c, const Document& document);
+
+/// Makes moduli and times say what `relaxation` is, wherever it comes from.
+void state_relaxation(contact::Case& c);
+
+/// Rules for a relaxing substrate: steps between turning points, and a bulk modulus that the
+/// models can take. Throws contact::InputError.
+void check_relaxation(const contact::Case& c, const Document& document);
+
 }  // namespace tricontact::io

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
-#include "io/case/indenter_keys.h"
-#include "io/case/overrides.h"
-#include "io/case/relaxation_input.h"
-#include "io/keys/file_kind.h"
+#include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
@@ -48,17 +46,15 @@ std::string absolute_path(const std::string& path, const Entry& entry, const Doc
 }
 
 void make_paths_absolute(Case& c, const Document& document) {
-    if (c.fem.mesh) c.fem.mesh = absolute_path(*c.fem.mesh, *document.find("fem.mesh"), document);
-    if (c.bem.influence)
-        c.bem.influence =
-            absolute_path(*c.bem.influence, *document.find("bem.influence"), document);
+    const auto make_absolute = [&](std::optional<std::string>& path, const char* key) {
+        if (path) path = absolute_path(*path, *document.find(key), document);
+    };
+    make_absolute(c.fem.mesh, "fem.mesh");
+    make_absolute(c.bem.influence, "bem.influence");
     if (!c.fem.cache.empty() && c.fem.cache != "none")
         c.fem.cache = absolute_path(c.fem.cache, *document.find("fem.cache"), document);
-    if (c.indenter.file)
-        c.indenter.file =
-            absolute_path(*c.indenter.file, *document.find("indenter.file"), document);
-    if (auto& dma = c.relaxation_input.dma)
-        dma = absolute_path(*dma, *document.find("substrate.relaxation.dma"), document);
+    make_absolute(c.indenter.file, "indenter.file");
+    make_absolute(c.relaxation_input.dma, "substrate.relaxation.dma");
     for (const auto* file : {&c.fem.mesh, &c.bem.influence})  // the models read them
         if (*file) note_input_file(**file);
 }
@@ -81,6 +77,45 @@ Case resolve(const Document& document) {
     return c;
 }
 
+Entry entry_of(const std::string& text) {
+    if (first_non_utf8(text) != std::string::npos)
+        fail("--set", "", "the text is not UTF-8", "use a terminal in UTF-8");
+    const std::string place = "--set " + shortened(text, 80);
+    const auto equals = text.find('=');
+    const std::string path(trimmed(std::string_view(text).substr(0, equals)));
+    if (equals == std::string::npos || path.empty())
+        fail(place, "", "is not of the form key=value",
+             "write for example --set load.tangential_ratio=0.3");
+    const std::string value(trimmed(std::string_view(text).substr(equals + 1)));
+    return overriding(path, parse_value(value), place);
+}
+
+void erase_from_file(Document& document, std::string_view path) {
+    std::erase_if(document.entries,
+                  [&](const Entry& entry) { return entry.path == path && !entry.overridden; });
+}
+
+void erase_alternatives(Document& document, const Key& key, const KeyList& keys) {
+    for (const Key* other : keys.alternatives(key)) {
+        if (other == &key) continue;
+        erase_from_file(document, other->path);
+        for (const Key* hanging : keys.keys())
+            if (hanging->needs == other->path) erase_from_file(document, hanging->path);
+    }
+}
+
+void put(Document& document, Entry entry, const KeyList& keys) {
+    const Entry* old = document.find(entry.path);
+    if (old && old->overridden)
+        fail(entry.place, entry.subject(), "is set twice", "keep one of the two --set");
+    erase_from_file(document, entry.path);
+    if (const Key* key = keys.find(entry.path)) erase_alternatives(document, *key, keys);
+    const std::string section(section_of(entry.path));
+    if (!section.empty() && !document.find_section(section))
+        document.sections.push_back({section, entry.place});
+    document.entries.push_back(std::move(entry));
+}
+
 }  // namespace
 
 Case parse_case(std::string_view text, const std::string& name,
@@ -101,6 +136,27 @@ Case read_case(const std::string& path, const std::vector<std::string>& override
     std::vector<std::string> all = overrides;
     if (!models.empty()) all.push_back(fmt::format("models=[\"{}\"]", fmt::join(models, "\", \"")));
     return parse_case(read_input_file(path), path, all);
+}
+
+std::string write_case(const contact::Case& c) {
+    contact::Case copy = c;  // fields are mutable places; the writer reads a copy
+    state_relaxation(copy);
+    state_lower_layers(copy);
+    KeyWriter writer;
+    for (const CaseKey& key : case_keys()) writer.add(key, key.field(copy));
+    return writer.text();
+}
+
+void apply_overrides(Document& document, const std::vector<std::string>& overrides,
+                     const KeyList& keys) {
+    for (const std::string& text : overrides) put(document, entry_of(text), keys);
+}
+
+void apply_overrides(Document& document, const std::vector<Entry>& overrides, const KeyList& keys) {
+    for (Entry entry : overrides) {
+        entry.overridden = true;
+        put(document, std::move(entry), keys);
+    }
 }
 
 }  // namespace tricontact::io

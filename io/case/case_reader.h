@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/case.h"
+#include "io/keys/key.h"
 #include "io/keys/toml_document.h"
 
 namespace tricontact::io {
@@ -23,5 +24,18 @@ contact::Case parse_case(std::string_view text, const std::string& name,
 
 /// The case of a document with the entries of another one in place of its own, as overrides are.
 contact::Case resolve_case(Document document, const std::vector<Entry>& overrides);
+
+/// The resolved case as TOML: every default written out, quantities in SI units with the shortest
+/// digits that read back the same. `parse_case` of the text yields a bit-identical case.
+std::string write_case(const contact::Case& c);
+
+/// Puts `section.key=value` texts over the entries of a document. Alternatives of an overridden
+/// key, and what hangs on them, vanish unless they are overrides themselves.
+/// Throws contact::InputError at a malformed override and at a key set twice.
+void apply_overrides(Document& document, const std::vector<std::string>& overrides,
+                     const KeyList& keys);
+
+/// The same for entries that another document gives; each path must be there once.
+void apply_overrides(Document& document, const std::vector<Entry>& overrides, const KeyList& keys);
 
 }  // namespace tricontact::io

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "io/case/case_checks.h"
-#include "io/keys/refusal.h"
+#include "io/keys/key_checks.h"
 
 namespace tricontact::io {
 

@@ -1,14 +1,13 @@
-#include "io/case/relaxation_input.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "contact/error.h"
 #include "contact/substrates/relaxing_case.h"
+#include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "io/keys/refusal.h"
-#include "io/tables/dma_table.h"
+#include "io/tables/body_tables.h"
 
 namespace tricontact::io {
 
@@ -139,7 +138,7 @@ void check_relaxation(const Case& c, const Document& document) {
     if (!c.relaxation) return;
     if (c.rolling && c.rolling->steps == Case::Steps::turning_points)
         refuse(document, "rolling.steps",
-               "a relaxing substrate feels the path between the turning points",
+               "the forces of a relaxing substrate depend on the path between the turning points",
                "give rolling.steps_per_quarter or rolling.increment instead of rolling.steps");
     for (const std::string& model : c.models) {
         const bool layer = model != "mdr" && model != "bem";

@@ -1,14 +1,14 @@
-#include "io/case/study_axes.h"
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 
+#include "io/case/study_reader.h"
 #include "io/keys/field_reader.h"
-#include "io/keys/key_guess.h"
-#include "io/keys/key_kinds.h"
+#include "io/keys/key.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {
@@ -32,7 +32,7 @@ const Key& checked_key(const Entry& entry, const std::string& path, const KeyLis
     const Key* key = keys.find(path);
     if (!key) refuse_unknown(entry, path, keys);
     if (path == "models")
-        fail(entry.key_place, entry.path, "is no key to be set or varied",
+        fail(entry.key_place, entry.path, "cannot be set or varied",
              "write models = [...] at the top of the study");
     return *key;
 }
@@ -177,11 +177,8 @@ Study::Range read_range(const Document& document, const Key& key) {
 }
 
 double twelve_digits(double value) {
-    std::array<char, 32> text{};
-    char* const begin = text.data();
-    const auto end =
-        std::to_chars(begin, begin + text.size(), value, std::chars_format::general, 12).ptr;
-    std::from_chars(begin, end, value);
+    const std::string text = fmt::format("{:.12g}", value);
+    std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
 }
 

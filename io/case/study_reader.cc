@@ -1,15 +1,12 @@
 #include "io/case/study_reader.h"
 
 #include <algorithm>
-#include <array>
 
 #include "io/case/case_keys.h"
-#include "io/case/study_axes.h"
 #include "io/keys/field_reader.h"
-#include "io/keys/file_kind.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key_guess.h"
-#include "io/keys/key_kinds.h"
+#include "io/keys/key.h"
+#include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {
@@ -18,25 +15,25 @@ namespace {
 
 constexpr int most_levels = 8;  // cells halve every second level: 128 times as many on a grid
 
-const Key& levels_key() {
-    static const Key key = integer_key("levels", {1, most_levels}, "3", "levels of refinement");
-    return key;
+// Keys whose values others than the study hold have no place.
+const std::vector<PlacedKey<Study>>& own_keys() {
+    static const std::vector<PlacedKey<Study>> keys{
+        {*find_key("title"), [](Study& s) -> Field { return &s.title; }},
+        {text_key("case", R"("case.toml")", "the case file")},
+        {*find_key("models")},
+        {integer_key("levels", {1, most_levels}, "3", "levels of refinement"),
+         [](Study& s) -> Field { return &s.levels; }},
+        {integer_key("latin_hypercube.points", {2, most_values}, "50", "points of the sample",
+                     {.required = true})},
+        {integer_key("latin_hypercube.seed", {0, 2147483647}, "1",
+                     "another seed, another sample")}};
+    return keys;
 }
 
-const Key& sample_points_key() {
-    static const Key key =
-        integer_key("latin_hypercube.points", {2, most_values}, "50", "points of the sample");
-    return key;
+const KeyList& own_key_list() {
+    static const KeyList list(own_keys(), "docs/sweeps.md");
+    return list;
 }
-
-const Key& seed_key() {
-    static const Key key =
-        integer_key("latin_hypercube.seed", {0, 2147483647}, "1", "another seed, another sample");
-    return key;
-}
-
-constexpr std::array<std::string_view, 4> top_keys{"title", "case", "models", "levels"};
-constexpr std::array<std::string_view, 3> sections{"set", "vary", "latin_hypercube"};
 
 // Keys of the case stand below [set] and [vary] as they stand in the case, and parts of a range
 // below those.
@@ -44,35 +41,11 @@ bool is_nested_section(std::string_view path) {
     return path.starts_with("set.") || path.starts_with("vary.");
 }
 
-void check_known(const Document& document) {
-    for (const auto& section : document.sections)
-        if (!is_nested_section(section.name) &&
-            std::find(sections.begin(), sections.end(), section.name) == sections.end()) {
-            fail(section.place, "", "unknown section [" + section.name + "]",
-                 did_you_mean(nearest(section.name, sections),
-                              "known are set, vary, latin_hypercube"));
-        }
-    for (const Entry& entry : document.entries) {
-        if (entry.path.starts_with("set.") || entry.path.starts_with("vary.")) continue;
-        const bool known =
-            std::find(top_keys.begin(), top_keys.end(), entry.path) != top_keys.end() ||
-            entry.path == sample_points_key().path || entry.path == seed_key().path;
-        if (known) continue;
-        if (std::find(sections.begin(), sections.end(), entry.path) != sections.end())
-            fail(entry.key_place, entry.subject(), "this is the name of a section, not of a key",
-                 "write [" + entry.path + "] on its own line and its keys below");
-        fail(entry.key_place, "", "unknown key " + entry.path,
-             did_you_mean(nearest(entry.path, top_keys),
-                          "known are title, case, models, levels, latin_hypercube.points, "
-                          "latin_hypercube.seed; keys of the case stand in [set] or [vary]"));
-    }
-}
-
 // Relative to the folder of the study.
 Document read_base(const Document& document) {
     const Entry& entry = document.required("case", "add case = \"case.toml\"");
     std::string file;
-    read_field(text_key("case", R"("case.toml")", "the case file"), entry, Field(&file));
+    read_field(*own_key_list().find("case"), entry, Field(&file));
     const std::string path = document.path_of(file);
     try {
         Document base = parse_document(read_input_file(path), path);
@@ -102,9 +75,11 @@ void refuse_models(const Document& document) {
                  "omit the key");
 }
 
-int integer_at(const Key& key, const Document& document, int otherwise) {
+int integer_at(std::string_view path, const Document& document, int otherwise) {
+    const KeyList& keys = own_key_list();
     int value = otherwise;
-    if (const Entry* entry = document.find(key.path)) read_field(key, *entry, Field(&value));
+    if (const Entry* entry = document.find(path))
+        read_field(*keys.find(path), *entry, Field(&value));
     return value;
 }
 
@@ -123,10 +98,10 @@ std::optional<Study::LatinHypercube> read_sampling(const Document& document,
     if (sampled == axes.end())
         fail(section->place, "", "[latin_hypercube] samples nothing: every range has points",
              "omit points in the ranges to be sampled, or this section");
-    if (!document.find(sample_points_key().path))
-        fail(section->place, "", "missing key latin_hypercube.points", "add points = 50");
-    return Study::LatinHypercube{integer_at(sample_points_key(), document, 0),
-                                 static_cast<std::uint64_t>(integer_at(seed_key(), document, 1))};
+    const std::string points = "latin_hypercube.points";
+    required(*own_key_list().find(points), document, own_key_list());
+    const int seed = integer_at("latin_hypercube.seed", document, 1);
+    return Study::LatinHypercube{integer_at(points, document, 0), static_cast<std::uint64_t>(seed)};
 }
 
 }  // namespace
@@ -134,12 +109,14 @@ std::optional<Study::LatinHypercube> read_sampling(const Document& document,
 Study parse_study(std::string_view text, const std::string& name, const KeyList& machine_keys) {
     const Document document = parse_document(text, name, is_nested_section);
     require_kind(FileKind::study, document);
-    check_known(document);
+    check_names(document, own_key_list(),
+                {.sections = {"set", "vary"},
+                 .is_open = is_nested_section,
+                 .remedy = "known are title, case, models, levels, latin_hypercube.points, "
+                           "latin_hypercube.seed; keys of the case stand in [set] or [vary]"});
     Study study;
     study.name = name;
-    if (const Entry* entry = document.find("title"))
-        read_field(*find_key("title"), *entry, Field(&study.title));
-    study.levels = integer_at(levels_key(), document, 1);
+    read_given(own_keys(), study, document);
     study.base = read_base(document);
     study.walks = is_walk_case(study.base);
     const KeyList& keys = study.walks ? machine_keys : case_key_list();

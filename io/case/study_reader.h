@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/keys/key_list.h"
+#include "io/keys/key.h"
 #include "io/keys/toml_document.h"
 
 namespace tricontact::io {
@@ -60,5 +60,12 @@ std::vector<Entry> entries_at(const Study::Axis& axis, const std::vector<double>
 std::string table_value(const Key& key, const Entry& entry);
 /// "substrate.thickness_m", "rolling.speed_m_per_s", "load.tangential_ratio".
 std::string table_heading(const Key& key);
+
+/// The keys below [set] of a study, as entries of a case that has these keys. Throws
+/// contact::InputError.
+std::vector<Entry> read_settings(const Document& document, const KeyList& keys);
+
+/// The keys below [vary], each with its list or range. Throws contact::InputError.
+std::vector<Study::Axis> read_axes(const Document& document, const KeyList& keys);
 
 }  // namespace tricontact::io

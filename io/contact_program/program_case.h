@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/vector2.h"
-#include "io/contact_program/case_digits.h"
+#include "io/contact_program/input_lines.h"
 
 namespace tricontact::io {
 

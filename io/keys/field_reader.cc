@@ -17,19 +17,6 @@ namespace {
     fail(entry.place, entry.subject(), rule, remedy.empty() ? example : remedy);
 }
 
-std::string range_rule(const Key& key) {
-    const auto bound = [&](double value) {
-        std::string text = shortest(value);
-        if (key.dimension != Dimension::none) text.append(" ").append(si_unit(key.dimension));
-        return text;
-    };
-    const Range& r = key.range;
-    const std::string rule =
-        "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
-        " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
-    return key.reason.empty() ? rule : rule + ": " + std::string(key.reason);
-}
-
 // `which`: of several values the one at hand.
 double in_range(double value, const Key& key, const Entry& entry, const std::string& which = {}) {
     if (!std::isfinite(value)) refuse(key, entry, which + "must be a finite number");
@@ -112,10 +99,7 @@ std::vector<double> numbers_of(const Key& key, const Entry& entry) {
 }
 
 std::string words_of(const Key& key) {
-    std::string words;
-    for (const Choice& choice : key.choices)
-        words += (words.empty() ? "" : ", ") + toml_string(choice.word);
-    return words;
+    return joined(key.choices, [](const Choice& choice) { return toml_string(choice.word); });
 }
 
 const Choice& choice_of(const std::string& word, const Key& key, const Entry& entry) {
@@ -196,7 +180,54 @@ struct Store {
     }
 };
 
+std::string number_text(const Key& key, double value) {
+    if (key.dimension == Dimension::none) return toml_number(value);
+    return toml_string(shortest(value) + ' ' + std::string(si_unit(key.dimension)));
+}
+
+struct Show {
+    const Key& key;
+
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(const std::string* v) const { return toml_string(*v); }
+    std::string operator()(const std::vector<std::string>* v) const {
+        return '[' + joined(*v, toml_string) + ']';
+    }
+    std::string operator()(const double* v) const { return number_text(key, *v); }
+    std::string operator()(const std::vector<double>* v) const {
+        const std::string out = joined(*v, [&](double value) { return number_text(key, value); });
+        if (key.bare && v->size() == 1) return out;
+        return out.empty() ? out : '[' + out + ']';
+    }
+    std::string operator()(const std::optional<double>* v) const {
+        return *v ? number_text(key, **v) : std::string();
+    }
+    std::string operator()(const std::optional<std::string>* v) const {
+        return *v ? toml_string(**v) : std::string();
+    }
+    std::string operator()(const int* v) const { return std::to_string(*v); }
+    std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
+    std::string operator()(EnumPlace v) const {
+        const auto it = std::find_if(key.choices.begin(), key.choices.end(),
+                                     [&](const Choice& c) { return c.enumerator == v.get(); });
+        return it == key.choices.end() ? std::string() : toml_string(it->word);
+    }
+};
+
 }  // namespace
+
+std::string range_rule(const Key& key) {
+    const auto bound = [&](double value) {
+        std::string text = shortest(value);
+        if (key.dimension != Dimension::none) text.append(" ").append(si_unit(key.dimension));
+        return text;
+    };
+    const Range& r = key.range;
+    const std::string rule =
+        "must be " + std::string(r.low_included ? "at least " : "greater than ") + bound(r.low) +
+        " and " + (r.high_included ? "at most " : "less than ") + bound(r.high);
+    return key.reason.empty() ? rule : rule + ": " + std::string(key.reason);
+}
 
 void read_field(const Key& key, const Entry& entry, const Field& field) {
     const Parsed value = parsed(key, entry);
@@ -205,6 +236,20 @@ void read_field(const Key& key, const Entry& entry, const Field& field) {
 
 const Choice& read_choice(const Key& key, const Entry& entry) {
     return choice_of(text_of(key, entry), key, entry);
+}
+
+std::string field_text(const Key& key, const Field& field) {
+    return std::visit(Show{key}, field);
+}
+
+void KeyWriter::add(const Key& key, const Field& field) {
+    const std::string value = field_text(key, field);
+    if (value.empty()) return;
+    if (key.section() != section_) {
+        section_ = key.section();
+        text_.append("\n[").append(section_).append("]\n");
+    }
+    text_.append(key.name()).append(" = ").append(value).append("\n");
 }
 
 }  // namespace tricontact::io

@@ -1,8 +1,13 @@
 #include "io/keys/input_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -45,6 +50,61 @@ std::string with_article(const std::string& kind) {
                                         : "name a readable " + kind);
 }
 
+// A key at the top or a section that no file of another kind has.
+struct Mark {
+    FileKind kind;
+    std::string_view name;
+    bool section;
+};
+
+// A measurement has an indenter too, an experiment names a case as a study does: the first mark
+// that is found decides.
+constexpr std::array<Mark, 12> marks{{{FileKind::rig, "rig", false},
+                                      {FileKind::measurement, "measurement", false},
+                                      {FileKind::measurement, "data", false},
+                                      {FileKind::experiment, "runs", false},
+                                      {FileKind::experiment, "kind", false},
+                                      {FileKind::walking, "machine", true},
+                                      {FileKind::study, "set", true},
+                                      {FileKind::study, "vary", true},
+                                      {FileKind::study, "latin_hypercube", true},
+                                      {FileKind::study, "case", false},
+                                      {FileKind::contact, "tractive_rolling", true},
+                                      {FileKind::contact, "indenter", true}}};
+
+struct Found {
+    FileKind kind;
+    std::string place;
+};
+
+std::optional<Found> kind_of(const Document& document) {
+    for (const Mark& mark : marks) {
+        if (mark.section) {
+            if (const auto* section = document.find_section(mark.name))
+                return Found{mark.kind, section->place};
+        } else if (const Entry* entry = document.find(mark.name)) {
+            return Found{mark.kind, entry->key_place};
+        }
+    }
+    return {};
+}
+
+// Name and command of a kind, in the order of FileKind.
+struct KindText {
+    std::string_view name, command;
+};
+constexpr std::array<KindText, 6> kind_texts{
+    {{"a contact case", "tricontact run computes it"},
+     {"a case of the micro-walking machine", "tricontact walk computes it"},
+     {"a study", "tricontact sweep computes it"},
+     {"a rig file", "tricontact rig checks it"},
+     {"an experiment file", "tricontact experiment evaluates it"},
+     {"a measurement", "tricontact identify evaluates it"}}};
+
+const KindText& text_of(FileKind kind) {
+    return kind_texts[static_cast<std::size_t>(kind)];
+}
+
 }  // namespace
 
 void note_input_file(const std::string& path) {
@@ -69,6 +129,34 @@ std::string read_input_file(const std::string& path, std::string_view what, std:
     } catch (const files::Unreadable& why) {
         refuse(path, why, kind);
     }
+}
+
+void require_kind(FileKind expected, const Document& document) {
+    const auto found = kind_of(document);
+    if (!found || found->kind == expected) return;
+    const bool rolls_on =
+        found->kind == FileKind::contact && document.find_section("tractive_rolling");
+    fail(found->place, "",
+         fmt::format("this is {}, not {}", text_of(found->kind).name, text_of(expected).name),
+         rolls_on ? "tricontact roll computes it" : text_of(found->kind).command);
+}
+
+bool is_contact_program_input(std::string_view path) {
+    return path.ends_with(".inp");
+}
+
+void refuse_contact_program_input(const std::string& path) {
+    fail(path, "", "this is input of the program CONTACT", "tricontact import makes a case of it");
+}
+
+void refuse_toml(const std::string& path) {
+    if (path.ends_with(".toml"))
+        fail(path, "", "this is no input file of the program CONTACT",
+             "tricontact export makes some of a case");
+}
+
+bool is_walk_case(const Document& document) {
+    return document.find_section("machine") != nullptr;
 }
 
 }  // namespace tricontact::io

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/keys/toml_document.h"
+
 namespace tricontact::io {
 
 /// Text of a regular file of at most `most_mb` megabytes. Throws contact::InputError naming path,
@@ -17,5 +19,23 @@ void note_input_file(const std::string& path);
 
 /// Whether the process has read it as an input, by whatever path.
 bool is_input_file(const std::string& path);
+
+/// What an input file is about; each is read by commands of its own.
+enum class FileKind { contact, walking, study, rig, experiment, measurement };
+
+/// Whether the file is about the micro-walking machine: it has a section [machine].
+bool is_walk_case(const Document& document);
+
+/// Throws contact::InputError "this is a study, not a case; tricontact sweep computes it" if the
+/// document shows by its keys and sections that it is of another kind than the one expected.
+void require_kind(FileKind expected, const Document& document);
+
+/// Whether a file is input of the program CONTACT by its name.
+bool is_contact_program_input(std::string_view path);
+/// "this is input of the program CONTACT": throws contact::InputError with the command that reads
+/// it.
+[[noreturn]] void refuse_contact_program_input(const std::string& path);
+/// Throws contact::InputError if a file that should be such input is one of TOML by its name.
+void refuse_toml(const std::string& path);
 
 }  // namespace tricontact::io

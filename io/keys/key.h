@@ -2,14 +2,17 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "io/keys/units.h"
 
+// Declarations of keys by what they hold: path, what is admissible, example, meaning.
 namespace tricontact::io {
 
 /// Place of an enumerator of any type that int holds.
@@ -74,12 +77,18 @@ struct Key {
     std::string_view default_value = {};  ///< TOML; empty: none
     bool required = false;                ///< in its section, if the section is there
     int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
-    std::string_view needs = {};  ///< key or section without which this one says nothing
+    std::string_view needs = {};  ///< key or section without which this one has no effect
     std::string_view example;     ///< TOML
     std::string_view text;        ///< what it means, one line
 
     std::string_view section() const;  ///< "" at the top
     std::string_view name() const;
+};
+
+/// Declaration of a key with its place in what the file describes.
+template <class Input>
+struct PlacedKey : Key {
+    Field (*field)(Input&) = nullptr;
 };
 
 /// "a.b" of "a.b.key", "" of "key". A quoted key, as a document shows it, may hold dots.
@@ -106,5 +115,113 @@ template <class Part, class Member>
 Field in(std::optional<Part>& part, Member Part::*member) {
     return part ? Field(&(*part.*member)) : Field();
 }
+
+/// What few keys have.
+struct KeyExtras {
+    std::string_view reason = {}, default_value = {};
+    bool required = false;
+    int alternative = 0;
+    std::string_view needs = {};
+};
+
+inline Key key_of(Key::Kind kind, std::string_view path, const Range& range,
+                  std::string_view example, std::string_view text, const KeyExtras& extras) {
+    return {.path = path,
+            .kind = kind,
+            .range = range,
+            .reason = extras.reason,
+            .default_value = extras.default_value,
+            .required = extras.required,
+            .alternative = extras.alternative,
+            .needs = extras.needs,
+            .example = example,
+            .text = text};
+}
+
+inline Key text_key(std::string_view path, std::string_view example, std::string_view text,
+                    const KeyExtras& extras = {}) {
+    return key_of(Key::Kind::text, path, {}, example, text, extras);
+}
+inline Key boolean_key(std::string_view path, std::string_view example, std::string_view text,
+                       const KeyExtras& extras = {}) {
+    return key_of(Key::Kind::boolean, path, {}, example, text, extras);
+}
+inline Key choice_key(std::string_view path, std::vector<Choice> choices, std::string_view example,
+                      std::string_view text, const KeyExtras& extras = {}) {
+    Key key = key_of(Key::Kind::choice, path, {}, example, text, extras);
+    key.choices = std::move(choices);
+    return key;
+}
+inline Key integer_key(std::string_view path, const Range& range, std::string_view example,
+                       std::string_view text, const KeyExtras& extras = {}) {
+    return key_of(Key::Kind::integer, path, range, example, text, extras);
+}
+inline Key number_key(std::string_view path, const Range& range, std::string_view example,
+                      std::string_view text, const KeyExtras& extras = {}) {
+    return key_of(Key::Kind::number, path, range, example, text, extras);
+}
+inline Key quantity_key(std::string_view path, Dimension dimension, const Range& range,
+                        std::string_view example, std::string_view text,
+                        const KeyExtras& extras = {}) {
+    Key key = key_of(Key::Kind::quantity, path, range, example, text, extras);
+    key.dimension = dimension;
+    return key;
+}
+/// A length above zero.
+inline Key length_key(std::string_view path, std::string_view example, std::string_view text,
+                      const KeyExtras& extras = {}) {
+    return quantity_key(path, Dimension::length, above_zero(1e6), example, text, extras);
+}
+/// Young's or shear modulus.
+inline Key modulus_key(std::string_view path, std::string_view example, std::string_view text,
+                       const KeyExtras& extras = {}) {
+    return quantity_key(path, Dimension::pressure, above_zero(1e15), example, text, extras);
+}
+/// Poisson's ratio.
+inline Key poisson_key(std::string_view path, std::string_view example, std::string_view text,
+                       const KeyExtras& extras = {}) {
+    return number_key(path, {-1, 0.5, false, true}, example, text, extras);
+}
+
+/// A list of what the key of a choice, number or quantity holds.
+inline Key list_of(Key one) {
+    using enum Key::Kind;
+    one.kind = one.kind == choice ? choice_list : one.kind == number ? number_list : quantity_list;
+    return one;
+}
+/// The same, of which one may stand without brackets.
+inline Key bare_list_of(Key one) {
+    one.bare = true;
+    return list_of(std::move(one));
+}
+
+/// All keys of a kind of input file, in the order in which they are written.
+class KeyList {
+  public:
+    /// Of keys that are declared elsewhere.
+    KeyList(std::vector<const Key*> keys, std::string_view reference)
+        : keys_(std::move(keys)), reference_(reference) {}
+    /// `keys` shall outlive the list. `reference`: the document that explains them.
+    template <class Declared>
+    KeyList(const std::vector<Declared>& keys, std::string_view reference) : reference_(reference) {
+        for (const Key& key : keys) keys_.push_back(&key);
+    }
+
+    std::span<const Key* const> keys() const { return keys_; }
+    std::string_view reference() const { return reference_; }
+
+    const Key* find(std::string_view path) const;
+    bool has_section(std::string_view name) const;
+    std::vector<std::string_view> paths() const;
+    /// Sections, in alphabetical order.
+    std::vector<std::string_view> sections() const;
+    /// The keys that exclude each other with this one, itself included; none if it has no
+    /// alternative.
+    std::vector<const Key*> alternatives(const Key& key) const;
+
+  private:
+    std::vector<const Key*> keys_;
+    std::string_view reference_;
+};
 
 }  // namespace tricontact::io

@@ -1,58 +1,46 @@
 #include "io/keys/key_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "io/keys/field_reader.h"
-#include "io/keys/key_guess.h"
+#include "io/keys/key.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {
 
 namespace {
 
-std::string join(const std::vector<std::string_view>& words) {
-    std::string out;
-    for (const auto word : words) out.append(out.empty() ? "" : ", ").append(word);
-    return out;
+using Paths = std::vector<std::string_view>;
+
+std::string join(const Paths& words) {
+    return joined(words, [](std::string_view word) { return word; });
 }
 
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
-                                 std::string_view near, const std::string& known) {
-    fail(place, "", "unknown " + what, did_you_mean(near, "known are " + known));
-}
-
-void check_sections_known(const Document& document, const KeyList& keys) {
-    const auto names = keys.sections();
-    for (const auto& section : document.sections)
-        if (!keys.has_section(section.name))
-            refuse_unknown(section.place, "section [" + section.name + "]",
-                           nearest(section.name, names), join(names));
+                                 std::string_view near, const std::string& otherwise) {
+    fail(place, "", "unknown " + what, did_you_mean(near, otherwise));
 }
 
 // A table in a section that is not one of the known ones: perhaps nearly.
-void check_table_known(const Entry& entry, const KeyList& keys) {
+void check_table_known(const Entry& entry, Paths nested) {
     if (section_of(entry.path).empty() || kind_of(entry.value) != "a table") return;
-    std::vector<std::string_view> nested = keys.sections();
     std::erase_if(nested, [](std::string_view name) { return section_of(name).empty(); });
     const std::string_view near = nearest(entry.path, nested);
-    if (!near.empty())
-        refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, join(nested));
+    if (!near.empty()) refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, {});
 }
 
-void check_keys_known(const Document& document, const KeyList& keys) {
-    for (const Entry& entry : document.entries) {
-        if (keys.find(entry.path)) continue;
-        if (keys.has_section(entry.path))
-            fail(entry.place, entry.subject(), "this is the name of a section, not of a key",
-                 "write [" + entry.path + "] on its own line and its keys below");
-        check_table_known(entry, keys);
-        const std::string_view section = section_of(entry.path);
-        std::vector<std::string_view> names;
-        for (const Key* key : keys.keys())
-            if (key->section() == section) names.push_back(key->path);
-        refuse_unknown(entry.key_place, "key " + entry.path, likely_path(entry.path, keys.paths()),
-                       join(names));
-    }
+// The keys of the same section.
+std::string siblings_of(std::string_view path, const KeyList& keys) {
+    Paths names;
+    for (const Key* key : keys.keys())
+        if (key->section() == section_of(path)) names.push_back(key->path);
+    return "known are " + join(names);
 }
 
 bool is_given(std::string_view needs, const Document& document) {
@@ -71,12 +59,75 @@ void check_combinations(const Document& document, const KeyList& keys) {
         if (is_given(key.needs, document)) continue;
         const std::string need = keys.has_section(key.needs) ? '[' + std::string(key.needs) + ']'
                                                              : std::string(key.needs);
-        fail(entry.place, entry.subject(), "says nothing without " + need + ", which is missing",
+        fail(entry.place, entry.subject(), "has no effect without " + need + ", which is missing",
              "give " + need + " too, or omit this key");
     }
 }
 
-[[noreturn]] void refuse_missing(const Key& key, const Document& document, const KeyList& keys) {
+// What formulas and textbooks call a key.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 21> symbols{
+    {{"E", "young"},
+     {"modulus", "young"},
+     {"nu", "poisson"},
+     {"mu", "coefficient"},
+     {"mu", "friction_coefficient"},
+     {"friction", "coefficient"},
+     {"R", "radius"},
+     {"b", "thickness"},
+     {"h", "spacing"},
+     {"h", "size"},
+     {"d", "indentation"},
+     {"F_N", "normal_force"},
+     {"FN", "normal_force"},
+     {"F_T", "tangential_force"},
+     {"FT", "tangential_force"},
+     {"f_T", "tangential_ratio"},
+     {"fT", "tangential_ratio"},
+     {"w", "amplitude_ratio"},
+     {"W", "amplitude"},
+     {"v_0", "base_velocity"},
+     {"v0", "base_velocity"}}};
+
+std::string_view named(std::string_view name, const Paths& paths) {
+    const auto found = std::ranges::find(paths, name, name_of_key);
+    return found == paths.end() ? std::string_view() : *found;
+}
+
+std::string_view behind_symbol(std::string_view symbol, const Paths& paths) {
+    for (const auto& [from, to] : symbols)
+        if (from == symbol)
+            if (const auto path = named(to, paths); !path.empty()) return path;
+    return {};
+}
+
+std::string_view nearly_named(std::string_view name, const Paths& paths) {
+    Paths names;
+    for (const auto path : paths) names.push_back(name_of_key(path));
+    const std::string_view near = nearest(name, names);
+    return near.empty() ? near : named(near, paths);
+}
+
+// By the whole path, if the name alone is near too: "substrate.E" is not nearly "substrate.base".
+std::string_view nearly_spelt(std::string_view path, const Paths& paths) {
+    const std::string_view near = nearest(path, paths);
+    return nearly_named(name_of_key(path), {near}).empty() ? std::string_view() : near;
+}
+
+// "youngs_modulus" begins with "young".
+std::string_view begun_alike(std::string_view name, const Paths& paths) {
+    constexpr std::size_t least = 4;
+    const auto alike = [&](std::string_view path) {
+        const std::string_view other = name_of_key(path);
+        return std::min(name.size(), other.size()) >= least &&
+               (name.starts_with(other) || other.starts_with(name));
+    };
+    const auto found = std::ranges::find_if(paths, alike);
+    return found == paths.end() ? std::string_view() : *found;
+}
+
+}  // namespace
+
+void refuse_missing(const Key& key, const Document& document, const KeyList& keys) {
     std::vector<std::string_view> group;
     for (const Key* other : keys.alternatives(key)) group.push_back(other->path);
     const std::string what = group.empty() ? std::string(key.path) : join(group);
@@ -89,11 +140,35 @@ void check_combinations(const Document& document, const KeyList& keys) {
          (group.empty() ? "missing key " : "missing: exactly one of ") + what, remedy);
 }
 
-}  // namespace
+void check_names(const Document& document, const KeyList& keys, const OtherNames& others) {
+    Paths sections = keys.sections();
+    sections.insert(sections.end(), others.sections.begin(), others.sections.end());
+    const auto is_section = [&](const std::string& name) {
+        return std::ranges::count(sections, name) > 0;
+    };
+    for (const auto& [name, place] : document.sections)
+        if (!is_section(name) && !others.is_open(name))
+            refuse_unknown(place, "section [" + name + "]", nearest(name, sections),
+                           "known are " + join(sections));
+    for (const Entry& entry : document.entries) {
+        if (keys.find(entry.path) || others.is_open(entry.path)) continue;
+        if (is_section(entry.path))
+            fail(entry.place, entry.subject(), "this is the name of a section, not of a key",
+                 "write [" + entry.path + "] on its own line and its keys below");
+        check_table_known(entry, sections);
+        refuse_unknown(entry.key_place, "key " + entry.path, likely_path(entry.path, keys.paths()),
+                       others.remedy.empty() ? siblings_of(entry.path, keys) : others.remedy);
+    }
+}
+
+const Entry& required(const Key& key, const Document& document, const KeyList& keys) {
+    const Entry* entry = document.find(key.path);
+    if (!entry) refuse_missing(key, document, keys);
+    return *entry;
+}
 
 void check_known(const Document& document, const KeyList& keys) {
-    check_sections_known(document, keys);
-    check_keys_known(document, keys);
+    check_names(document, keys);
     check_combinations(document, keys);
 }
 
@@ -115,6 +190,45 @@ void read_or_default(const Key& key, const Field& field, const Document& documen
     const bool has_place = !std::holds_alternative<std::monostate>(field);
     if (has_place && !default_elsewhere && (key.required || !group.empty()))
         refuse_missing(key, document, keys);
+}
+
+std::string likely_path(std::string_view path, std::span<const std::string_view> known) {
+    const std::string_view name = name_of_key(path);
+    const Paths all(known.begin(), known.end());
+    Paths siblings, others;
+    for (const auto one : known)
+        (section_of(one) == section_of(path) ? siblings : others).push_back(one);
+    for (const auto& guess :
+         {named(name, all), behind_symbol(name, siblings), nearly_named(name, siblings),
+          begun_alike(name, siblings), behind_symbol(name, others), nearly_spelt(path, others)})
+        if (!guess.empty()) return std::string(guess);
+    return {};
+}
+
+std::string did_you_mean(std::string_view near, std::string_view otherwise) {
+    return near.empty() ? std::string(otherwise) : "did you mean " + std::string(near) + "?";
+}
+
+std::string rounded(double value) {
+    return fmt::format("{:.4g}", value);
+}
+
+void refuse(const Document& document, const std::string& path, const std::string& rule,
+            const std::string& remedy) {
+    const Entry* entry = document.find(path);
+    fail(document.place_of(path), entry ? entry->subject() : path + " (default)", rule, remedy);
+}
+
+void check_file_there(const Document& document, const std::string& path, const std::string& file,
+                      const std::string& remedy) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        refuse(document, path, "there is no such file: " + file,
+               remedy + "; a relative name is meant from the folder of the case file");
+}
+
+std::string used(const Document& document, const std::string& first, const std::string& second) {
+    return document.find(second) ? second : first;
 }
 
 }  // namespace tricontact::io

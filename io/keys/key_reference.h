@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/keys/key_list.h"
+#include "io/keys/key.h"
 
 namespace tricontact::io {
 

@@ -31,6 +31,14 @@ std::string_view::size_type first_non_utf8(std::string_view text);
 /// The candidate nearest to the word in edit distance (case ignored), empty if none is near.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
+/// The texts of the elements, divided by commas.
+template <class List, class TextOf>
+std::string joined(const List& list, const TextOf& text_of) {
+    std::string out;
+    for (const auto& element : list) out.append(out.empty() ? "" : ", ").append(text_of(element));
+    return out;
+}
+
 /// Throws contact::InputError `place: subject: rule; remedy` in one line; empty parts are left out.
 [[noreturn]] void fail(std::string_view place, std::string_view subject, std::string_view rule,
                        std::string_view remedy);

@@ -8,6 +8,24 @@
 
 namespace tricontact::io {
 
+namespace {
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+std::optional<Value> single(std::string_view text) {
+    constexpr double largest_whole = 9007199254740992.;  // 2^53: beyond, doubles have gaps
+    if (text.find_first_not_of("+-.0123456789eE") != std::string_view::npos) return {};
+    const auto number = number_in(text);
+    if (!number) return {};
+    const bool whole = text.find('.') == std::string_view::npos && *number == std::floor(*number) &&
+                       std::abs(*number) < largest_whole;
+    return whole ? Value(static_cast<std::int64_t>(*number)) : Value(*number);
+}
+
+}  // namespace
+
 std::vector<std::string_view> words_of(std::string_view line) {
     constexpr std::string_view blanks = " \t\r";
     std::vector<std::string_view> words;
@@ -17,6 +35,28 @@ std::vector<std::string_view> words_of(std::string_view line) {
         at = line.find_first_not_of(blanks, end);
     }
     return words;
+}
+
+std::vector<TextLine> lines_of(std::string_view text, std::size_t most) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
+    std::vector<TextLine> lines;
+    for (std::size_t number = 1; !text.empty() && lines.size() < most; ++number) {
+        const auto end = std::min(text.find('\n'), text.size());
+        const std::string_view line = trimmed(text.substr(0, end));
+        if (!line.empty() && line[0] != '#') lines.push_back({number, line});
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+std::vector<std::string_view> cells_of(std::string_view line, char divider) {
+    std::vector<std::string_view> cells;
+    for (;;) {
+        const auto end = line.find(divider);
+        cells.push_back(trimmed(line.substr(0, end)));
+        if (end == std::string_view::npos) return cells;
+        line.remove_prefix(end + 1);
+    }
 }
 
 std::string_view without_plus(std::string_view word) {
@@ -70,6 +110,31 @@ bool underflows(std::string_view source) {
             mantissa.find_first_of("123456789") != mantissa.npos)
             return true;
     }
+    return false;
+}
+
+std::optional<Value> entered_number(std::string_view text) {
+    if (!text.starts_with('[') || !text.ends_with(']')) return single(text);
+    text = text.substr(1, text.size() - 2);
+    std::vector<double> numbers;
+    while (!trimmed(text).empty()) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        const auto number = number_in(trimmed(text.substr(0, end)));
+        if (!number || !std::isfinite(*number)) return {};
+        numbers.push_back(*number);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    if (numbers.empty()) return {};
+    return numbers;
+}
+
+bool has_bare_point(std::string_view text, std::size_t line) {
+    for (; line > 1; --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    text = text.substr(0, text.find_first_of("\n#"));
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == '.' && is_digit(text[i + 1]) &&
+            std::string_view(" \t=[,+-").find(text[i - 1]) != std::string_view::npos)
+            return true;
     return false;
 }
 

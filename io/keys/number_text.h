@@ -6,10 +6,23 @@
 #include <string_view>
 #include <vector>
 
+#include "io/keys/toml_document.h"
+
 namespace tricontact::io {
 
 /// Words of a line, divided by blanks and tabs.
 std::vector<std::string_view> words_of(std::string_view line);
+
+/// A line of a text that says something.
+struct TextLine {
+    std::size_t number = 0;  ///< from 1
+    std::string_view text;   ///< without blanks at both ends
+};
+/// The first `most` lines of a text but for empty ones and those that begin with #; a mark of UTF-8
+/// is left out.
+std::vector<TextLine> lines_of(std::string_view text, std::size_t most);
+/// The parts of a line, without blanks at both ends.
+std::vector<std::string_view> cells_of(std::string_view line, char divider);
 
 /// Without a plus in front of a number, which std::from_chars refuses.
 std::string_view without_plus(std::string_view word);
@@ -28,5 +41,12 @@ std::string_view source_at(std::string_view text, std::size_t line, std::size_t 
 /// Whether a number in the source of a TOML value, or of a list of them, is smaller than the least
 /// double, which parsers make zero of.
 bool underflows(std::string_view source);
+
+/// A number, or a list of numbers, as people type it, where TOML is stricter (".24", "5.", "+.5",
+/// "007") or calls a whole number none ("1e4"). Empty for what else TOML has ("1_000", "inf").
+std::optional<Value> entered_number(std::string_view text);
+
+/// Whether this line (from 1 on) of a text has a number that begins with its point.
+bool has_bare_point(std::string_view text, std::size_t line);
 
 }  // namespace tricontact::io

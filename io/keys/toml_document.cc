@@ -3,17 +3,18 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "io/case/case_keys.h"
-#include "io/keys/disguise.h"
-#include "io/keys/entered_number.h"
-#include "io/keys/file_kind.h"
+#include "io/keys/input_file.h"
 #include "io/keys/messages.h"
-#include "io/keys/nesting.h"
 #include "io/keys/number_text.h"
+#include "io/keys/toml_text.h"
 
 namespace tricontact::io {
 
@@ -26,42 +27,35 @@ std::string place(const std::string& name, const toml::source_position& position
            std::to_string(std::max(position.column, 1U));
 }
 
-std::optional<std::vector<double>> numbers_of(const toml::array& array) {
-    std::vector<double> numbers;
+// The elements, if there are some and all are T.
+template <class T>
+std::optional<std::vector<T>> all_of(const toml::array& array) {
+    std::vector<T> values;
     for (const toml::node& element : array) {
-        if (!element.is_number()) return {};
-        numbers.push_back(*element.value<double>());
+        if (std::is_same_v<T, bool> ? !element.is_boolean() : !element.is_number()) return {};
+        values.push_back(*element.value<T>());
     }
-    return numbers;
+    return array.empty() ? std::nullopt : std::optional(values);
 }
 
-std::optional<std::vector<bool>> truth_values_of(const toml::array& array) {
-    std::vector<bool> values;
-    for (const toml::node& element : array) {
-        if (!element.is_boolean()) return {};
-        values.push_back(*element.value<bool>());
-    }
-    return values;
-}
-
-Value list_of(const toml::array& array, const Disguise& disguise) {
-    if (auto numbers = numbers_of(array); numbers && !numbers->empty()) return *numbers;
-    if (auto values = truth_values_of(array); values && !values->empty()) return *values;
+Value list_of(const toml::array& array, const NonAsciiEscaper& escaper) {
+    if (const auto numbers = all_of<double>(array)) return *numbers;
+    if (const auto values = all_of<bool>(array)) return *values;
     std::vector<std::string> words;
     for (const toml::node& element : array) {
         const auto* word = element.as_string();
         if (!word) return OtherValue{"a list of other things than texts or numbers"};
-        words.push_back(disguise.take_off(word->get()));
+        words.push_back(escaper.restored(word->get()));
     }
     return words;
 }
 
-Value value_of(const toml::node& node, const Disguise& disguise) {
+Value value_of(const toml::node& node, const NonAsciiEscaper& escaper) {
     if (const auto* v = node.as_boolean()) return v->get();
     if (const auto* v = node.as_integer()) return v->get();
     if (const auto* v = node.as_floating_point()) return v->get();
-    if (const auto* v = node.as_string()) return disguise.take_off(v->get());
-    if (const auto* v = node.as_array()) return list_of(*v, disguise);
+    if (const auto* v = node.as_string()) return escaper.restored(v->get());
+    if (const auto* v = node.as_array()) return list_of(*v, escaper);
     if (node.is_table()) return OtherValue{"a table"};
     return OtherValue{"a date or time"};
 }
@@ -94,13 +88,13 @@ void sort(Items& items) {
 }
 
 Items items_of(const toml::table& table, const std::string& prefix, const std::string& name,
-               const Disguise& disguise) {
+               const NonAsciiEscaper& escaper) {
     Items out;
     for (const auto& [key, node] : table) {
         const auto& at = key.source().begin;
         out.push_back({at,
-                       {.path = path_of(prefix, disguise.take_off(key.str())),
-                        .value = value_of(node, disguise),
+                       {.path = path_of(prefix, escaper.restored(key.str())),
+                        .value = value_of(node, escaper),
                         .place = place(name, node.source().begin),
                         .key_place = place(name, at)},
                        node.as_table(),
@@ -112,12 +106,12 @@ Items items_of(const toml::table& table, const std::string& prefix, const std::s
 
 // Sections go to the document, keys to `keys`. Goes as deep as known sections are.
 void flatten(const toml::table& table, const std::string& prefix, IsSection is_nested,
-             const Disguise& disguise, Document& document, Items& keys) {
-    for (auto& item : items_of(table, prefix, document.name, disguise)) {
+             const NonAsciiEscaper& escaper, Document& document, Items& keys) {
+    for (auto& item : items_of(table, prefix, document.name, escaper)) {
         const std::string path = item.entry.path;
         if (item.table && (prefix.empty() || is_nested(path))) {
             document.sections.push_back({path, item.entry.place});
-            flatten(*item.table, path + '.', is_nested, disguise, document, keys);
+            flatten(*item.table, path + '.', is_nested, escaper, document, keys);
         } else {
             keys.push_back(std::move(item));
         }
@@ -143,8 +137,8 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
     return std::to_string(line + 1) + ':' + std::to_string(column + 1);
 }
 
-// Such an escape would be taken for a disguised character.
-bool escapes_disguise(std::string_view text) {
+// Such an escape would be taken for an escaped character.
+bool escapes_private_use(std::string_view text) {
     return text.find("\\U000F") != std::string_view::npos ||
            text.find("\\U000f") != std::string_view::npos;
 }
@@ -153,8 +147,7 @@ bool escapes_disguise(std::string_view text) {
 void check_nesting(std::string_view text, const std::string& name) {
     const std::size_t at = first_too_deep(text);
     if (at != std::string_view::npos)
-        fail(name + ':' + line_and_column(text, at), "",
-             "tables or lists are nested deeper than in any file of ours",
+        fail(name + ':' + line_and_column(text, at), "", "tables or lists are nested too deep",
              "write keys as section.key");
 }
 
@@ -169,19 +162,19 @@ void check_text(std::string_view text, const std::string& name) {
     if (bad != std::string_view::npos)
         fail(name + ':' + line_and_column(text, bad), "", "not valid UTF-8",
              "save the file in UTF-8");
-    if (escapes_disguise(text))
+    if (escapes_private_use(text))
         fail(name + ":1:1", "", "escapes of private-use characters (\\U000F...) are not supported",
              "omit them");
 }
 
-toml::table parse_toml(std::string_view text, const std::string& name, Disguise& disguise) {
+toml::table parse_toml(std::string_view text, const std::string& name, NonAsciiEscaper& escaper) {
     check_text(text, name);
     try {
         check_nesting(text, name);
-        return toml::parse(disguise.put_on(text));
+        return toml::parse(escaper.escaped(text));
     } catch (const toml::parse_error& error) {
         if (is_contact_program_input(name)) refuse_contact_program_input(name);
-        const std::string what = disguise.take_off(error.description());
+        const std::string what = escaper.restored(error.description());
         const bool twice = what.find("redefine") != std::string::npos;
         fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
              twice ? "keep one of the two"
@@ -193,53 +186,39 @@ toml::table parse_toml(std::string_view text, const std::string& name, Disguise&
     }
 }
 
+// As in a file.
+struct ShownValue {
+    std::string operator()(bool v) const { return v ? "true" : "false"; }
+    std::string operator()(std::int64_t v) const { return std::to_string(v); }
+    std::string operator()(double v) const { return toml_number(v); }
+    std::string operator()(const std::string& v) const {
+        return toml_string(shortened(v, longest_shown));
+    }
+    std::string full(const std::string& v) const { return toml_string(v); }
+    std::string full(double v) const { return (*this)(v); }
+    std::string full(bool v) const { return (*this)(v); }
+    template <class T>
+    std::string operator()(const std::vector<T>& list) const {
+        std::string out = "[";
+        for (const T& element : list) out += (out.size() > 1 ? ", " : "") + full(element);
+        return shortened(out + "]", longest_shown);
+    }
+    std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
+};
+
 }  // namespace
 
 std::string shown(const Value& value) {
-    struct Show {
-        std::string operator()(bool v) const { return v ? "true" : "false"; }
-        std::string operator()(std::int64_t v) const { return std::to_string(v); }
-        std::string operator()(double v) const { return toml_number(v); }
-        std::string operator()(const std::string& v) const {
-            return toml_string(shortened(v, longest_shown));
-        }
-        std::string operator()(const std::vector<std::string>& v) const {
-            std::string out = "[";
-            for (const auto& word : v) out += (out.size() > 1 ? ", " : "") + toml_string(word);
-            return shortened(out + "]", longest_shown);
-        }
-        std::string operator()(const std::vector<double>& v) const {
-            std::string out = "[";
-            for (const double number : v) out += (out.size() > 1 ? ", " : "") + toml_number(number);
-            return shortened(out + "]", longest_shown);
-        }
-        std::string operator()(const std::vector<bool>& v) const {
-            std::string out = "[";
-            for (const bool b : v)
-                out.append(out.size() > 1 ? ", " : "").append(b ? "true" : "false");
-            return shortened(out + "]", longest_shown);
-        }
-        std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
-    };
-    return std::visit(Show{}, value);
+    return std::visit(ShownValue{}, value);
 }
 
 std::string_view kind_of(const Value& value) {
-    struct Kind {
-        std::string_view operator()(bool) const { return "a truth value"; }
-        std::string_view operator()(std::int64_t) const { return "a number"; }
-        std::string_view operator()(double) const { return "a number"; }
-        std::string_view operator()(const std::string&) const { return "a text"; }
-        std::string_view operator()(const std::vector<std::string>&) const { return "a list"; }
-        std::string_view operator()(const std::vector<double>&) const {
-            return "a list of numbers";
-        }
-        std::string_view operator()(const std::vector<bool>&) const {
-            return "a list of truth values";
-        }
-        std::string_view operator()(const OtherValue& v) const { return v.kind; }
-    };
-    return std::visit(Kind{}, value);
+    // In the order of Value.
+    static constexpr std::array<std::string_view, 7> kinds{
+        "a truth value",         "a number", "a number", "a text", "a list", "a list of numbers",
+        "a list of truth values"};
+    const auto* other = std::get_if<OtherValue>(&value);
+    return other ? other->kind : kinds[value.index()];
 }
 
 const Entry* Document::find(std::string_view path) const {
@@ -282,11 +261,11 @@ Document parse_document(std::string_view text, const std::string& name) {
 }
 
 Document parse_document(std::string_view text, const std::string& name, IsSection is_nested) {
-    Disguise disguise;
-    const toml::table root = parse_toml(text, name, disguise);
+    NonAsciiEscaper escaper;
+    const toml::table root = parse_toml(text, name, escaper);
     Document document{.name = name, .sections = {}, .entries = {}};
     Items keys;
-    flatten(root, "", is_nested, disguise, document, keys);
+    flatten(root, "", is_nested, escaper, document, keys);
     sort(keys);
     for (auto& item : keys) {
         if (has_zero(item.entry.value) &&
@@ -300,20 +279,27 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
 Value parse_value(const std::string& text) {
     if (const auto number = entered_number(text)) return *number;
     // A line break could smuggle in a second key.
-    if (text.find_first_of("\r\n") != std::string::npos || escapes_disguise(text) ||
+    if (text.find_first_of("\r\n") != std::string::npos || escapes_private_use(text) ||
         first_too_deep(text) != std::string_view::npos)
         return text;
     try {
-        Disguise disguise;
-        const toml::table table = toml::parse(disguise.put_on("v = " + text));
+        NonAsciiEscaper escaper;
+        const toml::table table = toml::parse(escaper.escaped("v = " + text));
         const toml::node* node = table.get("v");
         if (table.size() != 1 || !node) return text;
-        const Value value = value_of(*node, disguise);
+        const Value value = value_of(*node, escaper);
         return has_zero(value) && underflows(text) ? Value(OtherValue{too_small}) : value;
     } catch (const toml::parse_error&) {
         return text;
     }
     return text;
+}
+
+nlohmann::ordered_json case_json(const std::string& toml_text) {
+    std::ostringstream text;
+    const toml::table table = toml::parse(toml_text);
+    text << toml::json_formatter{table};
+    return nlohmann::ordered_json::parse(text.str());
 }
 
 }  // namespace tricontact::io

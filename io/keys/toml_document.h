@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -68,5 +69,8 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
 
 /// Value of an override: TOML if it is that, else a bare string.
 Value parse_value(const std::string& text);
+
+/// A text of TOML, such as a resolved case, as JSON.
+nlohmann::ordered_json case_json(const std::string& toml_text);
 
 }  // namespace tricontact::io

@@ -14,21 +14,23 @@ using contact::StepRecord;
 
 // An entry is the bytes of the call, then those of the answer. A member that is added to one of
 // these structures does not compile until it is named here.
+template <class Visit>
+auto visiting(const Visit& visit) {
+    return [visit](auto&... members) { (visit(members), ...); };
+}
+
 template <class Step, class Visit>
 void visit_step(Step& step, const Visit& visit) {
+    const auto each = visiting(visit);
     auto& [phase, offset, normal, tangential, duration, friction] = step;
-    visit(phase);
-    visit(offset);
-    auto& [kind, value] = normal;
-    visit(kind);
-    visit(value);
-    for (auto& control : tangential) {
-        auto& [tangential_kind, tangential_value] = control;
-        visit(tangential_kind);
-        visit(tangential_value);
-    }
-    visit(duration);
-    visit(friction);
+    const auto visit_control = [&](auto& control) {
+        auto& [kind, value] = control;
+        each(kind, value);
+    };
+    each(phase, offset);
+    visit_control(normal);
+    for (auto& control : tangential) visit_control(control);
+    each(duration, friction);
 }
 
 template <class Record, class Visit>
@@ -37,25 +39,10 @@ void visit_record(Record& record, const Visit& visit) {
            material_dissipation, stored_energy, contact_area, stick_area, slip_area, open_area,
            normal_iterations, tangential_iterations, normal_residual, tangential_residual,
            force_residual] = record;
-    visit(phase);
-    visit(time);
-    visit(offset);
-    visit(normal_force);
-    visit(tangential_force);
-    visit(indentation);
-    visit(shift);
-    visit(dissipation);
-    visit(material_dissipation);
-    visit(stored_energy);
-    visit(contact_area);
-    visit(stick_area);
-    visit(slip_area);
-    visit(open_area);
-    visit(normal_iterations);
-    visit(tangential_iterations);
-    visit(normal_residual);
-    visit(tangential_residual);
-    visit(force_residual);
+    visiting(visit)(phase, time, offset, normal_force, tangential_force, indentation, shift,
+                    dissipation, material_dissipation, stored_energy, contact_area, stick_area,
+                    slip_area, open_area, normal_iterations, tangential_iterations, normal_residual,
+                    tangential_residual, force_residual);
 }
 
 // Appends the bytes of a number or an array of numbers.

@@ -6,14 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 
 #include "io/keys/messages.h"
-#include "io/results/output_target.h"
+#include "io/results/atomic_file.h"
 
 namespace tricontact::io {
 
@@ -108,10 +106,8 @@ JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(
 
 void JournalFile::refuse_other_file(const std::string& path) {
     check_replaceable(path);
-    std::array<char, magic.size()> head{};
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), head.size());
-    const auto n = static_cast<std::size_t>(file.gcount());
+    const std::string head = first_bytes(path, magic.size());
+    const std::size_t n = head.size();
     std::size_t n_equal = 0;
     for (std::size_t i = 0; i < n; ++i) n_equal += head[i] == magic[i] || head[i] == 0;
     if (2 * n_equal < n)  // more than damage; zeros are what a power cut leaves

@@ -10,7 +10,6 @@
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
 #include "io/results/journal_file.h"
-#include "io/results/output_target.h"
 #include "io/results/result_store.h"
 
 namespace tricontact::io {

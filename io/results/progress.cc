@@ -1,11 +1,10 @@
 #include "io/results/progress.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <ostream>
 #include <string_view>
@@ -20,19 +19,8 @@ constexpr int bar_width = 30;
 // "0:07", "12:34", "3:05:00"
 std::string clock_text(double seconds) {
     const auto total = static_cast<long>(std::min(std::ceil(seconds), 1e9));
-    std::array<char, 64> text{};
-    if (total < 3600)
-        std::snprintf(text.data(), text.size(), "%ld:%02ld", total / 60, total % 60);
-    else
-        std::snprintf(text.data(), text.size(), "%ld:%02ld:%02ld", total / 3600, total / 60 % 60,
-                      total % 60);
-    return text.data();
-}
-
-std::string seconds_text(double seconds) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f s", seconds);
-    return text.data();
+    if (total < 3600) return fmt::format("{}:{:02}", total / 60, total % 60);
+    return fmt::format("{}:{:02}:{:02}", total / 3600, total / 60 % 60, total % 60);
 }
 
 // The steps still to come take as long as those done.
@@ -80,25 +68,26 @@ void ProgressBar::update(int done, int total) {
 void ProgressBar::draw_bar(int total, double fraction, double elapsed) {
     const auto filled = static_cast<std::size_t>(bar_width * fraction);
     // Carriage return: same line again; ESC [K erases what an older, longer line left.
-    out_ << '\r' << label_ << " [" << std::string(filled, '#')
-         << std::string(bar_width - filled, '.') << "] " << static_cast<int>(100 * fraction)
-         << " % " << noun_ << ' ' << done_ << '/' << total << remaining(fraction, elapsed)
-         << "\x1b[K" << std::flush;
+    out_ << fmt::format("\r{} [{:.<{}}] {} % {} {}/{}{}\x1b[K", label_, std::string(filled, '#'),
+                        bar_width, static_cast<int>(100 * fraction), noun_, done_, total,
+                        remaining(fraction, elapsed))
+         << std::flush;
 }
 
 void ProgressBar::print_line(int total, double fraction, double elapsed) {
     const int tenths = static_cast<int>(10 * fraction);
     if (tenths <= tenths_) return;
     tenths_ = tenths;
-    out_ << label_ << ": " << 10 * tenths << " %, " << noun_ << ' ' << done_ << " of at most "
-         << total << remaining(fraction, elapsed) << std::endl;
+    out_ << fmt::format("{}: {} %, {} {} of at most {}{}", label_, 10 * tenths, noun_, done_, total,
+                        remaining(fraction, elapsed))
+         << std::endl;
 }
 
 void ProgressBar::finish(const std::string& remark) {
     if (style_ == Style::silent) return;
     if (style_ == Style::bar) out_ << "\r\x1b[K";
-    out_ << label_ << ": " << done_ << ' ' << noun_ << "s in "
-         << seconds_text((clock_() - start_).count()) << (remark.empty() ? "" : ", ") << remark
+    out_ << fmt::format("{}: {} {}s in {:.2f} s{}{}", label_, done_, noun_,
+                        (clock_() - start_).count(), remark.empty() ? "" : ", ", remark)
          << std::endl;
 }
 

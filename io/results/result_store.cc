@@ -1,12 +1,11 @@
 #include "io/results/result_store.h"
 
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <vector>
 
 #include "files/digest.h"
 #include "io/keys/messages.h"
+#include "io/results/atomic_file.h"
 
 namespace tricontact::io {
 
@@ -244,13 +243,12 @@ bool is_result_store(const std::string& path) {
     // SQLite's file format, section 1.3: the application's number, big-endian, from byte 68.
     constexpr std::string_view magic("SQLite format 3\0", 16);
     constexpr std::size_t start = 68;
-    std::array<char, start + 4> head{};
-    std::ifstream file(path, std::ios::binary);
-    if (!file.read(head.data(), head.size())) return false;
+    const std::string head = first_bytes(path, start + 4);
+    if (head.size() < start + 4) return false;
     std::int64_t number = 0;
     for (std::size_t i = start; i < head.size(); ++i)
         number = 256 * number + static_cast<unsigned char>(head[i]);
-    return std::string_view(head.data(), magic.size()) == magic && number == application_id;
+    return head.starts_with(magic) && number == application_id;
 }
 
 std::vector<std::string> result_store_files() {

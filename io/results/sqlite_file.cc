@@ -45,14 +45,6 @@ Refusal refusal_of(int code) {
 
 }  // namespace
 
-void SqliteFile::Close::operator()(sqlite3* database) const {
-    sqlite3_close(database);
-}
-
-void SqliteFile::Statement::Finalize::operator()(sqlite3_stmt* statement) const {
-    sqlite3_finalize(statement);
-}
-
 SqliteFile::SqliteFile(const std::string& path, Open how) : path_(path) {
     std::error_code ignored;
     if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored))
@@ -61,7 +53,7 @@ SqliteFile::SqliteFile(const std::string& path, Open how) : path_(path) {
     sqlite3* database = nullptr;
     const int code =
         sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | create, nullptr);
-    database_.reset(database);
+    database_ = {database, sqlite3_close};
     check(code);
     sqlite3_busy_timeout(database, patience);
 }
@@ -76,7 +68,7 @@ SqliteFile::Statement SqliteFile::prepare(std::string_view sql) const {
                              nullptr));
     Statement statement;
     statement.file_ = this;
-    statement.statement_.reset(prepared);
+    statement.statement_ = {prepared, sqlite3_finalize};
     return statement;
 }
 

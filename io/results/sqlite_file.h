@@ -31,11 +31,8 @@ class SqliteFile {
 
       private:
         friend class SqliteFile;
-        struct Finalize {
-            void operator()(sqlite3_stmt* statement) const;
-        };
         const SqliteFile* file_ = nullptr;
-        std::unique_ptr<sqlite3_stmt, Finalize> statement_;
+        std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_{nullptr, nullptr};
     };
 
     enum class Open { existing, create };
@@ -50,13 +47,10 @@ class SqliteFile {
     const std::string& path() const { return path_; }
 
   private:
-    struct Close {
-        void operator()(sqlite3* database) const;
-    };
     void check(int code) const;
 
     std::string path_;
-    std::unique_ptr<sqlite3, Close> database_;
+    std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_{nullptr, nullptr};
 };
 
 }  // namespace tricontact::io

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/provenance.h"
+#include "io/results/vtk_files.h"
 
 class vtkDataObject;
 class vtkFieldData;

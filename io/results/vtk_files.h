@@ -1,13 +1,22 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "contact/solvers/interior.h"
 #include "contact/surface.h"
-#include "io/results/provenance.h"
 
 namespace tricontact::io {
+
+/// Written into every file for ParaView as field data.
+struct Provenance {
+    std::string program_version;
+    std::string command_line;
+};
 
 /// A file of a series for ParaView, not yet written.
 struct VtkFile {
@@ -24,5 +33,61 @@ VtkFile vtk_file(double phase, const contact::Surface& surface, const Provenance
 /// point data, with von Mises' stress and the mean pressure (compression positive) beside the
 /// stress. Throws std::invalid_argument.
 VtkFile vtk_file(double phase, const contact::Interior& interior, const Provenance& provenance);
+
+/// States over time for ParaView: files `folder/name_000000.vti` (.vtp, .vtu; see vtk_file) and the
+/// collection `folder/name.pvd`. Time is the phase in rolling periods: the model is quasi-static.
+/// Vectors have three components, z out of the substrate. The same states give the same bytes.
+class VtkSeries {
+  public:
+    /// The folder must exist (see make_output_folder).
+    VtkSeries(std::string folder, std::string name, Provenance provenance);
+
+    /// Begins again: the first file comes next.
+    void clear() { entries_.clear(); }
+    /// Writes the next file of the series. Throws contact::InputError if that fails.
+    void add(double phase, const contact::Surface& surface);
+    void add(double phase, const contact::Interior& interior);
+    /// The same for a file that is made already, and any time.
+    void add(double time, const VtkFile& file);
+    /// Writes the collection of all files so far. Throws contact::InputError if that fails.
+    void finish() const;
+
+  private:
+    struct Entry {
+        double time;
+        std::string file;
+    };
+
+    std::string folder_, name_;
+    Provenance provenance_;
+    std::vector<Entry> entries_;
+};
+
+/// The script, with a place for the folder.
+extern const std::string_view paraview_script;
+/// Name of the macro beside a run's results.
+inline constexpr const char* paraview_macro_name = "open_run.py";
+
+/// Python for ParaView (paraview.simple): opens surface.pvd and volume.pvd of every model folder
+/// beside the script, each in a view of its own, coloured by normal traction or von Mises' stress,
+/// warped by the displacement. `paraview --script=open_run.py`, or Macros > Import new macro, which
+/// finds the results in `folder`.
+std::string paraview_macro(const std::string& folder);
+
+/// Hexahedra and their boundary faces to look at. Positions in m; nodes in VTK's order.
+struct MeshView {
+    std::span<const std::array<double, 3>> points;
+    std::span<const std::array<int, 8>> hexes;
+    std::span<const std::uint8_t> regions;  ///< per hexahedron, an index into `region_names`
+    std::span<const std::array<int, 4>> faces;
+    std::span<const std::uint8_t> boundaries;  ///< per face, an index into `boundary_names`
+    std::vector<std::string> region_names, boundary_names;
+};
+
+/// The mesh as one `.vtu`: hexahedra, then faces as quadrilaterals. Cell data: `dimension` (3 or 2)
+/// tells them apart; `region` and `boundary` are 255 where they do not apply; field data: the names
+/// that the numbers stand for. Throws contact::InputError if the file cannot be written,
+/// std::invalid_argument for lists of different lengths.
+void write_mesh_vtu(const std::string& path, const MeshView& mesh, const Provenance& provenance);
 
 }  // namespace tricontact::io

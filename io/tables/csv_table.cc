@@ -14,38 +14,10 @@ namespace tricontact::io {
 
 namespace {
 
-struct Line {
-    std::size_t number = 0;  // from 1
-    std::string_view text;
-};
-
-// Lines that say something.
-std::vector<Line> lines_of(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // mark of UTF-8
-    std::vector<Line> lines;
-    for (std::size_t number = 1; !text.empty(); ++number) {
-        const auto end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
-        if (!line.empty() && line[0] != '#') lines.push_back({number, line});
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return lines;
-}
-
 char divider_of(std::string_view header) {
     for (const char divider : {';', '\t'})
         if (header.find(divider) != std::string_view::npos) return divider;
     return ',';
-}
-
-std::vector<std::string_view> cells_of(std::string_view line, char divider) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const auto end = line.find(divider);
-        cells.push_back(trimmed(line.substr(0, end)));
-        if (end == std::string_view::npos) return cells;
-        line.remove_prefix(end + 1);
-    }
 }
 
 CsvTable::Column column_of(std::string_view cell) {
@@ -80,12 +52,14 @@ double number_in_column(std::string_view cell, const std::string& column,
 
 CsvTable::CsvTable(std::string_view text, std::string name, CsvForm form)
     : name_(std::move(name)), form_(std::move(form)) {
-    const std::vector<Line> lines = lines_of(text);
+    const std::vector<TextLine> lines = lines_of(text, form_.most_rows + 2);
     if (lines.empty()) fail(name_, "", "the table is empty", example(form_));
     if (lines.size() > form_.most_rows + 1)
         fail(name_, "", "has more than " + std::to_string(form_.most_rows) + " rows",
              form_.thinning);
-    const auto place = [&](const Line& line) { return name_ + ':' + std::to_string(line.number); };
+    const auto place = [&](const TextLine& line) {
+        return name_ + ':' + std::to_string(line.number);
+    };
     header_place_ = place(lines[0]);
     const char divider = divider_of(lines[0].text);
     for (const std::string_view cell : cells_of(lines[0].text, divider)) {
@@ -145,6 +119,29 @@ std::vector<double> CsvTable::values(std::string_view column, Dimension dimensio
         refuse_header(error.rule);
     }
     return values;
+}
+
+void CsvTable::check_names(std::initializer_list<std::string_view> known) const {
+    for (const Column& column : columns_)
+        if (std::ranges::count(known, column.name) == 0)
+            refuse_header("unknown column " + toml_string(shortened(column.name, 40)) +
+                          "; known are " +
+                          joined(known, [](std::string_view name) { return name; }));
+}
+
+void CsvTable::check_positive(std::string_view column) const {
+    const Column& checked = at(column);
+    for (std::size_t row = 0; row < n_rows(); ++row)
+        if (!(checked.values[row] > 0))
+            refuse_value(row, checked, "must be positive", "correct or remove the row");
+}
+
+void CsvTable::check_increasing(std::string_view column, const std::string& rule,
+                                const std::string& remedy) const {
+    const Column& checked = at(column);
+    for (std::size_t row = 1; row < n_rows(); ++row)
+        if (!(checked.values[row] > checked.values[row - 1]))
+            refuse_value(row, checked, rule, remedy);
 }
 
 void CsvTable::refuse_header(const std::string& rule) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,6 +44,14 @@ class CsvTable {
     /// Values of a column in SI units. Throws contact::InputError if it is missing ("did you
     /// mean"), has no unit, or one of another dimension.
     std::vector<double> values(std::string_view column, Dimension dimension) const;
+
+    /// Throws contact::InputError at a column of another name.
+    void check_names(std::initializer_list<std::string_view> known) const;
+    /// Throws contact::InputError at a value that is zero or negative.
+    void check_positive(std::string_view column) const;
+    /// Throws contact::InputError `rule; remedy` at a value that does not exceed the one above.
+    void check_increasing(std::string_view column, const std::string& rule,
+                          const std::string& remedy) const;
 
     /// Throws contact::InputError about the header line.
     [[noreturn]] void refuse_header(const std::string& rule) const;

@@ -1,12 +1,19 @@
+// Height maps as a matrix of numbers.
+// Height maps in the ASCII surface data file of ISO 25178-71: a header "key = value", the heights,
+// a trailer, each ended by a line with a star.
 #include "io/tables/height_map_file.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
+#include <map>
+#include <optional>
 
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"
+#include "io/keys/number_text.h"
 
 namespace tricontact::io {
 
@@ -18,6 +25,126 @@ std::string extension(const std::string& path) {
     std::string end = std::filesystem::path(path).extension().string();
     std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
     return end;
+}
+
+std::string place(const std::string& name, std::size_t line) {
+    return name + ":" + std::to_string(line);
+}
+
+/// An empty cell between two commas is a missing value: the divider is one of these alone, blanks
+/// are not counted.
+char divider_in(std::string_view line) {
+    for (const char c : {';', ',', '\t'})
+        if (line.find(c) != line.npos) return c;
+    return ' ';
+}
+
+double height_in(std::string_view word, const std::string& at) {
+    const auto value = number_in(trimmed(word));
+    if (!value || !std::isfinite(*value))
+        fail(at, toml_string(shortened(word, 40)),
+             "is no finite number: missing values are not filled in", "interpolate them first");
+    return *value;
+}
+
+std::vector<double> row_in(std::string_view line, char divider, const std::string& at) {
+    std::vector<double> row;
+    for (const auto word : divider == ' ' ? words_of(line) : cells_of(line, divider))
+        row.push_back(height_in(word, at));
+    return row;
+}
+
+struct Reading {
+    std::string_view text;
+    const std::string& name;
+    std::size_t at = 0, line = 0;
+
+    std::string place() const { return name + ":" + std::to_string(line); }
+    bool ended() const { return at >= text.size(); }
+    std::string_view next_line() {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        const std::string_view found = text.substr(at, end - at);
+        at = end + 1;
+        ++line;
+        return trimmed(found);
+    }
+};
+
+struct Entry {
+    std::string value, place;
+};
+using Header = std::map<std::string, Entry, std::less<>>;
+
+Header read_header(Reading& file) {
+    const std::string_view magic = file.next_line();
+    if (magic != "aISO-1.0" && magic != "aBCR-1.0")
+        fail(file.place(), toml_string(shortened(magic, 20)),
+             "is neither aISO-1.0 nor aBCR-1.0, with which an ASCII surface data file begins",
+             "export the surface as ASCII .sdf (ISO 25178-71)");
+    Header header;
+    while (!file.ended()) {
+        const std::string_view line = file.next_line();
+        if (line == "*") return header;
+        const auto equals = line.find('=');
+        if (equals == line.npos)
+            fail(file.place(), toml_string(shortened(line, 40)), "is no \"key = value\"",
+                 "the header ends with a line *");
+        const std::string key(trimmed(line.substr(0, equals)));
+        header[key] = {std::string(trimmed(line.substr(equals + 1))), file.place()};
+    }
+    fail(file.name, "", "the header does not end", "close it with a line *");
+}
+
+double value_of(const Header& header, const std::string& key, const std::string& name) {
+    const auto entry = header.find(key);
+    if (entry == header.end()) fail(name, "", "the header lacks " + key, "export the surface anew");
+    const auto value = number_in(entry->second.value);
+    if (!value || !(*value > 0) || !std::isfinite(*value))
+        fail(entry->second.place, key + " = " + entry->second.value, "must be a positive number",
+             "export the surface anew");
+    return *value;
+}
+
+int count_of(const Header& header, const std::string& key, const std::string& name) {
+    const double value = value_of(header, key, name);
+    if (value < 2 || value > most_height_nodes || value != std::floor(value))
+        fail(header.find(key)->second.place, key + " = " + header.find(key)->second.value,
+             "must be a whole number from 2 on", "export the surface anew");
+    return static_cast<int>(value);
+}
+
+void check_whole(const Header& header) {
+    const auto compression = header.find("Compression");
+    if (compression != header.end() && compression->second.value != "0")
+        fail(compression->second.place, "Compression = " + compression->second.value,
+             "compressed heights are not read", "export without compression");
+}
+
+/// Heights row by row, however they are broken into lines; BAD is the standard's missing value.
+void read_heights(Reading& file, double unit, contact::HeightMap& map) {
+    const std::size_t n = static_cast<std::size_t>(map.n_x) * map.n_y;
+    map.height.reserve(n);
+    while (!file.ended()) {
+        const std::string_view line = file.next_line();
+        if (line == "*") break;
+        for (const auto word : words_of(line)) {
+            const auto value = number_in(word);
+            if (!value || !std::isfinite(*value))
+                fail(file.place(), toml_string(shortened(word, 40)),
+                     "is no finite number: missing values are not filled in",
+                     "interpolate them first");
+            map.height.push_back(scaled(*value, unit, file.place()));
+            if (map.height.size() > n)
+                fail(file.place(), "",
+                     "more heights than NumPoints x NumProfiles = " + std::to_string(n),
+                     "export the surface anew");
+        }
+    }
+    if (map.height.size() < n)
+        fail(file.place(), "",
+             "ends after " + std::to_string(map.height.size()) + " of " + std::to_string(n) +
+                 " heights",
+             "export the surface anew");
 }
 
 }  // namespace
@@ -37,6 +164,48 @@ contact::HeightMap read_height_map(const std::string& path,
     const std::string name = std::filesystem::path(path).filename().string();
     if (end == ".sdf") return parse_sdf(text, name);
     return end == ".npy" ? parse_npy(text, name, *scale) : parse_height_matrix(text, name, *scale);
+}
+
+contact::HeightMap parse_height_matrix(std::string_view text, const std::string& name,
+                                       const HeightMapScale& scale) {
+    contact::HeightMap map{0, 0, {scale.spacing, scale.spacing}, {}};
+    constexpr auto most_rows = static_cast<std::size_t>(most_height_nodes) + 1;
+    std::optional<char> divider;  // as the first row has it
+    for (const auto& [line, content] : lines_of(text, most_rows)) {
+        if (!divider) divider = divider_in(content);
+        const std::string at = place(name, line);
+        const std::vector<double> row = row_in(content, *divider, at);
+        if (map.n_y > 0 && row.size() != static_cast<std::size_t>(map.n_x))
+            fail(at, "",
+                 "has " + std::to_string(row.size()) + " heights, but the rows above have " +
+                     std::to_string(map.n_x),
+                 "make all rows alike");
+        map.n_x = static_cast<int>(row.size());
+        ++map.n_y;
+        if (static_cast<double>(map.n_x) * map.n_y > most_height_nodes)
+            fail(at, "", "more than 4096 x 4096 heights",
+                 "thin the surface out, or save a part of it");
+        for (const double height : row) map.height.push_back(scaled(height, scale.unit, at));
+    }
+    if (map.n_x < 2 || map.n_y < 2)
+        fail(name, "",
+             "holds " + std::to_string(map.n_y) + " x " + std::to_string(map.n_x) + " heights",
+             "give 2 x 2 at least");
+    return map;
+}
+
+contact::HeightMap parse_sdf(std::string_view text, const std::string& name) {
+    Reading file{text, name};
+    const Header header = read_header(file);
+    check_whole(header);
+    contact::HeightMap map{count_of(header, "NumPoints", name),
+                           count_of(header, "NumProfiles", name),
+                           {value_of(header, "Xscale", name), value_of(header, "Yscale", name)},
+                           {}};
+    if (static_cast<double>(map.n_x) * map.n_y > most_height_nodes)
+        fail(name, "", "more than 4096 x 4096 heights", "thin the surface out");
+    read_heights(file, value_of(header, "Zscale", name), map);
+    return map;
 }
 
 }  // namespace tricontact::io

@@ -1,16 +1,16 @@
-"""Writes the bad inputs of a folder: its base file with the changes that the table bad_inputs.txt states for each.
+"""Writes the bad inputs of a folder: a good file with the changes that the table bad_inputs.txt states for each.
 
 usage: bad_inputs.py FOLDER OUTPUT
 
 An entry of the table:
     == name
     expect :17:12: the message from its line and column on (" ... " stands for a path)
-    from base_rig           another base file; base otherwise
+    from good_rig           another good file; good otherwise
     section.key = value     sets a key; of files without keys: line number = text
     - section.key           omits a key, a [section] or a line
     + [section] text        adds a line to a section, "+ text" at the end of the file
 The first line of each file written is the message, as a comment. Other files of the folder are copied: bad inputs
-whose text is no change of a base (another encoding, nothing at all), and the tables that inputs name.
+whose text is no change of a good one (another encoding, nothing at all), and the tables that inputs name.
 """
 
 import pathlib
@@ -89,7 +89,7 @@ def entries(table):
     """(name, message, base, changes) of each entry."""
     for block in re.split(r"^== ", table, flags=re.MULTILINE)[1:]:
         name, message, *changes = block.rstrip("\n").split("\n")
-        base = "base"
+        base = "good"
         if changes and changes[0].startswith("from "):
             base = changes.pop(0).removeprefix("from ")
         yield name, message.removeprefix("expect "), base, [c for c in changes if c]
@@ -112,7 +112,7 @@ def changed(base, changes):
 def main(folder, output):
     folder, output = pathlib.Path(folder), pathlib.Path(output)
     output.mkdir(parents=True, exist_ok=True)
-    bases = {file.stem: file for file in folder.glob("base*")}
+    bases = {file.stem: file for file in folder.glob("good*")}
     for file in folder.iterdir():
         if file.name != "bad_inputs.txt" and file not in bases.values():
             shutil.copy(file, output)

@@ -79,7 +79,7 @@ refused 'run.csv:3: the column "shift" has no unit in brackets; write for exampl
 record 'NR == 3 { print "time [s],shift [s],drive [mm]"; next } 1'
 refused '"s" is a unit of time, but this is a length'
 record 'NR == 3 { print "time [s],shift [um],speed [mm]"; next } 1'
-refused 'the column "speed [mm]" is none of time, shift and drive'
+refused 'unknown column "speed"; known are time, shift, drive'
 record 'NR == 100 { $1 = 0 } 1'
 refused "run.csv:100: time = 0: times must increase from row to row"
 record 'NR == 99 { before = $1 } NR == 100 { $1 = before } 1'

@@ -87,7 +87,7 @@ fi
 # Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.
 while read -r key; do
     found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" "${rooms[@]}" |
-        grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_guess.cc|python/)' || true)
+        grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_checks.cc|python/)' || true)
     [ -z "$found" ] || complain "a key of a result stands as a string: $found"
 done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
 found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv.cc' --include='study_fit.cc' \

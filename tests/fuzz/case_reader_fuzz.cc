@@ -9,7 +9,6 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "walking/input/walk_reader.h"
 
 namespace {

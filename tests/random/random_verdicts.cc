@@ -19,7 +19,6 @@
 #include "contact/run.h"
 #include "contact/verdict.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "tests/random/case_generator.h"
 #include "tests/random/random_models.h"
 

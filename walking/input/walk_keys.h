@@ -2,17 +2,15 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "io/keys/key.h"
-#include "io/keys/key_list.h"
 #include "walking/machine/walk_case.h"
 
 namespace tricontact::walking {
 
 /// Declaration of one key of a case of the micro-walking machine.
-struct WalkKey : io::Key {
-    io::Field (*field)(WalkCase&) = nullptr;
-};
+using WalkKey = io::PlacedKey<WalkCase>;
 
 /// All keys in the order in which they are written.
 std::span<const WalkKey> walk_keys();
@@ -20,5 +18,11 @@ const io::KeyList& walk_key_list();
 
 /// Whether the key describes a machine with dimensions, whose kappas follow.
 bool is_dimensional(const io::Key& key);
+
+/// Groups of alternative keys of walking cases: exactly one of each group, or its default.
+enum WalkKeyGroup { no_walk_group = 0, lever_arm, spot_stiffness, end_of_run };
+
+/// Declarations of the section [machine].
+void add_machine_keys(std::vector<WalkKey>& keys);
 
 }  // namespace tricontact::walking

@@ -1,13 +1,15 @@
 #include "walking/input/walk_reader.h"
 
-#include "io/case/overrides.h"
-#include "io/keys/field_text.h"
-#include "io/keys/file_kind.h"
+#include <algorithm>
+#include <cmath>
+
+#include "io/case/case_reader.h"
+#include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
-#include "walking/input/walk_checks.h"
 #include "walking/input/walk_keys.h"
+#include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking {
 
@@ -66,6 +68,80 @@ WalkCase resolve(const io::Document& document) {
     return c;
 }
 
+constexpr double most_steps = 1e12;  // months of computing
+
+bool is_kappa(const io::Key& key) {
+    return key.section() == "machine" && key.name().starts_with("kappa");
+}
+
+// Of kappas that follow from dimensions: what overflowed, or became 0 where it divides.
+void check_kappas(const Kappas& k, const io::Document& document) {
+    const auto positive = {k.kappa1, k.kappa2, k.kappa3, k.kappa4, k.kappa7};
+    const auto is_positive = [](double kappa) { return kappa > 0 && std::isfinite(kappa); };
+    if (!std::ranges::all_of(positive, is_positive) || !std::isfinite(k.kappa6) ||
+        !std::isfinite(k.kappa8))
+        io::refuse(document, "machine.mass",
+                   "the dimensionless parameters kappa of this machine leave double precision",
+                   "check the units of [machine]");
+}
+
+void check_substrate(const io::Document& document) {
+    const io::Entry* young = document.find("contact.substrate_young");
+    const io::Entry* poisson = document.find("contact.substrate_poisson");
+    if (!young == !poisson) return;
+    const io::Entry& given = young ? *young : *poisson;
+    const std::string other = young ? "contact.substrate_poisson" : "contact.substrate_young";
+    io::fail(given.place, given.subject(), "has no effect without " + other + ", which is missing",
+             "give " + other + " too, or omit this key");
+}
+
+void check_excitation(const Excitation& excitation, const io::Document& document) {
+    const bool loaded = excitation.moment > 0 || excitation.force > 0;
+    if (loaded && excitation.frequency == 0)
+        io::refuse(document, excitation.moment > 0 ? "excitation.moment" : "excitation.force",
+                   "sin(omega t) is 0 with excitation.frequency = 0",
+                   "give excitation.frequency, in units of sqrt(k_x/m)");
+    if (!loaded && excitation.frequency > 0)
+        io::refuse(document, "excitation.frequency", "has no effect without a moment or a force",
+                   "give excitation.moment or excitation.force, or omit it");
+}
+
+// The key that says how fast the base moves.
+std::string velocity_key(const WalkCase& c) {
+    return c.dimensional ? "machine.base_velocity" : "machine.kappa6";
+}
+
+void check_start(const WalkCase& c, const io::Document& document) {
+    if (c.machine.kappas.kappa6 > 0) return;
+    for (const auto& [key, value] : {std::pair("start.x_velocity", c.start.x_velocity),
+                                     std::pair("start.z_velocity", c.start.z_velocity),
+                                     std::pair("start.phi_velocity", c.start.phi_velocity)})
+        if (value != 0)
+            io::refuse(document, key,
+                       "velocities are in units of the base's, and " + velocity_key(c) + " = 0",
+                       "let the base move, or omit this key");
+}
+
+void check_time(const WalkCase& c, const io::Document& document) {
+    const double stable = stable_step(c.machine);
+    if (!(c.time.step < stable))
+        io::refuse(document, "time.step",
+                   "exceeds the stable limit " + io::rounded(stable) +
+                       " of velocity Verlet with these stiffnesses",
+                   "take at most " + io::rounded(stable / 20) + ", a twentieth of it");
+    const std::string end = io::used(document, "time.end", "time.duration");
+    if (c.time.end < c.time.step)
+        io::refuse(
+            document, end,
+            "the run of " + io::rounded(c.time.end) + " characteristic times ends within a step",
+            "take a later end or a smaller time.step");
+    if (c.time.end / c.time.step > most_steps)
+        io::refuse(
+            document, end,
+            io::rounded(c.time.end / c.time.step) + " steps exceed " + io::rounded(most_steps),
+            "take an earlier end or a larger time.step");
+}
+
 }  // namespace
 
 WalkCase parse_walk_case(std::string_view text, const std::string& name,
@@ -90,6 +166,61 @@ std::string write_walk_case(const WalkCase& c) {
     io::KeyWriter writer;
     for (const WalkKey& key : walk_keys()) writer.add(key, key.field(copy));
     return writer.text();
+}
+
+AnyCase read_any_case(const std::string& path, const std::vector<std::string>& overrides) {
+    const std::string text = io::read_input_file(path);
+    if (io::is_walk_case(io::parse_document(text, path)))
+        return parse_walk_case(text, path, overrides);
+    return io::parse_case(text, path, overrides);
+}
+
+void check_one_kind(const io::Document& document) {
+    const io::Entry *kappa = nullptr, *dimension = nullptr;
+    for (const io::Entry& entry : document.entries) {
+        const io::Key& key = *walk_key_list().find(entry.path);
+        if (is_kappa(key) && !kappa) kappa = &entry;
+        if (is_dimensional(key) && !dimension) dimension = &entry;
+    }
+    if (!kappa || !dimension) return;
+    const auto& [earlier, later] = std::minmax(kappa, dimension);
+    io::fail(later->place, later->subject(),
+             "contradicts " + earlier->subject() + ": a machine has kappas or dimensions",
+             "give kappa1 to kappa8, or mass, half_height and so on");
+}
+
+void check_spots(const WalkCase& c, const io::Document& document) {
+    const auto& [ratio, contact, duration, positions, heights, stiffnesses] = c.input;
+    const bool own = c.machine.model == Machine::Model::spots;
+    if (own && positions.empty())
+        io::fail(document.place_of("spots.positions"), "",
+                 "missing key spots.positions: machine.model = \"spots\" has none of its own",
+                 "add a section [spots] with positions = [-1, 0, 1]");
+    if (!own && !positions.empty())
+        io::refuse(document, "spots.positions", "has no effect without machine.model = \"spots\"",
+                   "set the model, or omit [spots]");
+    for (const auto& [key, list] :
+         {std::pair("spots.heights", &heights), std::pair("spots.stiffnesses", &stiffnesses)})
+        if (!list->empty() && list->size() != positions.size())
+            io::refuse(document, key,
+                       "has " + std::to_string(list->size()) + " elements, spots.positions has " +
+                           std::to_string(positions.size()),
+                       "give one for each spot");
+    if (c.machine.bed && c.machine.model == Machine::Model::prism)
+        io::refuse(document, "bed.radius", "the spots of a prism have no beds of springs",
+                   "take another machine.model, or omit [bed]");
+    if (!heights.empty() && std::ranges::min(heights) > 0)
+        io::refuse(document, "spots.heights",
+                   "all spots are in the air: heights are above the lowest tip, whose height is 0",
+                   "subtract " + io::shortest(std::ranges::min(heights)) + " from each");
+}
+
+void check_walk_case(const WalkCase& c, const io::Document& document) {
+    check_substrate(document);
+    if (c.dimensional) check_kappas(c.machine.kappas, document);
+    check_excitation(c.machine.excitation, document);
+    check_start(c, document);
+    check_time(c, document);
 }
 
 }  // namespace tricontact::walking

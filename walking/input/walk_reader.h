@@ -2,8 +2,10 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "contact/case.h"
 #include "io/keys/toml_document.h"
 #include "walking/machine/walk_case.h"
 
@@ -24,5 +26,22 @@ WalkCase resolve_walk_case(io::Document document, const std::vector<io::Entry>& 
 /// The resolved case as TOML, as io::write_case does it. `parse_walk_case` of the text yields the
 /// same case.
 std::string write_walk_case(const WalkCase& c);
+
+/// What a case file may be about: a contact, or the micro-walking machine.
+using AnyCase = std::variant<contact::Case, WalkCase>;
+
+/// Reads a case of the kind that the file is; see read_case and read_walk_case. Throws
+/// contact::InputError.
+AnyCase read_any_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Throws contact::InputError at a machine that is both dimensionless and dimensional.
+void check_one_kind(const io::Document& document);
+
+/// Throws contact::InputError at lists of [spots] that do not fit each other or the model.
+void check_spots(const WalkCase& c, const io::Document& document);
+
+/// Throws contact::InputError where the numbers of a resolved case do not fit together: a step
+/// beyond the stable limit, a start in units that are zero ...
+void check_walk_case(const WalkCase& c, const io::Document& document);
 
 }  // namespace tricontact::walking

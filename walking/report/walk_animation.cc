@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "io/results/vtk_fields.h"
-#include "io/results/vtk_series.h"
+#include "io/results/vtk_files.h"
 #include "walking/machine/motion.h"
 
 namespace tricontact::walking {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/provenance.h"
+#include "io/results/vtk_files.h"
 #include "walking/machine/motion.h"
 #include "walking/machine/walk_case.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "files/version.h"
-#include "io/results/case_json.h"
+#include "io/keys/toml_document.h"
 #include "report/csv.h"
 #include "report/format.h"
 #include "report/json_number.h"

@@ -11,7 +11,6 @@
 #include "comparisons/half_space/deviation_rows.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons::half_space_deviation_test {

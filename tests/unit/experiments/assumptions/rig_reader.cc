@@ -5,7 +5,6 @@
 #include <string>
 
 #include "contact/error.h"
-#include "experiments/assumptions/rig_keys.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::rig_reader_test {

@@ -6,8 +6,7 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
-#include "io/tables/profile_table.h"
+#include "io/tables/body_tables.h"
 
 namespace tricontact::io::bodies_test {
 namespace {
@@ -66,7 +65,7 @@ TEST(IoBodies, ProfileTablesAreRefusedByRow) {
     };
     expect("r [mm],h [um]\n0,0\n", "t.csv:1: fewer than two rows");
     expect("r [mm]\n0\n1\n", "the column h is missing");
-    expect("r [mm],h [um],w [m]\n0,0,0\n1,1,1\n", "\"w\" is none of r, h and kink");
+    expect("r [mm],h [um],w [m]\n0,0,0\n1,1,1\n", "unknown column \"w\"; known are r, h, kink");
     expect("r [mm],h [um],kink\n0,0,0\n1,1,2\n", "t.csv:3: kink = 2: must be 0 or 1");
     expect("r [mm],h [um]\n0,1\n1,2\n", "t.csv:2: h = 1: heights count from");
     expect("r [mm],h [um]\n0,0\n1,2\n1,3\n", "t.csv:4: r = 1: radii must increase");

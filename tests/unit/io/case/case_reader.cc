@@ -10,9 +10,8 @@
 #include <thread>
 
 #include "contact/error.h"
-#include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
-#include "walking/input/any_case.h"
+#include "walking/input/walk_reader.h"
 
 namespace tricontact::io::case_reader_test {
 namespace {

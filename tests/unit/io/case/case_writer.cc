@@ -1,5 +1,3 @@
-#include "io/case/case_writer.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 

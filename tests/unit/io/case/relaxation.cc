@@ -10,7 +10,6 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 
 namespace tricontact::io::relaxation_test {
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 #include "tests/unit/io/sphere_case.h"
 
 namespace tricontact::io::tractive_rolling_test {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
 
 namespace tricontact::io::written_case_test {
 namespace {

@@ -13,7 +13,6 @@
 #include "io/contact_program/case_text.h"
 #include "io/contact_program/program_case.h"
 #include "io/contact_program/sequence.h"
-#include "io/contact_program/sequence_text.h"
 #include "tests/unit/io/sphere_case.h"
 
 namespace tricontact::io::contact_program_test {

@@ -1,5 +1,3 @@
-#include "io/keys/entered_number.h"
-
 #include <gtest/gtest.h>
 
 #include "contact/error.h"

@@ -12,8 +12,7 @@
 #include "experiments/records/experiment_reader.h"
 #include "io/case/case_reader.h"
 #include "io/case/study_reader.h"
-#include "io/keys/key_guess.h"
-#include "walking/input/any_case.h"
+#include "io/keys/key_checks.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
 

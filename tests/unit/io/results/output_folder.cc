@@ -17,7 +17,6 @@
 #include "contact/error.h"
 #include "io/keys/input_file.h"
 #include "io/results/atomic_file.h"
-#include "io/results/output_target.h"
 #include "io/results/result_store.h"
 #include "tests/unit/io/temporary_folder.h"
 

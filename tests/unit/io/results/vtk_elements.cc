@@ -13,8 +13,7 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "io/results/mesh_vtu.h"
-#include "io/results/vtk_series.h"
+#include "io/results/vtk_files.h"
 #include "tests/unit/io/results/vtk_files.h"
 
 namespace tricontact::io::vtk_elements_test {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "io/results/vtk_series.h"
+#include "io/results/vtk_files.h"
 
 namespace tricontact::io {
 

@@ -1,7 +1,5 @@
 // Written files are read back with VTK's own readers.
 
-#include "io/results/vtk_series.h"
-
 #include <gtest/gtest.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -19,6 +17,7 @@
 #include <limits>
 
 #include "contact/error.h"
+#include "io/results/vtk_files.h"
 #include "tests/unit/io/results/vtk_files.h"
 
 namespace tricontact::io::vtk_series_test {

@@ -1,5 +1,3 @@
-#include "io/tables/dma_table.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <string>
 
 #include "contact/error.h"
+#include "io/tables/body_tables.h"
 
 namespace tricontact::io::dma_table_test {
 namespace {

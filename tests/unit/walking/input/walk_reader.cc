@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "io/case/case_writer.h"
+#include "io/case/case_reader.h"
 #include "tests/unit/walking/sets.h"
-#include "walking/input/any_case.h"
 #include "walking/input/walk_keys.h"
 #include "walking/machine/linear_stability.h"
 

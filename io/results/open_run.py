@@ -1,15 +1,4 @@
-#include "io/results/paraview_macro.h"
-
-#include <filesystem>
-
-#include "io/keys/messages.h"
-
-namespace tricontact::io {
-
-namespace {
-
-constexpr std::string_view macro =
-    R"python(# Opens the results beside this script in ParaView, at the last state: one layout per model, the
+# Opens the results beside this script in ParaView, at the last state: one layout per model, the
 # contact surface and, where there are such, steady rolling and the inside.
 #   paraview --script=open_run.py        (or pvpython open_run.py IMAGE_FOLDER to save pictures)
 import glob
@@ -110,17 +99,3 @@ def main():
 
 
 main()
-)python";
-
-}  // namespace
-
-std::string paraview_macro(const std::string& folder) {
-    constexpr std::string_view place = "@folder@";
-    const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
-    // A TOML string is one of Python too. A name that is not UTF-8 would make the script none.
-    const bool named = first_non_utf8(absolute) == std::string::npos;
-    std::string text(macro);
-    return text.replace(text.find(place), place.size(), toml_string(named ? absolute : ""));
-}
-
-}  // namespace tricontact::io

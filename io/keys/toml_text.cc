@@ -1,4 +1,4 @@
-#include "io/keys/disguise.h"
+#include "io/keys/toml_text.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,9 +31,34 @@ std::size_t index_of(std::string_view character) {
     return (bits(1) - 0xB0) << 12 | (bits(2) & 0x3F) << 6 | (bits(3) & 0x3F);
 }
 
+constexpr int most_dots = 16;      // between two parts of a key; a number has one
+constexpr int most_brackets = 32;  // open at once
+
+/// Length of the string that the text begins with, its quotes included: up to its end, or that of
+/// the line, or of the text.
+std::size_t string_length(std::string_view text) {
+    const char quote = text.front();
+    const bool basic = quote == '"';
+    const bool long_one = text.size() >= 3 && text[1] == quote && text[2] == quote;
+    std::size_t i = long_one ? 3 : 1;
+    for (; i < text.size(); ++i) {
+        if (basic && text[i] == '\\') {
+            ++i;
+        } else if (!long_one && (text[i] == quote || text[i] == '\n')) {
+            return i + 1;
+        } else if (long_one && text.substr(i).starts_with(text.substr(0, 3))) {
+            // Up to two quotes may stand before the three.
+            std::size_t end = i + 3;
+            while (end < text.size() && end < i + 5 && text[end] == quote) ++end;
+            return end;
+        }
+    }
+    return text.size();
+}
+
 }  // namespace
 
-std::string Disguise::put_on(std::string_view text) {
+std::string NonAsciiEscaper::escaped(std::string_view text) {
     std::unordered_map<std::string, std::size_t> known;
     for (std::size_t k = 0; k < characters_.size(); ++k) known.emplace(characters_[k], k);
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -55,7 +80,7 @@ std::string Disguise::put_on(std::string_view text) {
     return out;
 }
 
-std::string Disguise::take_off(std::string_view text) const {
+std::string NonAsciiEscaper::restored(std::string_view text) const {
     std::string out;
     for (std::size_t i = 0, length = 0; i < text.size(); i += length) {
         length = std::min(length_of(text[i]), text.size() - i);
@@ -66,6 +91,29 @@ std::string Disguise::take_off(std::string_view text) const {
             out += text.substr(i, length);
     }
     return out;
+}
+
+std::size_t first_too_deep(std::string_view text) {
+    constexpr std::string_view separators = "\n,=[]{}";
+    int n_dots = 0, n_brackets = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        const char c = text[i];
+        if (c == '"' || c == '\'') {
+            i += string_length(text.substr(i));
+            continue;
+        }
+        if (c == '#') {
+            i = std::min(text.find('\n', i), text.size());
+            continue;
+        }
+        if (c == '.') ++n_dots;
+        if (separators.find(c) != separators.npos) n_dots = 0;
+        if (c == '[' || c == '{') ++n_brackets;
+        if ((c == ']' || c == '}') && n_brackets > 0) --n_brackets;
+        if (n_dots > most_dots || n_brackets > most_brackets) return i;
+        ++i;
+    }
+    return std::string_view::npos;
 }
 
 }  // namespace tricontact::io

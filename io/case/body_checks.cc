@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <cmath>
+
+#include "contact/bodies/half_space_scales.h"
+#include "io/case/case_checks.h"
+#include "io/keys/key_checks.h"
+#include "io/keys/messages.h"
+#include "io/tables/height_map_file.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using contact::Case;
+using Shape = Case::Shape;
+using Base = Case::Base;
+
+constexpr double whole_periods = 1e-6;  // how far lengths may be from them
+constexpr double cells_in_a_wave = 2;   // of the shortest wavelength, Nyquist
+
+bool is_rough(const Case& c) {
+    return contact::is_nominally_flat(c) || c.indenter.roughness;
+}
+
+void check_rough_models(const Case& c, const Document& document) {
+    for (const std::string& model : c.models)
+        if (model != "bem" && model != "bem-layer")
+            refuse(document, "models", model + " does not model rough surfaces",
+                   "take bem or bem-layer alone");
+}
+
+void check_wavelengths(const Case& c, const Document& document) {
+    const contact::Roughness& r = *c.indenter.roughness;
+    const std::string section = "indenter.roughness.";
+    if (r.roll_off > r.long_wavelength)
+        refuse(document, section + "roll_off",
+               "is longer than long_wavelength = " + rounded(r.long_wavelength) + " m",
+               "reduce it; equal lengths mean no roll-off");
+    if (r.short_wavelength > r.roll_off)
+        refuse(document, section + "short_wavelength",
+               "is longer than roll_off = " + rounded(r.roll_off) + " m",
+               "reduce it; equal lengths mean one spectral density for all waves");
+    const double waves = r.long_wavelength / r.short_wavelength;
+    if (c.bem.spacing &&
+        r.short_wavelength < cells_in_a_wave * *c.bem.spacing * (1 - whole_periods))
+        refuse(document, "bem.spacing",
+               "the shortest wavelength " + rounded(r.short_wavelength) + " m is not resolved",
+               "use a spacing of at most " + rounded(r.short_wavelength / cells_in_a_wave) + " m");
+    if (waves > most_height_nodes / 4096 / cells_in_a_wave)
+        refuse(document, section + "short_wavelength",
+               rounded(waves) + " waves in long_wavelength are more than 2048", "enlarge it");
+}
+
+/// A plane is nothing without roughness, and has no end without a period.
+void check_plane(const Case& c, const Document& document) {
+    if (!c.indenter.roughness)
+        refuse(document, "indenter.shape", "a plane touches everywhere at once",
+               "add a section [indenter.roughness]");
+    if (!c.bem.period)
+        refuse(document, "indenter.shape", "a plane has no end",
+               "give bem.period = indenter.roughness.long_wavelength");
+}
+
+void check_period(const Case& c, const Document& document) {
+    const double period = *c.bem.period;
+    if (const auto& r = c.indenter.roughness) {
+        const double times = period / r->long_wavelength;
+        if (times < 1 - whole_periods || std::abs(times - std::round(times)) > whole_periods)
+            refuse(document, "bem.period",
+                   "is no whole multiple of roughness.long_wavelength = " +
+                       rounded(r->long_wavelength) + " m",
+                   "make both alike");
+    }
+    if (!c.indenter.height_map) return;
+    const auto side = c.indenter.height_map->period();
+    for (const double length : side)
+        if (std::abs(period / length - 1) > whole_periods)
+            refuse(document, "bem.period",
+                   "is not the " + rounded(side[0]) + " m x " + rounded(side[1]) +
+                       " m of the height map, nodes times spacing",
+                   "use a square map and its length");
+}
+
+void check_lengths(const Case& c, const Document& document) {
+    const std::string rule = "a nominally flat contact has no radius";
+    if (!c.bem.spacing) refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
+    if (c.rolling && c.rolling->amplitude_ratio)
+        refuse(document, "rolling.amplitude_ratio", rule, "give rolling.amplitude");
+}
+
+void check_length(const std::string& key, std::size_t n, std::size_t n_layers,
+                  const Document& document) {
+    if (n == n_layers) return;
+    refuse(document, key,
+           "has " + std::to_string(n) + " elements, but lower_layer.thickness has " +
+               std::to_string(n_layers),
+           "give one for each layer, from the top down");
+}
+
+// Of its contact radius: as a membrane it gives way (a/b) times as far along itself as across, and
+// solvers compare both with the indentation.
+constexpr double thinnest_gliding = .01;
+
+void check_gliding(const Case& c, const Document& document) {
+    if (c.layer.base != Base::frictionless) return;
+    const double least = thinnest_gliding * contact::half_space_scales(c).contact_radius;
+    if (c.layer.total_thickness() >= least) return;
+    refuse(document, "substrate.thickness",
+           "a layer that glides on its ground must be at least " + rounded(least) + " m thick, " +
+               rounded(thinnest_gliding) +
+               " of the contact radius on a half-space: thinner, it is a membrane",
+           "take base = \"bonded\", a thicker layer or a smaller contact");
+}
+
+void check_fem_layers(const Case& c, const Document& document) {
+    if (c.layer.base == Base::half_space)
+        refuse(document, "substrate.base", "fem has its layers on a rigid ground",
+               "leave out fem, or give a thick [lower_layer] of the ground's material instead");
+    if (c.layer.lower.size() > 1)
+        refuse(document, "lower_layer.thickness",
+               "fem meshes at most two layers, but the case has " +
+                   std::to_string(1 + c.layer.lower.size()),
+               "leave out fem, or all lower layers but one");
+}
+
+constexpr double widest_ratio = 0.1;   // a/L: what the uniform state leaves out is its square
+constexpr double largest_slope = 0.5;  // a/R, as of a sphere
+
+void check_line_models(const Case& c, const Document& document) {
+    for (const char* model : {"mdr", "mdr-layer"})
+        if (computes(c, model))
+            refuse(document, "models",
+                   std::string(model) +
+                       " maps bodies of revolution to a line of springs; there is no such map of "
+                       "cylinders and rollers",
+                   "take bem, bem-layer or fem");
+    if (c.is_line_contact() && computes(c, "fem") && c.layer.depth)
+        refuse(document, "substrate.depth",
+               "fem takes a cylinder's substrate in plane strain: it has no ends along y",
+               "omit it, or take indenter.shape = \"roller\"");
+    if (c.is_line_contact() && computes(c, "bem-layer") && c.layer.base == Case::Base::half_space)
+        refuse(document, "substrate.base",
+               "a line load displaces an elastic half-space below the layers without bound",
+               "take \"bonded\", or the model bem");
+}
+
+void check_size(const Case& c, const Document& document) {
+    const double a = contact::half_space_scales(c).contact_radius;
+    if (a > widest_ratio * c.indenter.length)
+        refuse(document, "indenter.length",
+               "the contact's half width of " + rounded(a) + " m is more than " +
+                   rounded(widest_ratio) + " of the cylinder's length of " +
+                   rounded(c.indenter.length) + " m: no line contact",
+               "enlarge it or reduce the load");
+    if (a > largest_slope * c.indenter.radius)
+        refuse(document, used(document, "load.normal_force", "load.indentation"),
+               "the contact's half width of " + rounded(a) + " m exceeds half of the radius " +
+                   rounded(c.indenter.radius) + " m: small deformations are assumed",
+               "check the units of the load and of indenter.radius; no model goes further");
+}
+
+void check_line_path(const Case& c, const Document& document) {
+    if (!c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12) return;
+    refuse(document, "rolling.angle", "a cylinder or roller rolls across its axis, along x, only",
+           "omit it, or take a body of revolution");
+}
+
+void check_options(const Case& c, const Document& document) {
+    for (const char* key : {"bem.period", "bem.influence"})
+        if (document.find(key))
+            refuse(document, key,
+                   "is of square cells; those of a cylinder or roller divide its length",
+                   "omit it, or take another indenter.shape");
+    if (document.find("fem.mesh"))
+        refuse(document, "fem.mesh", "meshes under a cylinder or roller are the program's own",
+               "omit it, or take another indenter.shape");
+    if (2 * c.indenter.chamfer > c.indenter.length)
+        refuse(document, "indenter.chamfer",
+               "is more than half the length of " + rounded(c.indenter.length) + " m", "reduce it");
+}
+
+}  // namespace
+
+void resolve_height_map(Case& c, const Document& document) {
+    if (c.indenter.shape != Shape::height_map) return;
+    const std::string& path = *c.indenter.file;
+    const bool given = c.indenter.spacing && c.indenter.unit;
+    if (says_its_scale(path) && (c.indenter.spacing || c.indenter.unit))
+        refuse(document, c.indenter.spacing ? "indenter.spacing" : "indenter.unit",
+               "an .sdf file says spacing and unit itself", "omit it");
+    if (!says_its_scale(path) && !given)
+        refuse(document, "indenter.file", "bare numbers need a spacing and a unit",
+               "give indenter.spacing and indenter.unit");
+    std::optional<HeightMapScale> scale;
+    if (given) scale = {*c.indenter.spacing, *c.indenter.unit};
+    told_at(document, "indenter.file", [&] {
+        c.indenter.height_map =
+            std::make_shared<const contact::HeightMap>(read_height_map(path, scale));
+    });
+}
+
+void check_rough_bodies(const Case& c, const Document& document) {
+    if (!is_rough(c)) return;
+    check_rough_models(c, document);
+    if (c.indenter.roughness && c.is_cylindrical())
+        refuse(document, "indenter.shape",
+               "roughness makes spots of what is taken as a line contact",
+               "omit [indenter.roughness], or take another shape");
+    if (c.indenter.roughness) check_wavelengths(c, document);
+    if (c.indenter.shape == Shape::flat) check_plane(c, document);
+    if (!contact::is_nominally_flat(c)) return;
+    if (c.bem.period) check_period(c, document);
+    check_lengths(c, document);
+}
+
+void resolve_lower_layers(Case& c, const Document& document) {
+    if (!c.lower_layers_input) return;
+    const auto& input = *c.lower_layers_input;
+    const std::size_t n = input.thickness.size();
+    check_length("lower_layer.young", input.young.size(), n, document);
+    check_length("lower_layer.poisson", input.poisson.size(), n, document);
+    for (std::size_t i = 0; i < n; ++i)
+        c.layer.lower.push_back({input.thickness[i], {input.young[i], input.poisson[i]}});
+    c.lower_layers_input.reset();
+}
+
+void state_lower_layers(Case& c) {
+    if (c.layer.lower.empty()) return;
+    Case::LowerLayersInput input;
+    for (const auto& [thickness, material] : c.layer.lower) {
+        input.thickness.push_back(thickness);
+        input.young.push_back(material.young);
+        input.poisson.push_back(material.poisson);
+    }
+    c.lower_layers_input = input;
+}
+
+void check_ground(const Case& c, const Document& document) {
+    const bool elastic = c.layer.base == Base::half_space;
+    if (elastic && !c.layer.ground)
+        refuse(document, "substrate.base", "the half-space below the layers has no material",
+               "add a section [ground] with young and poisson");
+    if (!elastic && c.layer.ground)
+        refuse(document, "ground.young",
+               "the ground is rigid unless substrate.base = \"half-space\"",
+               "write base = \"half-space\" in [substrate], or omit [ground]");
+}
+
+void check_layer(const std::string& model, const Case& c, const Document& document) {
+    if (!c.layer.thickness)
+        refuse(document, "models",
+               model + " models a layer, but the case has no substrate.thickness",
+               "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+    if (model == "mdr-layer" && c.layer.base == Base::frictionless)
+        refuse(document, "substrate.base",
+               "mdr-layer: nothing holds a layer that glides on its ground against a tangential "
+               "force",
+               "take base = \"bonded\" or \"half-space\", or leave out mdr-layer");
+    if (model == "bem-layer") check_gliding(c, document);
+    if (model == "fem") check_fem_layers(c, document);
+}
+
+void check_line_contact(const Case& c, const Document& document) {
+    if (!c.is_cylindrical()) return;
+    check_line_models(c, document);
+    check_line_path(c, document);
+    check_options(c, document);
+    check_size(c, document);
+}
+
+}  // namespace tricontact::io

@@ -1,0 +1,119 @@
+#include "io/tables/body_tables.h"
+
+#include <array>
+#include <numbers>
+
+#include "io/keys/messages.h"
+#include "io/tables/csv_table.h"
+
+namespace tricontact::io {
+
+namespace {
+
+using Point = contact::ProfileCurve::Point;
+
+const CsvForm& profile_form() {
+    // The transform of a profile costs the square of its points.
+    static const CsvForm form{"profile", "r [mm], h [um]", 1000, "thin it out"};
+    return form;
+}
+
+void check_points(const CsvTable& table, const std::vector<Point>& points) {
+    if (points[0].radius != 0)
+        table.refuse_value(0, "r", "the profile must begin on its axis",
+                           "let the first row be 0, 0");
+    if (points[0].height != 0)
+        table.refuse_value(0, "h", "heights count from the point on the axis",
+                           "subtract its height from all");
+    table.check_increasing("r", "radii must increase from row to row", "sort the table");
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (points[i].height < points[i - 1].height)
+            table.refuse_value(i, "h", "the profile falls: its contact would be no disc",
+                               "smooth it, or give a height map");
+    if (!(points.back().height > 0))
+        table.refuse_value(points.size() - 1, "h", "the profile is flat: it has no finite contact",
+                           "give points beyond its edge");
+}
+
+std::vector<Point> points_in(const CsvTable& table) {
+    table.check_names({"r", "h", "kink"});
+    const auto radii = table.values("r", Dimension::length);
+    const auto heights = table.values("h", Dimension::length);
+    if (radii.size() < 2) table.refuse_header("fewer than two rows are no profile");
+    std::vector<double> kinks(radii.size(), 0.);
+    if (table.has("kink")) kinks = table.values("kink", Dimension::none);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        if (kinks[i] != 0 && kinks[i] != 1)
+            table.refuse_value(i, "kink", "must be 0 or 1", "write 1 where the slope jumps");
+        points.push_back({radii[i], heights[i], kinks[i] == 1});
+    }
+    check_points(table, points);
+    return points;
+}
+
+constexpr std::array<std::string_view, 3> names{"frequency", "G'", "G''"};
+
+const CsvForm& dma_form() {
+    // An analysis has dozens of rows.
+    static const CsvForm form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", 1000,
+                              "thin it out"};
+    return form;
+}
+
+void check_dma_columns(const CsvTable& table) {
+    const auto& columns = table.columns();
+    for (std::size_t j = 0; j < columns.size() && j < names.size(); ++j)
+        if (columns[j].name != names[j])
+            table.refuse_header("the column " + toml_string(shortened(columns[j].heading, 40)) +
+                                " should be " + std::string(names[j]));
+    if (columns.size() != names.size())
+        table.refuse_header("has " + std::to_string(columns.size()) + " columns instead of 3");
+}
+
+// From the table's unit to rad/s. "1/s" is used for both and says neither.
+std::vector<double> angular_frequencies(const CsvTable& table) {
+    const std::string unit = table.columns()[0].unit.value_or("Hz");
+    if (unit.find("Hz") != std::string::npos || unit.find("hertz") != std::string::npos) {
+        auto omega = table.values(names[0], Dimension::frequency);
+        for (double& value : omega) value *= 2 * std::numbers::pi;
+        return omega;
+    }
+    try {
+        parse_quantity("1 " + unit, Dimension::angular_frequency);
+    } catch (const QuantityError&) {
+        table.refuse_header(toml_string(shortened(unit, 40)) +
+                            " is neither a frequency in Hz nor one in rad/s");
+    }
+    return table.values(names[0], Dimension::angular_frequency);
+}
+
+contact::DmaTable dma_table_in(const CsvTable& table) {
+    check_dma_columns(table);
+    for (const std::string_view column : names) table.check_positive(column);
+    table.check_increasing(names[0], "frequencies must increase from row to row", "sort the table");
+    return {.name = table.name(),
+            .omega = angular_frequencies(table),
+            .storage = table.values(names[1], Dimension::pressure),
+            .loss = table.values(names[2], Dimension::pressure)};
+}
+
+}  // namespace
+
+std::vector<Point> parse_profile_table(std::string_view text, const std::string& name) {
+    return points_in(CsvTable(text, name, profile_form()));
+}
+
+std::vector<Point> read_profile_table(const std::string& path) {
+    return points_in(read_csv_table(path, profile_form()));
+}
+
+contact::DmaTable parse_dma_table(std::string_view text, const std::string& name) {
+    return dma_table_in(CsvTable(text, name, dma_form()));
+}
+
+contact::DmaTable read_dma_table(const std::string& path) {
+    return dma_table_in(read_csv_table(path, dma_form()));
+}
+
+}  // namespace tricontact::io
