@@ -96,7 +96,7 @@ void measure(const std::string& file, const std::string& size, const std::vector
         const contact::Case c = io::read_case(file, {"fem.size=" + size + " mm"});
         problem = fem::problem_of(c, fem::make_mesh(c, {}));
     });
-    problem = share(std::move(problem), session);
+    problem = broadcast(std::move(problem), session);
     for (const double ratio : ratios) {
         problem.largest_bulk_ratio = ratio;
         const Stiffness stiffness(problem, session);

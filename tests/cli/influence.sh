@@ -88,7 +88,7 @@ refused "there is no such file" "${layer[@]}" --set bem.influence=missing.txt
 refused "this is no file of influence coefficients" "${layer[@]}" --set bem.influence=case.toml
 refused "cannot be those of bem and bem-layer" run case.toml --output out \
     --set bem.influence=bem.txt
-refused "say nothing of what is periodic" "${layer[@]}" --set bem.influence=bem-layer.txt \
+refused "do not describe periodic contacts" "${layer[@]}" --set bem.influence=bem-layer.txt \
     --set "bem.period=40 mm"
 
 # 3. The command itself.
