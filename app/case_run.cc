@@ -9,7 +9,7 @@
 #include "app/further_runs.h"
 #include "app/studies/point_key.h"
 #include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/summary.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/error.h"
 #include "files/version.h"

@@ -18,4 +18,10 @@ std::string csv_field(const std::optional<double>& value);
 /// Fields with commas between them and a line end.
 std::string csv_line(const std::vector<std::string>& fields);
 
+/// The line of these values.
+template <class... Values>
+std::string csv_row(const Values&... values) {
+    return csv_line({csv_field(values)...});
+}
+
 }  // namespace tricontact::report

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
 #include "contact/substrates/relaxing_case.h"
 #include "rolling/rolling_report.h"
 #include "theory/rolling/creep_law.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
 #include "contact/special_values.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"

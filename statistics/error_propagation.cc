@@ -20,10 +20,10 @@ double contribution(const Quantity& f, std::vector<double> x, std::size_t i, dou
     return boost::math::differentiation::finite_difference_derivative(along, 0.) / scale * sigma;
 }
 
-void check(const std::vector<Uncertain>& quantities,
+void check(const std::vector<Estimate>& quantities,
            const std::vector<std::vector<double>>& correlation) {
     const auto n = quantities.size();
-    if (!std::ranges::all_of(quantities, [](const Uncertain& q) { return q.standard_error >= 0; }))
+    if (!std::ranges::all_of(quantities, [](const Estimate& q) { return q.standard_error >= 0; }))
         throw std::invalid_argument("a standard error must not be negative");
     if (!correlation.empty() &&
         (correlation.size() != n ||
@@ -33,11 +33,11 @@ void check(const std::vector<Uncertain>& quantities,
 
 }  // namespace
 
-Propagated propagate(const Quantity& f, const std::vector<Uncertain>& quantities,
+Propagated propagate(const Quantity& f, const std::vector<Estimate>& quantities,
                      const std::vector<std::vector<double>>& correlation) {
     check(quantities, correlation);
     std::vector<double> x;
-    for (const Uncertain& q : quantities) x.push_back(q.value);
+    for (const Estimate& q : quantities) x.push_back(q.value);
     Propagated p;
     p.result.value = f(x);
     double variance = 0;

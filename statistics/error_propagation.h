@@ -3,13 +3,13 @@
 #include <functional>
 #include <vector>
 
-#include "statistics/uncertain.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::statistics {
 
 /// What a function of uncertain quantities becomes.
 struct Propagated {
-    Uncertain result;
+    Estimate result;
     /// Change of the result when one quantity grows by its standard error, one per quantity.
     std::vector<double> contributions;
 };
@@ -23,7 +23,7 @@ using Quantity = std::function<double(const std::vector<double>&)>;
 /// relative errors beyond some 30 % need more. Throws std::invalid_argument for a negative error or
 /// other sizes, std::domain_error if the function or its derivative is not finite; and what `f`
 /// throws.
-Propagated propagate(const Quantity& f, const std::vector<Uncertain>& quantities,
+Propagated propagate(const Quantity& f, const std::vector<Estimate>& quantities,
                      const std::vector<std::vector<double>>& correlation = {});
 
 }  // namespace tricontact::statistics

@@ -1,7 +1,6 @@
 #include "statistics/regression.h"
 
 #include <fmt/format.h>
-#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit.h>
 #include <gsl/gsl_multifit_nlinear.h>
@@ -96,9 +95,7 @@ Fit with_errors(const std::vector<double>& parameters, const std::vector<double>
         std::vector<double> row;
         for (std::size_t l = 0; l < m; ++l)
             row.push_back(scale * gsl_matrix_get(&unit_covariance, k, l));
-        const double error = std::sqrt(row[k]);
-        fit.parameters.push_back(
-            {parameters[k], error, parameters[k] - t * error, parameters[k] + t * error});
+        fit.parameters.push_back(with_interval(parameters[k], std::sqrt(row[k]), t));
         fit.covariance.push_back(std::move(row));
     }
     return fit;
@@ -142,14 +139,6 @@ int deviations(const gsl_vector* scaled, void* data, gsl_vector* out) {
 double Fit::r_squared() const {
     const double total = explained_sum_of_squares + residual_sum_of_squares;
     return total > 0 ? explained_sum_of_squares / total : std::numeric_limits<double>::quiet_NaN();
-}
-
-double student_t(double confidence, int degrees_of_freedom) {
-    return gsl_cdf_tdist_Pinv((1 + confidence) / 2, degrees_of_freedom);
-}
-
-double normal_quantile(double confidence) {
-    return gsl_cdf_ugaussian_Pinv((1 + confidence) / 2);
 }
 
 Fit fit_linear(const std::vector<std::vector<double>>& columns, const std::vector<double>& y,

@@ -3,19 +3,14 @@
 #include <functional>
 #include <vector>
 
-namespace tricontact::statistics {
+#include "statistics/estimate.h"
 
-/// A parameter with its uncertainty.
-struct Estimate {
-    double value = 0;
-    double standard_error = 0;
-    double low = 0, high = 0;  ///< interval of the fit's confidence, Student's t
-};
+namespace tricontact::statistics {
 
 /// Parameters by least squares. Residuals are assumed independent, of mean zero and of equal (or,
 /// with weights, known relative) variance, which is estimated from them.
 struct Fit {
-    std::vector<Estimate> parameters;
+    std::vector<Estimate> parameters;  ///< with intervals of the fit's confidence, Student's t
     /// Of the parameters, a row each.
     std::vector<std::vector<double>> covariance;
     std::vector<double> fitted;              ///< model values, one per observation
@@ -55,10 +50,5 @@ using FitModel = std::function<std::vector<double>(const std::vector<double>& pa
 /// above, contact::NotConverged.
 Fit fit_nonlinear(const FitModel& model, const std::vector<double>& y,
                   const std::vector<double>& start, const FitOptions& options = {});
-
-/// Half width of a two-sided interval in standard errors: Student's t at `confidence` in (0, 1).
-double student_t(double confidence, int degrees_of_freedom);
-/// The same of the normal distribution, for known standard errors.
-double normal_quantile(double confidence);
 
 }  // namespace tricontact::statistics

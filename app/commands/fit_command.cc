@@ -8,7 +8,6 @@
 #include "app/commands/command.h"
 #include "app/studies/study_kind.h"
 #include "comparisons/quantities/reference.h"
-#include "comparisons/shakedown/line_fit_document.h"
 #include "comparisons/shakedown/study_fit.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"

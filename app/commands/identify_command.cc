@@ -53,7 +53,7 @@ experiments::SquaresMap map_of(const IdentificationTask& task, const IdentifiedM
     const auto range = [](const experiments::Profile& profile) {
         return equal_steps(profile.value.front(), profile.value.back(), n_map_points);
     };
-    experiments::SquaresMap map{range(*model.young_profile), range(*model.friction_profile), {}};
+    experiments::SquaresMap map{range(*model.profiles.young), range(*model.profiles.friction), {}};
     map.values = experiments::sums_of_squares(task, map.young, map.friction);
     return map;
 }
@@ -80,8 +80,8 @@ class Identifier {
         model.found = experiments::identify(task_);
         const Properties best = model.found.best;
         if (input_.young_is_free) task_.start.young = best.young;  // of the next model
-        if (model.found.young) model.young_profile = profile(model, Property::young);
-        if (model.found.friction) model.friction_profile = profile(model, Property::friction);
+        if (model.found.young) model.profiles.young = profile(model, Property::young);
+        if (model.found.friction) model.profiles.friction = profile(model, Property::friction);
         if (model.found.young && model.found.friction) model.map = map_of(task_, model);
         if (slides(best)) return model;
         check_interpolation(model);

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "comparisons/half_space/deviation_figures.h"
 #include "comparisons/half_space/deviation_output.h"
-#include "comparisons/half_space/deviation_rows.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/special_values.h"
+#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -16,14 +15,13 @@ namespace {
 
 using theory::LayerBase;
 
-report::Cell percent_cell(const std::optional<RolledRatio>& ratio, bool computed) {
+report::Cell percent_cell(const RolledRatio* ratio, bool computed) {
     if (!ratio) return contact::undefined;
     if (!computed) return 100 * (ratio->value - 1);
     return report::WithError{100 * (ratio->value - 1), 100 * ratio->error};
 }
 
-void add_needed(std::vector<report::Cell>& row, const std::optional<NeededThicknesses>& needed,
-                double thinnest) {
+void add_needed(std::vector<report::Cell>& row, const NeededThicknesses* needed, double thinnest) {
     for (std::size_t i = 0; i < deviation_tolerances.size(); ++i)
         row.push_back(needed ? report::Cell(needed_text(needed->at(i), thinnest))
                              : report::Cell(contact::undefined));
@@ -38,14 +36,13 @@ report::DocumentTable here_table(const HalfSpaceDeviation& deviation) {
             "Thicknesses: b/D_c from which on the quantity deviates by less; of computed ones "
             "with the interval of their numerical error.",
         .columns =
-            {{"quantity"}, {"symbol"}, {"by"}, {"deviation [%]", 3}, {"1 %"}, {"2 %"}, {"5 %"}},
-        .rows = {}};
+            report::columns("quantity", "symbol", "by", "deviation [%]:3", "1 %", "2 %", "5 %")};
     for (const DeviationRow& r : rows_here(deviation)) {
         std::vector<report::Cell> row{
             std::string(r.quantity->name), std::string(r.quantity->symbol),
             std::string(r.computed ? "boundary elements" : "exact theory"),
-            percent_cell(r.ratio, r.computed)};
-        add_needed(row, r.needed, thinnest_of(deviation, r));
+            percent_cell(r.ratio ? &*r.ratio : nullptr, r.computed)};
+        add_needed(row, r.needed ? &*r.needed : nullptr, thinnest_of(deviation, r));
         table.rows.push_back(row);
     }
     return table;
@@ -59,25 +56,24 @@ report::DocumentTable needed_table(const HalfSpaceDeviation& deviation) {
             "Least b/D_c for 1, 2 and 5 %. Where a deviation passes the limit several times, "
             "the last one. Exact: roots of the exact ratio. Computed: monotone interpolation "
             "over D_c/b between computed layers and the half-space, interval in brackets.",
-        .columns = {{"quantity"}, {"base"}, {"nu"}, {"coupling"}, {"1 %"}, {"2 %"}, {"5 %"}},
-        .rows = {}};
+        .columns = report::columns("quantity", "base", "nu", "coupling", "1 %", "2 %", "5 %")};
     for (const ExactCurve& curve : deviation.curves)
-        for (const ExactQuantity q : exact_quantities()) {
-            const auto& needed = curve.needed.at(static_cast<std::size_t>(q));
+        for (const Quantity* q : exact_quantities()) {
+            const auto* needed = found(curve.needed, q);
             if (!needed) continue;
             const bool any = curve.base == LayerBase::frictionless;
             std::vector<report::Cell> row{
-                std::string(describe(q).symbol), std::string(name_of(curve.base)),
+                std::string(q->symbol), std::string(name_of(curve.base)),
                 any ? report::Cell("any") : report::Cell(curve.poisson),
-                std::string(q == ExactQuantity::coupled_tangential_stiffness ? "yes" : "no")};
+                std::string(q == &quantities::coupled_tangential_stiffness ? "yes" : "no")};
             add_needed(row, needed, curve.thickness_ratios.front());
             table.rows.push_back(row);
         }
     for (const RolledCurve& curve : deviation.rolled)
-        for (const RolledQuantity q : rolled_quantities()) {
-            const auto& needed = curve.needed.at(static_cast<std::size_t>(q));
+        for (const Quantity* q : rolled_quantities()) {
+            const auto* needed = found(curve.needed, q);
             if (!needed) continue;
-            std::vector<report::Cell> row{std::string(describe(q).symbol) + ", computed", "bonded",
+            std::vector<report::Cell> row{std::string(q->symbol) + ", computed", "bonded",
                                           curve.poisson, std::string(curve.coupled ? "yes" : "no")};
             add_needed(row, needed, curve.points.front().body.thickness_ratio);
             table.rows.push_back(row);
@@ -93,17 +89,16 @@ report::DocumentTable rolled_table(const HalfSpaceDeviation& deviation) {
             "Layer over half-space of the same nu and coupling, minus 1, in percent, with the "
             "numerical error. Empty: not defined, such as the settled shift of what ratchets. "
             "State: of the run that settles on the half-space.",
-        .columns = {{"b/D_c", 3}, {"nu"}, {"coupling"}, {quantities::state.key}},
-        .rows = {}};
-    for (const RolledQuantity q : rolled_quantities())
-        table.columns.push_back({describe(q).symbol, 3});
+        .columns = report::columns("b/D_c:3", "nu", "coupling", quantities::state.key)};
+    for (const Quantity* q : rolled_quantities()) table.columns.push_back({q->symbol, 3});
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points) {
             std::vector<report::Cell> row{
                 point.body.thickness_ratio, curve.poisson,
                 std::string(curve.coupled ? "yes" : "no"),
                 std::string(point.state ? contact::name_of(*point.state) : "")};
-            for (const auto& ratio : point.ratios) row.push_back(percent_cell(ratio, true));
+            for (const Quantity* q : rolled_quantities())
+                row.push_back(percent_cell(found(point.ratios, q), true));
             table.rows.push_back(row);
         }
     return table;

@@ -1,11 +1,9 @@
-#include "comparisons/half_space/deviation_figures.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
-#include "comparisons/half_space/deviation_rows.h"
+#include "comparisons/half_space/deviation_output.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -27,11 +25,11 @@ std::string of_curve(const ExactCurve& curve) {
 }
 
 /// A quantity along a curve; `percent`: 100 |ratio - 1|.
-report::Curve exact_line(const ExactCurve& curve, ExactQuantity q, const std::string& name,
+report::Curve exact_line(const ExactCurve& curve, const Quantity* q, const std::string& name,
                          bool percent) {
-    report::Curve line{.name = name, .x = {}, .y = {}};
+    report::Curve line{.name = name};
     for (std::size_t i = 0; i < curve.ratios.size(); ++i) {
-        const auto& ratio = curve.ratios[i].at(static_cast<std::size_t>(q));
+        const double* ratio = found(curve.ratios[i], q);
         if (!ratio) continue;
         line.x.push_back(curve.thickness_ratios[i]);
         line.y.push_back(percent ? 100 * std::abs(*ratio - 1) : *ratio);
@@ -54,12 +52,11 @@ report::Figure over_thickness(const std::string& id, const std::string& title,
 
 /// A computed quantity along a curve; `percent`: 100 |ratio - 1|, gaps where that is no more than
 /// its error and has no place on a logarithmic axis.
-report::Curve computed_line(const RolledCurve& curve, RolledQuantity q, const std::string& name,
+report::Curve computed_line(const RolledCurve& curve, const Quantity* q, const std::string& name,
                             bool percent) {
-    report::Curve line{
-        .name = name, .x = {}, .y = {}, .kind = report::Curve::Kind::line_and_points};
+    report::Curve line{.name = name, .kind = report::Curve::Kind::line_and_points};
     for (const RolledDeviation& point : curve.points) {
-        const auto& ratio = point.ratios.at(static_cast<std::size_t>(q));
+        const RolledRatio* ratio = found(point.ratios, q);
         if (!ratio || (percent && std::abs(ratio->value - 1) <= ratio->error)) continue;
         line.x.push_back(point.body.thickness_ratio);
         line.y.push_back(percent ? 100 * std::abs(ratio->value - 1) : ratio->value);
@@ -94,20 +91,20 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
             ". Thick layers fall by the powers of theory: d, U_max and the stiffnesses as D_c/b, a "
             "and p0 as its third, the limits as its fifth.",
         {"deviation [%]", true});
-    for (const ExactQuantity q : exact_quantities()) {
-        if (!curve.ratios.front().at(static_cast<std::size_t>(q))) continue;
-        ratios.curves.push_back(exact_line(curve, q, describe(q).symbol, false));
-        percents.curves.push_back(exact_line(curve, q, describe(q).symbol, true));
+    for (const Quantity* q : exact_quantities()) {
+        if (!curve.ratios.front().contains(q)) continue;
+        ratios.curves.push_back(exact_line(curve, q, q->symbol, false));
+        percents.curves.push_back(exact_line(curve, q, q->symbol, true));
         // Below 1e-6 % only rounding is left.
         for (double& y : percents.curves.back().y)
             if (y < 1e-6) y = std::numeric_limits<double>::quiet_NaN();
     }
     for (const RolledCurve& rolled : deviation.rolled) {
         if (!is_own(deviation, rolled) || rolled.coupled != deviation.c.contact.coupling) continue;
-        for (const RolledQuantity q :
-             {RolledQuantity::static_shift, RolledQuantity::settled_shift,
-              RolledQuantity::settled_shift_ratio, RolledQuantity::shift_increment_ratio}) {
-            report::Curve points = computed_line(rolled, q, describe(q).symbol, true);
+        for (const Quantity* q :
+             {&quantities::static_shift, &quantities::settled_shift,
+              &quantities::settled_shift_ratio, &quantities::shift_increment_ratio}) {
+            report::Curve points = computed_line(rolled, q, q->symbol, true);
             points.kind = report::Curve::Kind::points;
             if (!points.x.empty()) percents.curves.push_back(points);
         }
@@ -119,16 +116,16 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
 
 std::vector<report::Figure> material_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
-    for (const ExactQuantity q : {ExactQuantity::indentation, ExactQuantity::unit_shift}) {
+    for (const Quantity* q : {&quantities::indentation, &quantities::unit_shift}) {
         report::Figure figure = over_thickness(
-            fmt::format("materials_{}", ratio_key(describe(q))),
-            fmt::format("{} by Poisson's ratio and base", describe(q).symbol),
+            fmt::format("materials_{}", ratio_key(*q)),
+            fmt::format("{} by Poisson's ratio and base", q->symbol),
             fmt::format("Exact {} of the layer over that of the half-space of the same material "
                         "under the same force; bonded base where nothing else is said.",
-                        describe(q).name),
-            {fmt::format("{} over half-space [-]", describe(q).symbol)});
+                        q->name),
+            {fmt::format("{} over half-space [-]", q->symbol)});
         for (const ExactCurve& curve : deviation.curves)
-            if (curve.ratios.front().at(static_cast<std::size_t>(q)))
+            if (curve.ratios.front().contains(q))
                 figure.curves.push_back(exact_line(curve, q, of_curve(curve), false));
         figure.curves.push_back(here(deviation, 0, 1));
         figures.push_back(figure);
@@ -139,17 +136,15 @@ std::vector<report::Figure> material_figures(const HalfSpaceDeviation& deviation
 std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
     const ExactMap& map = deviation.map;
-    for (const ExactQuantity q : exact_quantities()) {
-        const auto i = static_cast<std::size_t>(q);
-        if (!map.ratios.front().at(i)) continue;
+    for (const Quantity* q : exact_quantities()) {
+        if (!map.ratios.front().contains(q)) continue;
         report::ContourMap contours{
             .label = "deviation [%]", .x = map.thickness_ratios, .y = map.poissons, .values = {}};
         for (const ExactRatios& ratios : map.ratios)
-            contours.values.push_back(100 * (*ratios.at(i) - 1));
+            contours.values.push_back(100 * (ratios.at(q) - 1));
         contours.levels = map_levels;
         report::Figure figure = over_thickness(
-            fmt::format("map_{}", ratio_key(describe(q))),
-            fmt::format("{}: {}", describe(q).symbol, describe(q).name),
+            fmt::format("map_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
             "Layer over half-space minus 1 in percent, exact, bonded base, same force.",
             {"Poisson ratio nu [-]"});
         figure.map = std::move(contours);
@@ -165,19 +160,18 @@ std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
 
 std::vector<report::Figure> rolled_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
-    for (const RolledQuantity q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities()) {
         report::Figure figure = over_thickness(
-            fmt::format("computed_{}", ratio_key(describe(q))),
-            fmt::format("{}: {}", describe(q).symbol, describe(q).name),
-            fmt::format(
-                "Boundary elements of the bonded layer over those of the half-space, "
-                "coupled where nothing else is said, f_T = {}, {}; bars: numerical error.",
-                report::significant(deviation.contact.tangential_ratio, 3),
-                q < RolledQuantity::settled_shift ? "before rolling"
-                : q < RolledQuantity::shift_increment || q == RolledQuantity::limit_tangential_ratio
-                    ? "w = " + report::significant(deviation.amplitudes.settling, 3)
-                    : "w = " + report::significant(deviation.amplitudes.ratcheting, 3)),
-            {fmt::format("{} over half-space [-]", describe(q).symbol)});
+            fmt::format("computed_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
+            fmt::format("Boundary elements of the bonded layer over those of the half-space, "
+                        "coupled where nothing else is said, f_T = {}, {}; bars: numerical error.",
+                        report::significant(deviation.contact.tangential_ratio, 3),
+                        q == &quantities::static_shift || q == &quantities::static_shift_ratio
+                            ? "before rolling"
+                        : !is_of_ratcheting(q)
+                            ? "w = " + report::significant(deviation.amplitudes.settling, 3)
+                            : "w = " + report::significant(deviation.amplitudes.ratcheting, 3)),
+            {fmt::format("{} over half-space [-]", q->symbol)});
         for (const RolledCurve& curve : deviation.rolled) {
             if (!curve.coupled && !is_own(deviation, curve)) continue;
             report::Curve line =

@@ -1,12 +1,10 @@
 // Sentences and lines for people.
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "comparisons/half_space/deviation_output.h"
-#include "comparisons/half_space/deviation_rows.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -28,31 +26,25 @@ std::string higher(double ratio) {
                        ratio > 1 ? "high" : "low");
 }
 
-double here(const HalfSpaceDeviation& deviation, ExactQuantity q) {
-    return *deviation.here.at(static_cast<std::size_t>(q));
-}
-
 double largest_exact(const HalfSpaceDeviation& deviation) {
     double largest = 0;
-    for (const auto& ratio : deviation.here)
-        if (ratio) largest = std::max(largest, std::abs(*ratio - 1));
+    for (const auto& [q, ratio] : deviation.here) largest = std::max(largest, std::abs(ratio - 1));
     return largest;
 }
 
 report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
+    const auto beside = [&](const Quantity& q) { return below(deviation.here.at(&q)); };
     std::string text = fmt::format(
         "The layer is {} widths of Hertz' contact thick ({}, {} base, nu = {}): on it the "
         "indentation is {} that of a half-space under the same force, the contact radius {}, the "
         "peak pressure {}, the normal stiffness {}",
         report::significant(deviation.thickness_ratio, 3),
         report::given_quantity(*deviation.c.layer.thickness, "m"), name_of(deviation.base),
-        report::as_given(deviation.c.substrate.poisson),
-        below(here(deviation, ExactQuantity::indentation)),
-        below(here(deviation, ExactQuantity::contact_radius)),
-        below(here(deviation, ExactQuantity::peak_pressure)),
-        below(here(deviation, ExactQuantity::normal_stiffness)));
+        report::as_given(deviation.c.substrate.poisson), beside(quantities::indentation),
+        beside(quantities::contact_radius), beside(quantities::peak_pressure),
+        beside(quantities::normal_stiffness));
     if (deviation.base == theory::LayerBase::bonded)
-        text += fmt::format(", U_max {}", below(here(deviation, ExactQuantity::unit_shift)));
+        text += fmt::format(", U_max {}", beside(quantities::unit_shift));
     return {largest_exact(deviation) > tolerable ? Standing::fails : Standing::holds, text + "."};
 }
 
@@ -89,16 +81,16 @@ std::optional<report::Verdict> rolled_verdict(const HalfSpaceDeviation& deviatio
     const RolledDeviation* point = rolled_here(deviation);
     if (!point) return {};
     std::vector<std::string> differs, same;
-    for (const RolledQuantity q : rolled_quantities()) {
-        const auto& ratio = point->ratios.at(static_cast<std::size_t>(q));
+    for (const Quantity* q : rolled_quantities()) {
+        const RolledRatio* ratio = found(point->ratios, q);
         if (!ratio) continue;
         const double size = std::abs(ratio->value - 1);
         if (size <= ratio->error)
-            same.push_back(fmt::format("{} (to {} %)", describe(q).symbol,
+            same.push_back(fmt::format("{} (to {} %)", q->symbol,
                                        report::significant(100 * (size + ratio->error), 2)));
         else
             differs.push_back(fmt::format(
-                "{} {} ± {} % {}", describe(q).symbol, report::significant(100 * size, 3),
+                "{} {} ± {} % {}", q->symbol, report::significant(100 * size, 3),
                 report::significant(100 * ratio->error, 2), ratio->value < 1 ? "lower" : "higher"));
     }
     std::string text = "Friction and rolling on the layer against the half-space: ";
@@ -141,6 +133,60 @@ std::string deviation_text(const HalfSpaceDeviation& deviation) {
             needed.empty() ? "-" : fmt::format("{}", fmt::join(needed, ", ")));
     }
     return text;
+}
+
+namespace {
+
+const RolledCurve* curve_here(const HalfSpaceDeviation& deviation) {
+    const auto found = std::find_if(deviation.rolled.begin(), deviation.rolled.end(),
+                                    [&](const RolledCurve& curve) {
+                                        return curve.poisson == deviation.c.substrate.poisson &&
+                                               curve.coupled == deviation.c.contact.coupling;
+                                    });
+    return found == deviation.rolled.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation) {
+    const auto copied = [](const auto* value) {
+        return value ? std::optional(*value) : std::nullopt;
+    };
+    std::vector<DeviationRow> rows;
+    for (const Quantity* q : exact_quantities())
+        if (const double* ratio = found(deviation.here, q))
+            rows.push_back({q, false, RolledRatio{*ratio, 0},
+                            copied(found(deviation.curves.front().needed, q))});
+    const RolledDeviation* computed = rolled_here(deviation);
+    if (!computed) return rows;
+    for (const Quantity* q : rolled_quantities()) {
+        const auto* ratio = found(computed->ratios, q);
+        const auto* needed = found(curve_here(deviation)->needed, q);
+        if (ratio || needed) rows.push_back({q, true, copied(ratio), copied(needed)});
+    }
+    return rows;
+}
+
+double thinnest_of(const HalfSpaceDeviation& deviation, const DeviationRow& row) {
+    if (!row.computed) return deviation.curves.front().thickness_ratios.front();
+    return curve_here(deviation)->points.front().body.thickness_ratio;
+}
+
+std::string needed_text(const NeededThickness& needed, double thinnest) {
+    if (!needed.ratio && !needed.high) return "below " + report::significant(thinnest, 2);
+    if (!needed.ratio) return "at most " + report::significant(needed.high, 3);
+    const std::string text = report::significant(needed.ratio, 3);
+    const std::string low = needed.low ? report::significant(needed.low, 3)
+                                       : "below " + report::significant(thinnest, 2);
+    const std::string high = report::significant(needed.high, 3);
+    const bool exact = !needed.high && !needed.low;
+    if (!exact && (low != text || high != text))
+        return fmt::format("{} ({} to {})", text, low, high);
+    return text;
+}
+
+const char* name_of(theory::LayerBase base) {
+    return base == theory::LayerBase::bonded ? "bonded" : "frictionless";
 }
 
 }  // namespace tricontact::comparisons

@@ -17,29 +17,19 @@ using theory::StickTractions;
 /// Diameters of Hertz' contact from which on a layer is a half-space: deviations fall as 1/b.
 constexpr double half_space_thickness = 1e9;
 
-const std::array<const Quantity*, n_exact_quantities> descriptions{
-    &quantities::contact_radius,
-    &quantities::indentation,
-    &quantities::peak_pressure,
-    &quantities::unit_shift,
-    &quantities::normal_stiffness,
-    &quantities::tangential_stiffness,
-    &quantities::coupled_tangential_stiffness,
-    &quantities::limit_tangential_ratio,
-    &quantities::limit_amplitude_ratio};
-
 }  // namespace
 
-const Quantity& describe(ExactQuantity q) {
-    return *descriptions.at(static_cast<std::size_t>(q));
-}
-
-const std::array<ExactQuantity, n_exact_quantities>& exact_quantities() {
-    static const auto all = [] {
-        std::array<ExactQuantity, n_exact_quantities> result{};
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<ExactQuantity>(i);
-        return result;
-    }();
+const std::vector<const Quantity*>& exact_quantities() {
+    using namespace quantities;
+    static const std::vector<const Quantity*> all{&contact_radius,
+                                                  &indentation,
+                                                  &peak_pressure,
+                                                  &unit_shift,
+                                                  &normal_stiffness,
+                                                  &tangential_stiffness,
+                                                  &coupled_tangential_stiffness,
+                                                  &limit_tangential_ratio,
+                                                  &limit_amplitude_ratio};
     return all;
 }
 
@@ -52,9 +42,9 @@ theory::ElasticLayer DeviationContact::layer(double thickness_ratio, double pois
 
 ExactDeviation::ExactDeviation(DeviationContact contact, double poisson, LayerBase base)
     : contact_(std::move(contact)), poisson_(poisson), base_(base) {
-    const theory::LayerContact thick = half_space();
-    for (const ExactQuantity q : exact_quantities())
-        half_space_[static_cast<std::size_t>(q)] = value(q, half_space_thickness, thick);
+    const theory::LayerContact thick = contact_at(half_space_thickness);
+    for (const Quantity* q : exact_quantities())
+        if (const auto known = value(q, half_space_thickness, thick)) half_space_[q] = *known;
 }
 
 theory::LayerContact ExactDeviation::contact_at(double thickness_ratio) const {
@@ -62,44 +52,29 @@ theory::LayerContact ExactDeviation::contact_at(double thickness_ratio) const {
                                {contact::NormalControl::Kind::force, contact_.normal_force});
 }
 
-theory::LayerContact ExactDeviation::half_space() const {
-    return contact_at(half_space_thickness);
-}
-
-std::optional<double> ExactDeviation::value(ExactQuantity q, double thickness_ratio,
+std::optional<double> ExactDeviation::value(const Quantity* q, double thickness_ratio,
                                             const theory::LayerContact& c) const {
+    using namespace quantities;
     const auto sticking = [&](StickTractions tractions) -> std::optional<double> {
         if (base_ == LayerBase::frictionless) return {};
         return sticking_stiffness(contact_.layer(thickness_ratio, poisson_, base_),
                                   c.contact_radius, tractions);
     };
-    switch (q) {
-        case ExactQuantity::contact_radius:
-            return c.contact_radius;
-        case ExactQuantity::indentation:
-            return c.indentation;
-        case ExactQuantity::peak_pressure:
-            return c.centre_pressure;
-        case ExactQuantity::unit_shift:
-            return c.unit_shift;
-        case ExactQuantity::normal_stiffness:
-            return c.normal_stiffness;
-        case ExactQuantity::tangential_stiffness:
-            return sticking(StickTractions::in_plane);
-        case ExactQuantity::coupled_tangential_stiffness:
-            return sticking(StickTractions::all);
-        case ExactQuantity::limit_tangential_ratio:
-            if (!(contact_.amplitude_ratio > 0 && contact_.amplitude_ratio < 1)) return {};
-            return theory::shakedown_limit(c, contact_.amplitude_ratio);
-        case ExactQuantity::limit_amplitude_ratio:
-            if (!(contact_.amplitude_ratio > 0 && contact_.tangential_ratio > 0)) return {};
-            return theory::amplitude_limit(c, contact_.tangential_ratio);
-    }
+    const double w = contact_.amplitude_ratio, f = contact_.tangential_ratio;
+    if (q == &contact_radius) return c.contact_radius;
+    if (q == &indentation) return c.indentation;
+    if (q == &peak_pressure) return c.centre_pressure;
+    if (q == &unit_shift) return c.unit_shift;
+    if (q == &normal_stiffness) return c.normal_stiffness;
+    if (q == &tangential_stiffness) return sticking(StickTractions::in_plane);
+    if (q == &coupled_tangential_stiffness) return sticking(StickTractions::all);
+    if (q == &limit_tangential_ratio && w > 0 && w < 1) return theory::shakedown_limit(c, w);
+    if (q == &limit_amplitude_ratio && w > 0 && f > 0) return theory::amplitude_limit(c, f);
     return {};
 }
 
-std::optional<double> ExactDeviation::ratio(ExactQuantity q, double thickness_ratio) const {
-    const auto half_space = half_space_[static_cast<std::size_t>(q)];
+std::optional<double> ExactDeviation::ratio(const Quantity* q, double thickness_ratio) const {
+    const double* half_space = found(half_space_, q);
     if (!half_space) return {};
     return *value(q, thickness_ratio, contact_at(thickness_ratio)) / *half_space;
 }
@@ -107,12 +82,9 @@ std::optional<double> ExactDeviation::ratio(ExactQuantity q, double thickness_ra
 ExactRatios ExactDeviation::ratios(double thickness_ratio, bool coupled) const {
     const theory::LayerContact c = contact_at(thickness_ratio);
     ExactRatios result;
-    for (const ExactQuantity q : exact_quantities()) {
-        const auto i = static_cast<std::size_t>(q);
-        if (!half_space_[i]) continue;
-        if (q == ExactQuantity::coupled_tangential_stiffness && !coupled) continue;
-        result[i] = *value(q, thickness_ratio, c) / *half_space_[i];
-    }
+    for (const auto& [q, half_space] : half_space_)
+        if (q != &quantities::coupled_tangential_stiffness || coupled)
+            result[q] = *value(q, thickness_ratio, c) / half_space;
     return result;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "comparisons/quantities/quantity.h"
 #include "contact/bodies/indenter.h"
@@ -11,23 +11,10 @@
 
 namespace tricontact::comparisons {
 
-/// What exact theory knows of a layer and of a half-space alike.
-enum class ExactQuantity {
-    contact_radius,                ///< a
-    indentation,                   ///< d
-    peak_pressure,                 ///< p0
-    unit_shift,                    ///< U_max; bonded layers only
-    normal_stiffness,              ///< dF_N/dd
-    tangential_stiffness,          ///< dF_T/dU as F_T sets in, uncoupled; bonded layers only
-    coupled_tangential_stiffness,  ///< the same with normal and tangential contact coupled
-    limit_tangential_ratio,        ///< f_T,lim at the same w = W/a, each of its own a
-    limit_amplitude_ratio          ///< w_lim at the same f_T
-};
-inline constexpr std::size_t n_exact_quantities = 9;
-
-const Quantity& describe(ExactQuantity q);
-/// All, in the order of the enumeration.
-const std::array<ExactQuantity, n_exact_quantities>& exact_quantities();
+/// What exact theory knows of a layer and of a half-space alike: a, d, p0, U_max, dF_N/dd, dF_T/dU
+/// uncoupled and coupled, f_T,lim at the same w = W/a, each of its own a, and w_lim at the same
+/// f_T.
+const std::vector<const Quantity*>& exact_quantities();
 
 /// A contact whose deviation from the half-space is asked for: a rigid indenter under a given
 /// force. Thicknesses b are over D_c, the diameter of Hertz' contact; E* stays, whatever nu is, so
@@ -45,9 +32,9 @@ struct DeviationContact {
 };
 
 /// A quantity on the layer over that on the half-space of the same material under the same
-/// indenter and force. Empty where it is undefined: without hold (frictionless base), without
+/// indenter and force. Undefined: without hold (frictionless base), without
 /// rolling.
-using ExactRatios = std::array<std::optional<double>, n_exact_quantities>;
+using ExactRatios = ByQuantity<double>;
 
 /// Layers of one material on one kind of base, of any thickness. Exact: 1e-8, sticking contact at
 /// nu < 1/2 with coupling 1e-6. Ratios throw contact::InputError for thicknesses below a/32.
@@ -55,19 +42,14 @@ class ExactDeviation {
   public:
     ExactDeviation(DeviationContact contact, double poisson, theory::LayerBase base);
 
-    std::optional<double> ratio(ExactQuantity q, double thickness_ratio) const;
+    std::optional<double> ratio(const Quantity* q, double thickness_ratio) const;
     /// All of them. `coupled`: without the coupled stiffness, which takes ten times as long as all
     /// others, they are quick.
     ExactRatios ratios(double thickness_ratio, bool coupled = true) const;
 
-    theory::LayerContact contact_at(double thickness_ratio) const;
-    theory::LayerContact half_space() const;
-
-    double poisson() const { return poisson_; }
-    theory::LayerBase base() const { return base_; }
-
   private:
-    std::optional<double> value(ExactQuantity q, double thickness_ratio,
+    theory::LayerContact contact_at(double thickness_ratio) const;
+    std::optional<double> value(const Quantity* q, double thickness_ratio,
                                 const theory::LayerContact& c) const;
 
     DeviationContact contact_;

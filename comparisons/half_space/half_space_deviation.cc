@@ -48,11 +48,11 @@ void check(const Case& c) {
             "tangential_amplitude_ratio to 0");
 }
 
-NeededThicknesses needed_on(const ExactDeviation& exact, ExactQuantity q, const ExactCurve& curve) {
+NeededThicknesses needed_on(const ExactDeviation& exact, const Quantity* q,
+                            const ExactCurve& curve) {
     std::vector<RatioPoint> points;
     for (std::size_t i = 0; i < curve.ratios.size(); ++i)
-        points.push_back(
-            {curve.thickness_ratios[i], *curve.ratios[i].at(static_cast<std::size_t>(q))});
+        points.push_back({curve.thickness_ratios[i], curve.ratios[i].at(q)});
     const auto ratio = [&](double thickness) { return *exact.ratio(q, thickness); };
     NeededThicknesses result;
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -71,9 +71,8 @@ ExactCurve curve_of(const DeviationContact& contact, double poisson, LayerBase b
                      .needed = {}};
     for (const double thickness : curve.thickness_ratios)
         curve.ratios.push_back(exact.ratios(thickness, coupled));
-    for (const ExactQuantity q : exact_quantities())
-        if (curve.ratios.front().at(static_cast<std::size_t>(q)))
-            curve.needed.at(static_cast<std::size_t>(q)) = needed_on(exact, q, curve);
+    for (const auto& [q, ratio] : curve.ratios.front())
+        curve.needed[q] = needed_on(exact, q, curve);
     return curve;
 }
 
@@ -88,19 +87,22 @@ ExactMap map_of(const DeviationContact& contact) {
 }
 
 /// The longest row of points that know a quantity, from the thickest on.
-std::vector<RatioPoint> known_points(const RolledCurve& curve, std::size_t q) {
+std::vector<RatioPoint> known_points(const RolledCurve& curve, const Quantity* q) {
     std::vector<RatioPoint> points;
-    for (auto p = curve.points.rbegin(); p != curve.points.rend() && p->ratios.at(q); ++p)
-        points.push_back({p->body.thickness_ratio, p->ratios.at(q)->value, p->ratios.at(q)->error});
+    for (auto p = curve.points.rbegin(); p != curve.points.rend(); ++p) {
+        const RolledRatio* ratio = found(p->ratios, q);
+        if (!ratio) break;
+        points.push_back({p->body.thickness_ratio, ratio->value, ratio->error});
+    }
     std::reverse(points.begin(), points.end());
     return points;
 }
 
 void add_needed(RolledCurve& curve) {
-    for (std::size_t q = 0; q < n_rolled_quantities; ++q) {
+    for (const Quantity* q : rolled_quantities()) {
         const auto points = known_points(curve, q);
         if (points.size() < 3) continue;
-        NeededThicknesses& needed = curve.needed.at(q).emplace();
+        NeededThicknesses& needed = curve.needed[q];
         for (std::size_t i = 0; i < needed.size(); ++i)
             needed.at(i) = needed_thickness(points, deviation_tolerances.at(i));
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +26,7 @@ struct ExactCurve {
     bool coupled = false;                  ///< with the coupled stiffness
     std::vector<double> thickness_ratios;  ///< increasing
     std::vector<ExactRatios> ratios;
-    /// By quantity; empty where the quantity is undefined.
-    std::array<std::optional<NeededThicknesses>, n_exact_quantities> needed;
+    ByQuantity<NeededThicknesses> needed;
 };
 
 /// Exact ratios of bonded layers over b/D_c and nu, uncoupled.
@@ -40,8 +40,8 @@ struct RolledCurve {
     double poisson = 0;
     bool coupled = true;
     std::vector<RolledDeviation> points;  ///< thickness increasing
-    /// By quantity; empty where fewer than three neighbouring points know it.
-    std::array<std::optional<NeededThicknesses>, n_rolled_quantities> needed;
+    /// Undefined where fewer than three neighbouring points know it.
+    ByQuantity<NeededThicknesses> needed;
 };
 
 /// How far the layer of a case, and layers in general, are from a half-space.

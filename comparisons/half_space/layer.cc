@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "comparisons/half_space/line_layer.h"
+#include "comparisons/quantities/reference.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
@@ -133,10 +134,6 @@ PressedValues hertz_values(const Case& c) {
             h.peak_pressure,  h.unit_shift,  half_space_stiffness(c, h.contact_radius)};
 }
 
-bool is_half_space(const std::string& model) {
-    return model == "mdr" || model == "bem";
-}
-
 std::optional<theory::LayerContact> exact_layer_contact(const Case& c) {
     if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
     try {
@@ -166,6 +163,28 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     if (c.layer.width) result.half_width = *c.layer.width / 2 / total;
     if (c.layer.depth) result.half_depth = *c.layer.depth / 2 / total;
     return result;
+}
+
+std::optional<theory::LineContact> exact_line_contact(const contact::Case& c) {
+    if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
+    using Kind = theory::LineControl::Kind;
+    const theory::LineControl control =
+        c.load.normal_force
+            ? theory::LineControl{Kind::load, *c.load.normal_force / c.indenter.length}
+            : theory::LineControl{Kind::indentation, *c.load.indentation};
+    return theory::solve_line_contact(elastic_layer(c), c.indenter.radius, control);
+}
+
+PressedValues line_pressed_values(const contact::Case& c, const theory::LineContact& line) {
+    const double length = c.indenter.length;
+    return {line.half_width,        line.indentation, line.load * length, line.centre_pressure, {},
+            line.stiffness * length};
+}
+
+double line_stiffness(const contact::Case& c, double half_width) {
+    const double length = c.indenter.length;
+    return std::numbers::pi * c.materials().effective_modulus() * length /
+           (2 * std::log(2 * length / half_width));
 }
 
 }  // namespace tricontact::comparisons

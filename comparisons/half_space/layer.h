@@ -11,6 +11,7 @@
 #include "contact/history.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/layer/layer_compliance.h"
+#include "theory/line_contact.h"
 
 namespace tricontact::comparisons {
 
@@ -69,9 +70,6 @@ std::string why_no_exact_theory(const contact::Case& c);
 /// The layer of such a case.
 theory::ElasticLayer elastic_layer(const contact::Case& c);
 
-/// MDR and BEM: models that do not see the thickness.
-bool is_half_space(const std::string& model);
-
 /// Hertz' solution of the case's paraboloid, U_max of the uncoupled half-space, 2 E* a.
 PressedValues hertz_values(const contact::Case& c);
 
@@ -87,5 +85,16 @@ std::optional<LayerComparison> compare_with_layer(const contact::Case& c,
 
 /// Section "layer" of summary.json: SI units; "over" another value: their ratio minus 1.
 nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison& layer);
+
+/// The exact frictionless plane contact of a cylinder with its layer; empty where there is no layer
+/// or why_no_exact_theory() has a reason. Throws contact::InputError out of the theory's range,
+/// contact::NotConverged.
+std::optional<theory::LineContact> exact_line_contact(const contact::Case& c);
+
+/// Its numbers over the cylinder's length; the shift of full sliding is left out.
+PressedValues line_pressed_values(const contact::Case& c, const theory::LineContact& line);
+
+/// dF_N/dd [N/m] of a cylinder on the half-space at the half width a [m]: pi E* L/(2 ln(2 L/a)).
+double line_stiffness(const contact::Case& c, double half_width);
 
 }  // namespace tricontact::comparisons

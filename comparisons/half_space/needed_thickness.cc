@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
-#include <cstdint>
-#include <numeric>
 #include <stdexcept>
 
 #include "contact/root.h"

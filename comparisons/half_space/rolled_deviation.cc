@@ -3,44 +3,28 @@
 #include <algorithm>
 #include <cmath>
 
+#include "theory/rolling/oscillating_rolling.h"
+
 namespace tricontact::comparisons {
 
 namespace {
 
 using Kind = RolledRun::Kind;
-using Value = std::optional<double>;
-using Values = std::array<Value, n_rolled_quantities>;
-
-const std::array<const Quantity*, n_rolled_quantities> rolled_descriptions{
-    &quantities::static_shift,
-    &quantities::static_shift_ratio,
-    &quantities::settled_shift,
-    &quantities::settled_shift_ratio,
-    &quantities::kappa,
-    &quantities::shift_increment,
-    &quantities::shift_increment_ratio,
-    &quantities::eta,
-    &quantities::limit_tangential_ratio};
-
-std::size_t index(RolledQuantity q) {
-    return static_cast<std::size_t>(q);
-}
-
 /// Of a run that is to settle or to ratchet, whatever it does: static shift and, with rolling,
 /// limit come from the former, what ratcheting tells from the latter.
-void add(const Results& results, bool settling, Values& values) {
-    for (const RolledQuantity q : rolled_quantities()) {
-        const bool of_ratcheting = q >= RolledQuantity::shift_increment && q <= RolledQuantity::eta;
-        const bool unrolled = q == RolledQuantity::limit_tangential_ratio && results.periods() == 0;
-        if (of_ratcheting != settling && !unrolled) values[index(q)] = results.told(describe(q));
+void add(const Results& results, bool settling, ByQuantity<double>& values) {
+    for (const Quantity* q : rolled_quantities()) {
+        const bool unrolled = q == &quantities::limit_tangential_ratio && results.periods() == 0;
+        if (is_of_ratcheting(q) == settling || unrolled) continue;
+        if (const auto value = results.told(*q)) values[q] = *value;
     }
 }
 
 /// What the runs on one body gave, by level, and on the coarsest by half steps.
 struct BodyValues {
     RolledBody body;
-    std::array<Values, n_rolled_levels> levels;
-    Values half_steps;
+    std::array<ByQuantity<double>, n_rolled_levels> levels;
+    ByQuantity<double> half_steps;
     std::optional<contact::State> state;
 };
 
@@ -48,7 +32,7 @@ BodyValues values_on(const RolledBody& body, const std::vector<RolledResult>& re
     BodyValues values{.body = body, .levels = {}, .half_steps = {}, .state = {}};
     for (const auto& [run, found] : results) {
         if (!(run.body == body) || !found) continue;
-        Values& level = values.levels.at(static_cast<std::size_t>(run.level));
+        auto& level = values.levels.at(static_cast<std::size_t>(run.level));
         const bool settling = run.kind == Kind::settling;
         if (settling) values.state = found->state();
         add(*found, settling,
@@ -57,41 +41,42 @@ BodyValues values_on(const RolledBody& body, const std::vector<RolledResult>& re
     return values;
 }
 
-Value quotient(Value a, Value b) {
-    return a && b && *b != 0 ? Value(*a / *b) : Value();
+/// Layer over half-space; empty where undefined.
+std::optional<double> quotient(const Quantity* q, const ByQuantity<double>& layer,
+                               const ByQuantity<double>& half_space) {
+    const double *a = found(layer, q), *b = found(half_space, q);
+    return a && b && *b != 0 ? std::optional(*a / *b) : std::nullopt;
 }
 
 /// The finest level's ratio; coarser ones err more, and so does their distance from it. Halving the
 /// steps halves an error of first order: what it changes is half the error of the whole steps.
-std::optional<RolledRatio> ratio_of(std::size_t q, const BodyValues& layer,
+std::optional<RolledRatio> ratio_of(const Quantity* q, const BodyValues& layer,
                                     const BodyValues& half_space) {
-    std::array<Value, n_rolled_levels> ratios;
-    for (std::size_t level = 0; level < ratios.size(); ++level)
-        ratios.at(level) =
-            quotient(layer.levels.at(level).at(q), half_space.levels.at(level).at(q));
-    if (!std::all_of(ratios.begin(), ratios.end(), [](Value v) { return v.has_value(); }))
-        return {};
-    RolledRatio result{*ratios.back(), 0};
-    for (const Value& r : ratios)
-        result.error = std::max(result.error, std::abs(*r - result.value));
-    const Value half_steps = quotient(layer.half_steps.at(q), half_space.half_steps.at(q));
-    if (half_steps) result.error += 2 * std::abs(*half_steps - *ratios.front());
+    std::vector<double> ratios;
+    for (std::size_t level = 0; level < layer.levels.size(); ++level)
+        if (const auto ratio = quotient(q, layer.levels.at(level), half_space.levels.at(level)))
+            ratios.push_back(*ratio);
+    if (ratios.size() < layer.levels.size()) return {};
+    RolledRatio result{ratios.back(), 0};
+    for (const double r : ratios) result.error = std::max(result.error, std::abs(r - result.value));
+    if (const auto half_steps = quotient(q, layer.half_steps, half_space.half_steps))
+        result.error += 2 * std::abs(*half_steps - ratios.front());
     return result;
 }
 
 }  // namespace
 
-const Quantity& describe(RolledQuantity q) {
-    return *rolled_descriptions.at(index(q));
+const std::vector<const Quantity*>& rolled_quantities() {
+    using namespace quantities;
+    static const std::vector<const Quantity*> all{
+        &static_shift,    &static_shift_ratio,    &settled_shift, &settled_shift_ratio,   &kappa,
+        &shift_increment, &shift_increment_ratio, &eta,           &limit_tangential_ratio};
+    return all;
 }
 
-const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities() {
-    static const auto all = [] {
-        std::array<RolledQuantity, n_rolled_quantities> result{};
-        for (std::size_t i = 0; i < result.size(); ++i) result[i] = static_cast<RolledQuantity>(i);
-        return result;
-    }();
-    return all;
+bool is_of_ratcheting(const Quantity* q) {
+    using namespace quantities;
+    return q == &shift_increment || q == &shift_increment_ratio || q == &eta;
 }
 
 std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results) {
@@ -111,10 +96,78 @@ std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& 
             deviations.emplace_back(layer.body, RolledRatios{}, layer.state, std::nullopt);
         if (half_space == bodies.end()) continue;
         deviation.half_space_state = half_space->state;
-        for (const RolledQuantity q : rolled_quantities())
-            deviation.ratios.at(index(q)) = ratio_of(index(q), layer, *half_space);
+        for (const Quantity* q : rolled_quantities())
+            if (const auto ratio = ratio_of(q, layer, *half_space)) deviation.ratios[q] = *ratio;
     }
     return deviations;
+}
+
+namespace {
+
+using Kind = RolledRun::Kind;
+
+constexpr double cells_per_radius = 8;
+constexpr int periods_to_settle = 60, periods_of_ratcheting = 10;
+constexpr int steps_per_quarter = 4;  // of ratcheting; what settles needs turning points only
+
+bool ratchets(Kind kind) {
+    return kind != Kind::settling;
+}
+
+contact::Case::Rolling rolling(const contact::Case& base, double w, Kind kind) {
+    contact::Case::Rolling result;
+    result.amplitude_ratio = w;
+    result.amplitude_reference = contact::Case::AmplitudeReference::model;
+    result.angle = base.rolling->angle;
+    result.periods = ratchets(kind) ? periods_of_ratcheting : periods_to_settle;
+    result.run_all = ratchets(kind);
+    result.steps =
+        ratchets(kind) ? contact::Case::Steps::per_quarter : contact::Case::Steps::turning_points;
+    result.steps_per_quarter =
+        kind == Kind::ratcheting_by_half_steps ? 2 * steps_per_quarter : steps_per_quarter;
+    return result;
+}
+
+}  // namespace
+
+RolledAmplitudes rolled_amplitudes(double w, double f) {
+    const double limit = theory::amplitude_limit(f);
+    if (w < limit) return {w, limit + .3 * (1 - limit)};
+    return {.7 * limit, w};
+}
+
+std::vector<RolledRun> runs_on(const RolledBody& body, const RolledAmplitudes& amplitudes) {
+    std::vector<RolledRun> runs;
+    for (int level = 0; level < n_rolled_levels; ++level) {
+        runs.push_back({body, Kind::settling, level});
+        if (amplitudes.ratcheting > 0) runs.push_back({body, Kind::ratcheting, level});
+    }
+    if (amplitudes.ratcheting > 0) runs.push_back({body, Kind::ratcheting_by_half_steps, 0});
+    return runs;
+}
+
+contact::Case rolled_case(const contact::Case& base, const DeviationContact& contact,
+                          const RolledAmplitudes& amplitudes, const RolledRun& run) {
+    const RolledBody& body = run.body;
+    contact::Case c = base;
+    c.models = {body.half_space() ? "bem" : "bem-layer"};
+    c.substrate = contact.layer(1, body.poisson, theory::LayerBase::bonded).material;
+    c.layer = {};
+    if (!body.half_space()) c.layer.thickness = body.thickness_ratio * contact.hertz_diameter;
+    c.contact.coupling = body.coupled;
+    c.load.normal_force = contact.normal_force;
+    c.load.indentation.reset();
+    c.load.tangential_force.reset();
+    c.load.tangential_ratio = contact.tangential_ratio;
+    c.bem = {};
+    c.bem.cells_per_radius = cells_per_radius;
+    c.mdr = {};
+    c.fem = {};
+    c.rolling.reset();
+    if (amplitudes.ratcheting > 0)
+        c.rolling = rolling(base, ratchets(run.kind) ? amplitudes.ratcheting : amplitudes.settling,
+                            run.kind);
+    return c;
 }
 
 }  // namespace tricontact::comparisons

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -12,23 +11,12 @@
 
 namespace tricontact::comparisons {
 
-/// What boundary elements know of a rolled contact on a layer and on a half-space alike.
-enum class RolledQuantity {
-    static_shift,           ///< U_stat [m]
-    static_shift_ratio,     ///< u_stat = U_stat/U_max, each of its own U_max
-    settled_shift,          ///< U_sd [m] after shakedown
-    settled_shift_ratio,    ///< u_sd = U_sd/U_max
-    kappa,                  ///< of f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)
-    shift_increment,        ///< DU [m] per period of ratcheting
-    shift_increment_ratio,  ///< Du = DU/U_max
-    eta,                    ///< Du/(w - w_lim), w_lim each of its own pressure
-    limit_tangential_ratio  ///< f_T,lim from the computed pressures
-};
-inline constexpr std::size_t n_rolled_quantities = 9;
-
-const Quantity& describe(RolledQuantity q);
-/// All, in the order of the enumeration.
-const std::array<RolledQuantity, n_rolled_quantities>& rolled_quantities();
+/// What boundary elements know of a rolled contact on a layer and on a half-space alike: U_stat and
+/// U_sd, DU per period of ratcheting, in metres and each over its own U_max, kappa, eta with w_lim
+/// each of its own pressure, and f_T,lim from the computed pressures.
+const std::vector<const Quantity*>& rolled_quantities();
+/// Those that runs which ratchet tell.
+bool is_of_ratcheting(const Quantity* q);
 
 /// A body that is rolled on: a bonded layer, or the half-space of its material.
 struct RolledBody {
@@ -79,8 +67,8 @@ struct RolledRatio {
     double value = 1;
     double error = 0;  ///< half width: spread of the levels, of ratcheting also the step's error
 };
-/// Empty where undefined on one of them: what ratchets has no settled shift.
-using RolledRatios = std::array<std::optional<RolledRatio>, n_rolled_quantities>;
+/// Undefined where it is on one of them: what ratchets has no settled shift.
+using RolledRatios = ByQuantity<RolledRatio>;
 
 struct RolledDeviation {
     RolledBody body;

@@ -1,4 +1,3 @@
-#include "comparisons/quantities/own_limit.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/surface_fields.h"
 

@@ -1,7 +1,6 @@
-#include "comparisons/quantities/mapping.h"
-
-#include "comparisons/quantities/own_limit.h"
 #include "comparisons/quantities/quantities.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/surface_fields.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

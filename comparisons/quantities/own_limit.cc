@@ -1,5 +1,3 @@
-#include "comparisons/quantities/own_limit.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -58,6 +59,16 @@ struct Quantity {
     /// left of nothing.
     std::optional<contact::State> told_in = {};
 };
+
+/// Values of quantities; one without a value is undefined.
+template <class Value>
+using ByQuantity = std::map<const Quantity*, Value>;
+/// Null where undefined.
+template <class Value>
+const Value* found(const ByQuantity<Value>& values, const Quantity* q) {
+    const auto it = values.find(q);
+    return it == values.end() ? nullptr : &it->second;
+}
 
 /// The declarations, in the order of files and tables.
 std::span<const Quantity* const> all_quantities();

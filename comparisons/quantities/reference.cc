@@ -1,7 +1,9 @@
 #include "comparisons/quantities/reference.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "contact/bodies/half_space_scales.h"
-#include "contact/case.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -80,6 +82,42 @@ std::string size_name(const contact::Case& c) {
 const char* pressure_name(const contact::Case& c) {
     if (contact::has_conical_tip(c)) return "mean pressure";
     return contact::pressure_falls(c) ? "peak pressure" : "pressure at the centre";
+}
+
+using contact::Case;
+
+bool is_half_space(const std::string& model) {
+    return model == "mdr" || model == "bem";
+}
+
+bool half_spaces_couple(const Case& c) {
+    return std::abs(c.materials().dundurs_beta()) > negligible_beta;
+}
+
+bool is_tabulated(const Case& c, const std::string& model) {
+    return c.bem.influence && model.starts_with("bem");
+}
+
+bool couples(const Case& c, const std::string& model) {
+    if (!c.contact.coupling || model.starts_with("mdr")) return false;
+    return model != "bem" || is_tabulated(c, model) || half_spaces_couple(c);
+}
+
+bool is_uncoupled_half_space(const Case& c, const std::string& model) {
+    return is_half_space(model) && !is_tabulated(c, model) && !couples(c, model);
+}
+
+bool static_shift_is_relaxed(const Case& c) {
+    constexpr double enough = 7;
+    if (!c.relaxation) return true;
+    return std::ranges::all_of(c.relaxation->branches, [&](const auto& branch) {
+        return c.load.hold >= enough * branch.time;
+    });
+}
+
+std::string static_theory(const Case& c) {
+    if (c.is_cylindrical()) return "Cattaneo";
+    return contact::is_hertz_round(c) ? "Cattaneo and Mindlin" : "superposed normal contacts";
 }
 
 }  // namespace tricontact::comparisons

@@ -46,4 +46,41 @@ const char* pressure_name(const contact::Case& c);
 /// "contact radius", or "half width" of a line contact.
 std::string size_name(const contact::Case& c);
 
+/// kappa carries the error of f_T divided by w u; below this product only noise is left of it.
+inline constexpr double least_mapping_product = 1e-5;
+
+/// Mapping parameter kappa of f = 1 - kappa w u - (1 - u)^(3/2) (Wetter (2016), 3.2.16). Empty
+/// unless 0 <= w, f, u <= 1 and w u > least_mapping_product.
+std::optional<double> mapping_parameter(double w, double f, double u);
+
+/// Ratcheting slope eta = Du/(w - w_lim) (Wetter (2016), 3.3.1); empty unless w > w_lim.
+std::optional<double> ratcheting_slope(double increment_ratio, double w, double w_lim);
+
+/// Dundurs' |beta| up to which half-spaces count as uncoupled, as bem takes them.
+inline constexpr double negligible_beta = 1e-3;
+
+/// MDR and BEM: models that do not see the thickness.
+bool is_half_space(const std::string& model);
+
+/// Whether the half-spaces of the case's materials couple normal and tangential contact.
+bool half_spaces_couple(const contact::Case& c);
+
+/// Whether the model's elasticity is that of a file of influence coefficients: what the case says
+/// of the bodies decides neither coupling nor thickness.
+bool is_tabulated(const contact::Case& c, const std::string& model);
+
+/// Whether the model couples normal and tangential contact in this case, or may: MDR's springs
+/// never do, bem does by Dundurs' beta, or as its file of influence coefficients says.
+bool couples(const contact::Case& c, const std::string& model);
+
+/// Whether the model solves what the closed forms of uncoupled, elastic half-spaces are about.
+bool is_uncoupled_half_space(const contact::Case& c, const std::string& model);
+
+/// Whether the static shift is that of elastic bodies: always, unless the substrate relaxes. Then
+/// the wait under F_T has to outlast its slowest branch, e^-7 = 1e-3 being left.
+bool static_shift_is_relaxed(const contact::Case& c);
+
+/// What the closed form of the static shift is called: "Cattaneo and Mindlin".
+std::string static_theory(const contact::Case& c);
+
 }  // namespace tricontact::comparisons

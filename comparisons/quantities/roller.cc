@@ -1,5 +1,5 @@
-#include "comparisons/half_space/roller_ends.h"
 #include "comparisons/quantities/quantities.h"
+#include "comparisons/quantities/roller_ends.h"
 
 namespace tricontact::comparisons::quantities {
 

@@ -1,8 +1,7 @@
 #include <algorithm>
 
-#include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/model_assumptions.h"
 #include "comparisons/quantities/quantities.h"
+#include "comparisons/quantities/reference.h"
 
 namespace tricontact::comparisons::quantities {
 

@@ -4,21 +4,24 @@ namespace tricontact::comparisons::quantities {
 
 namespace {
 
-template <class Get>
-QuantityValue of_inside(const Subject& s, const Get& get) {
+using Inside = const contact::Subsurface&;
+using Scales = const contact::Scales&;
+
+/// What `get` makes of the inside, where it was written.
+template <auto get>
+QuantityValue of_inside(const Subject& s) {
     const auto& inside = s.history.subsurface;
-    return inside ? finite(get(*inside)) : QuantityValue();
+    return inside ? finite(get(*inside, s.history.scales)) : QuantityValue();
 }
 
 constexpr const char* written = "where the inside of the substrate was written (output.volume)";
 
-constinit const Quantity phase{
-    .key = "subsurface_phase",
-    .name = "phase of the inside that was written last",
-    .meaning = "Rolling periods since the start.",
-    .defined = written,
-    .of = [](const Subject& s) { return of_inside(s, [](const auto& i) { return i.phase; }); },
-    .place = "/subsurface/phase"};
+constinit const Quantity phase{.key = "subsurface_phase",
+                               .name = "phase of the inside that was written last",
+                               .meaning = "Rolling periods since the start.",
+                               .defined = written,
+                               .of = of_inside<[](Inside i, Scales) { return i.phase; }>,
+                               .place = "/subsurface/phase"};
 
 constinit const Quantity peak_von_mises{
     .key = "peak_von_mises_Pa",
@@ -26,10 +29,7 @@ constinit const Quantity peak_von_mises{
     .name = "largest von Mises stress",
     .meaning = "Largest von Mises stress inside the substrate.",
     .defined = written,
-    .of =
-        [](const Subject& s) {
-            return of_inside(s, [](const auto& i) { return i.peak_von_mises; });
-        },
+    .of = of_inside<[](Inside i, Scales) { return i.peak_von_mises; }>,
     .place = "/subsurface/peak_von_mises_Pa",
     .part = Part::inside};
 
@@ -39,11 +39,7 @@ constinit const Quantity peak_von_mises_ratio{
     .name = "largest von Mises stress",
     .meaning = "Largest von Mises stress inside the substrate over the peak pressure.",
     .defined = written,
-    .of =
-        [](const Subject& s) {
-            const double p0 = s.history.scales.peak_pressure;
-            return of_inside(s, [p0](const auto& i) { return i.peak_von_mises / p0; });
-        },
+    .of = of_inside<[](Inside i, Scales s) { return i.peak_von_mises / s.peak_pressure; }>,
     .place = "/subsurface/peak_von_mises_ratio",
     .part = Part::inside};
 
@@ -68,11 +64,7 @@ constinit const Quantity peak_x_ratio{
     .name = "its place",
     .meaning = "Position of the largest von Mises stress along F_T, over a.",
     .defined = written,
-    .of =
-        [](const Subject& s) {
-            const double a = s.history.scales.contact_radius;
-            return of_inside(s, [a](const auto& i) { return i.peak_position[0] / a; });
-        },
+    .of = of_inside<[](Inside i, Scales s) { return i.peak_position[0] / s.contact_radius; }>,
     .place = "/subsurface/peak_x_ratio",
     .part = Part::inside};
 
@@ -83,11 +75,7 @@ constinit const Quantity peak_z_ratio{
     .name = "its place",
     .meaning = "Depth of the largest von Mises stress, over a.",
     .defined = written,
-    .of =
-        [](const Subject& s) {
-            const double a = s.history.scales.contact_radius;
-            return of_inside(s, [a](const auto& i) { return i.peak_position[2] / a; });
-        },
+    .of = of_inside<[](Inside i, Scales s) { return i.peak_position[2] / s.contact_radius; }>,
     .place = "/subsurface/peak_z_ratio",
     .part = Part::inside};
 

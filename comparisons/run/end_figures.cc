@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "comparisons/half_space/roller_ends.h"
+#include "comparisons/quantities/roller_ends.h"
 #include "comparisons/quantities/surface_fields.h"
 #include "comparisons/run/figures.h"
 #include "theory/sharp_edge.h"

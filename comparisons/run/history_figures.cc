@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "comparisons/quantities/model_assumptions.h"
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/figures.h"

@@ -5,8 +5,7 @@
 #include <algorithm>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/model_assumptions.h"
-#include "contact/case.h"
+#include "comparisons/quantities/reference.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
 #include "comparisons/run/loading_report.h"
 #include "report/format.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/model_assumptions.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/limitations.h"
 #include "contact/case.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -1,11 +1,11 @@
-#include "comparisons/shakedown/fit_curves.h"
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
 
-#include "comparisons/shakedown/fit_figures.h"
+#include "comparisons/shakedown/fit_document.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -14,33 +14,52 @@ namespace {
 constexpr int n_samples = 100;
 }
 
-report::Curve closed_form(const std::string& name, double from, double to,
-                          const std::function<double(double)>& x,
-                          const std::function<double(double)>& y, int colour) {
-    report::Curve curve{.name = name, .x = {}, .y = {}, .theory = true, .colour = colour};
-    for (int i = 0; i <= n_samples; ++i) {
-        const double t = std::lerp(from, to, i / 1. / n_samples);
-        curve.x.push_back(x(t));
-        curve.y.push_back(y(t));
+ThesisFigures::ThesisFigures(const StudyFit& fit, const std::string& group,
+                             const std::string& suffix, double resolution)
+    : group_(group), suffix_(suffix), models_(model_names(fit)) {
+    for (const RollingPoint& p : fit.points) {
+        if (!group.empty() && p.group != group) continue;
+        points_.push_back(&p);
+        amplitudes_.insert(std::round(p.amplitude_ratio * resolution) / resolution);
     }
-    return curve;
 }
 
-void add_model_points(report::Figure& figure, const std::vector<std::string>& models,
-                      const std::vector<const RollingPoint*>& points, const Place& place) {
-    for (std::size_t m = 0; m < models.size(); ++m) {
-        report::Curve curve{.name = report::display_name(models[m]),
-                            .x = {},
-                            .y = {},
+report::Figure ThesisFigures::figure(const std::string& number, const std::string& title,
+                                     const std::string& caption, const char* x,
+                                     const char* y) const {
+    std::string id = "figure_" + number + suffix_;
+    std::replace(id.begin(), id.end(), '.', '_');
+    return {.id = id,
+            .title = fmt::format("{}{} (as figure {} of the thesis)", title,
+                                 group_.empty() ? "" : ", " + group_, number),
+            .caption = caption,
+            .x = {x},
+            .y = {y}};
+}
+
+void ThesisFigures::add_form(report::Figure& figure, const std::string& name, double from,
+                             double to, const std::function<double(double)>& x,
+                             const std::function<double(double)>& y, int kind) const {
+    report::Curve curve{
+        .name = name, .theory = true, .colour = static_cast<int>(models_.size()) + kind};
+    for (int i = 0; i <= n_samples; ++i) {
+        const double t = std::lerp(from, to, i / 1. / n_samples);
+        curve.add(x(t), y(t));
+    }
+    figure.curves.push_back(std::move(curve));
+}
+
+void ThesisFigures::add_points(report::Figure& figure, const Place& place) const {
+    for (std::size_t m = 0; m < models_.size(); ++m) {
+        report::Curve curve{.name = report::display_name(models_[m]),
                             .kind = report::Curve::Kind::points,
                             .colour = static_cast<int>(m)};
         std::vector<Computed> values;
-        for (const RollingPoint* p : points) {
-            if (p->model != models[m]) continue;
+        for (const RollingPoint* p : points_) {
+            if (p->model != models_[m]) continue;
             const auto at = place(*p);
             if (!at) continue;
-            curve.x.push_back(at->first);
-            curve.y.push_back(at->second.value);
+            curve.add(at->first, at->second.value);
             values.push_back(at->second);
         }
         curve.y_error = bars_of(values);

@@ -1,8 +1,5 @@
 #include "comparisons/shakedown/fit_document.h"
 
-#include "comparisons/shakedown/fit_figures.h"
-#include "comparisons/shakedown/thesis_figures.h"
-
 namespace tricontact::comparisons {
 
 namespace {

@@ -1,11 +1,31 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "comparisons/shakedown/rolling_points.h"
 #include "comparisons/shakedown/study_fit.h"
 #include "report/document.h"
 
 namespace tricontact::comparisons {
+
+/// One fit of a study, for tables. The form lives as long as the study's fit.
+struct FitRow {
+    std::string model;
+    std::string group;  ///< with the load where the fit belongs to one: "parallel, f_T = 0.8"
+    const FittedForm* form = nullptr;
+};
+
+/// All fits that could be made: kappa, its plane, limits, eta per load, roots.
+std::vector<FitRow> fit_rows(const StudyFit& fit);
+
+/// Those of kappa only, or of ratcheting and limits only.
+std::vector<FitRow> mapping_rows(const StudyFit& fit);
+std::vector<FitRow> ratcheting_rows(const StudyFit& fit);
 
 /// Parts of fit_document: what the fits say in sentences,
 std::vector<report::Verdict> fit_verdicts(const StudyFit& fit);
@@ -19,5 +39,76 @@ report::DocumentTable difference_table(const StudyFit& fit);
 
 /// Every difference of every point.
 report::DocumentTable point_difference_table(const StudyFit& fit);
+
+/// The groups of a study in the order of its points: "parallel", "parallel, thickness 8 mm", ...
+std::vector<std::string> group_names(const StudyFit& fit);
+/// Their models, in the order of the points.
+std::vector<std::string> model_names(const StudyFit& fit);
+
+/// kappa over f_T/f_T,lim, one figure per group with settled points.
+std::vector<report::Figure> kappa_figures(const StudyFit& fit);
+/// What one constant kappa leaves of f_T, one figure per group in which there is one.
+std::vector<report::Figure> kappa_residual_figures(const StudyFit& fit);
+/// kappa(w, f_T/f_T,lim) as a map per model and group, linear between loads; for studies that
+/// combine at least two amplitudes with at least two settled loads each.
+std::vector<report::Figure> kappa_maps(const StudyFit& fit);
+/// What Du = c u_stat^(1/2) (w - w_lim) leaves of Du, one figure per group in which there is a fit.
+std::vector<report::Figure> increment_residual_figures(const StudyFit& fit);
+
+/// Error bars of computed values: half widths, NaN where unknown; empty if all are.
+std::vector<double> bars_of(const std::vector<Computed>& values);
+
+/// Where a point lies in a figure, and its bar; empty: nowhere.
+using Place = std::function<std::optional<std::pair<double, Computed>>(const RollingPoint&)>;
+
+/// Figures like some of the thesis: its formulas, dashed, and the points of all models.
+class ThesisFigures {
+  public:
+    /// Of the points of a group; empty: of all. `suffix` of ids, where a direction has several
+    /// groups; amplitudes are told apart to `1/resolution`.
+    ThesisFigures(const StudyFit& fit, const std::string& group, const std::string& suffix,
+                  double resolution);
+
+    report::Figure figure(const std::string& number, const std::string& title,
+                          const std::string& caption, const char* x, const char* y) const;
+    /// A closed form given by x and y over a parameter. Forms of one `kind` (0, 1, ...) have one
+    /// colour, none of a model's.
+    void add_form(report::Figure& figure, const std::string& name, double from, double to,
+                  const std::function<double(double)>& x, const std::function<double(double)>& y,
+                  int kind) const;
+    /// A curve of points for each model.
+    void add_points(report::Figure& figure, const Place& place) const;
+
+    const std::vector<std::string>& models() const { return models_; }
+    const std::vector<const RollingPoint*>& points() const { return points_; }
+    const std::set<double>& amplitudes() const { return amplitudes_; }
+
+  private:
+    std::string group_, suffix_;
+    std::vector<std::string> models_;
+    std::vector<const RollingPoint*> points_;
+    std::set<double> amplitudes_;
+};
+
+/// A limit of a model, the same at all points of an amplitude, is drawn once.
+Place once_per_amplitude(const Place& place);
+
+// Places in the figures that round bodies and line contacts have alike.
+
+/// u_sd over f_T.
+Place over_load(const Quantity& q);
+/// The same from loads of `share` of the model's limit on.
+Place settled_near_limit(double share);
+/// w over the model's f_T,lim, once per amplitude.
+Place amplitude_over_limit();
+/// Du over f_T.
+
+/// Those in which a model has points, without empty curves.
+std::vector<report::Figure> with_model_points(const std::vector<report::Figure>& figures);
+
+/// Figures of Wetter's thesis with its formulas drawn over the points of the models, per group
+/// along (3.16, 3.17, 3.18, 3.20, 3.21) or across the rolling (3.30, 3.31, 3.32, 3.20, 3.33), as
+/// far as the study has points for them. Other directions have none.
+std::vector<report::Figure> thesis_figures(const StudyFit& fit);
 
 }  // namespace tricontact::comparisons

@@ -1,11 +1,10 @@
-#include "comparisons/shakedown/fit_figures.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "comparisons/shakedown/fit_document.h"
 #include "contact/special_values.h"
 #include "report/format.h"
 
@@ -24,29 +23,32 @@ int colour_of(const StudyFit& fit, const std::string& model) {
     return static_cast<int>(std::find(names.begin(), names.end(), model) - names.begin());
 }
 
-report::Curve points_curve(const StudyFit& fit, const std::string& model) {
-    return {.name = report::display_name(model),
-            .x = {},
-            .y = {},
-            .kind = report::Curve::Kind::points,
-            .colour = colour_of(fit, model)};
-}
-
 std::string id_of(const std::string& what, std::size_t index) {
     return what + "_" + std::to_string(index + 1);
 }
 
-/// The figure of a group, if `curve_of` has a curve for one of its models.
+/// A figure for each group of a study, if `curve_of` has points for one of its models. `figure` has
+/// the texts that they share: what stands before the number of the id and the name of the group.
 template <class Group, class CurveOf>
-void add_figure(std::vector<report::Figure>& figures, report::Figure figure,
-                const std::vector<Group>& groups, const std::string& name,
-                const CurveOf& curve_of) {
-    for (const Group& group : groups) {
-        if (group.group != name) continue;
-        report::Curve curve = curve_of(group);
-        if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
+std::vector<report::Figure> figures_of(const StudyFit& fit, const std::vector<Group>& groups,
+                                       const report::Figure& texts, const CurveOf& curve_of) {
+    std::vector<report::Figure> figures;
+    const auto names = group_names(fit);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        report::Figure figure = texts;
+        figure.id = id_of(texts.id, i);
+        figure.title += ", " + names[i];
+        for (const Group& group : groups) {
+            if (group.group != names[i]) continue;
+            report::Curve curve{.name = report::display_name(group.model),
+                                .kind = report::Curve::Kind::points,
+                                .colour = colour_of(fit, group.model)};
+            curve_of(group, curve);
+            if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
+        }
+        if (!figure.curves.empty()) figures.push_back(std::move(figure));
     }
-    if (!figure.curves.empty()) figures.push_back(std::move(figure));
+    return figures;
 }
 
 /// kappa at the loads of one amplitude, over f_T/f_T,lim.
@@ -102,51 +104,39 @@ std::vector<double> bars_of(const std::vector<Computed>& values) {
 }
 
 std::vector<report::Figure> kappa_figures(const StudyFit& fit) {
-    std::vector<report::Figure> figures;
-    const auto names = group_names(fit);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        add_figure(
-            figures,
-            {.id = id_of("kappa", i),
-             .title = "Mapping parameter κ, " + names[i],
-             .caption = "κ of each settled point, all amplitudes, over the load as a part of "
-                        "the model's own limit. Bars: the numerical error of u_sd, which "
-                        "counts 1/(w u_sd) times.",
-             .x = {load_label},
-             .y = {"κ"}},
-            fit.mapping, names[i], [&](const MappingGroup& group) {
-                report::Curve curve = points_curve(fit, group.model);
-                std::vector<Computed> values;
-                for (const MappingPoint& p : group.points) {
-                    curve.x.push_back(p.limit_ratio);
-                    curve.y.push_back(p.kappa.value);
-                    values.push_back(p.kappa);
-                }
-                curve.y_error = bars_of(values);
-                return curve;
-            });
-    return figures;
+    return figures_of(
+        fit, fit.mapping,
+        {.id = "kappa",
+         .title = "Mapping parameter κ",
+         .caption = "κ of each settled point, all amplitudes, over the load as a part of "
+                    "the model's own limit. Bars: the numerical error of u_sd, which "
+                    "counts 1/(w u_sd) times.",
+         .x = {load_label},
+         .y = {"κ"}},
+        [](const MappingGroup& group, report::Curve& curve) {
+            std::vector<Computed> values;
+            for (const MappingPoint& p : group.points) {
+                curve.add(p.limit_ratio, p.kappa.value);
+                values.push_back(p.kappa);
+            }
+            curve.y_error = bars_of(values);
+        });
 }
 
 std::vector<report::Figure> kappa_residual_figures(const StudyFit& fit) {
-    std::vector<report::Figure> figures;
-    const auto names = group_names(fit);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        add_figure(figures,
-                   {.id = id_of("kappa_residuals", i),
-                    .title = "What one constant κ leaves, " + names[i],
-                    .caption = "f_T of the point minus f_T by the fitted constant. A pattern means "
-                               "that κ is no constant.",
-                    .x = {load_label},
-                    .y = {"residual of f_T"}},
-                   fit.mapping, names[i], [&](const MappingGroup& group) {
-                       report::Curve curve = points_curve(fit, group.model);
-                       if (!group.constant) return curve;
-                       for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
-                       curve.y = group.constant->fit.residuals;
-                       return curve;
-                   });
-    return figures;
+    return figures_of(
+        fit, fit.mapping,
+        {.id = "kappa_residuals",
+         .title = "What one constant κ leaves",
+         .caption = "f_T of the point minus f_T by the fitted constant. A pattern means "
+                    "that κ is no constant.",
+         .x = {load_label},
+         .y = {"residual of f_T"}},
+        [](const MappingGroup& group, report::Curve& curve) {
+            if (!group.constant) return;
+            for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
+            curve.y = group.constant->fit.residuals;
+        });
 }
 
 std::vector<report::Figure> kappa_maps(const StudyFit& fit) {
@@ -168,25 +158,20 @@ std::vector<report::Figure> kappa_maps(const StudyFit& fit) {
 }
 
 std::vector<report::Figure> increment_residual_figures(const StudyFit& fit) {
-    std::vector<report::Figure> figures;
-    const auto names = group_names(fit);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        add_figure(figures,
-                   {.id = id_of("increment_residuals", i),
-                    .title = "What c u_stat^(1/2) (w − w_lim) leaves, " + names[i],
-                    .caption = "Δu of the point minus Δu by the fitted c. A pattern means that the "
-                               "form is not the model's.",
-                    .x = {"w − w_lim"},
-                    .y = {"residual of Δu [U_max]"}},
-                   fit.ratcheting, names[i], [&](const RatchetingGroup& group) {
-                       report::Curve curve = points_curve(fit, group.model);
-                       if (!group.root) return curve;
-                       for (const RatchetingPoint& p : group.points)
-                           curve.x.push_back(p.at.amplitude_ratio - p.amplitude_limit.value);
-                       curve.y = group.root->fit.residuals;
-                       return curve;
-                   });
-    return figures;
+    return figures_of(
+        fit, fit.ratcheting,
+        {.id = "increment_residuals",
+         .title = "What c u_stat^(1/2) (w − w_lim) leaves",
+         .caption = "Δu of the point minus Δu by the fitted c. A pattern means that the "
+                    "form is not the model's.",
+         .x = {"w − w_lim"},
+         .y = {"residual of Δu [U_max]"}},
+        [](const RatchetingGroup& group, report::Curve& curve) {
+            if (!group.root) return;
+            for (const RatchetingPoint& p : group.points)
+                curve.x.push_back(p.at.amplitude_ratio - p.amplitude_limit.value);
+            curve.y = group.root->fit.residuals;
+        });
 }
 
 }  // namespace tricontact::comparisons

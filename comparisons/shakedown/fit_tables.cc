@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "comparisons/shakedown/fit_rows.h"
+#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -19,19 +19,9 @@ report::DocumentTable form_table(const std::string& id, const std::string& title
             "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
             "minus mean); R² = SSR/(SSR + SSE). Residuals of a model are no noise: the interval "
             "says how well the form describes the model.",
-        .columns = {{"model"},
-                    {"group"},
-                    {"form"},
-                    {"parameter"},
-                    {"value", 5},
-                    {"standard error", 2},
-                    {"low", 5},
-                    {"high", 5},
-                    {"SSE", 3},
-                    {"SSR", 3},
-                    {"R²", 6},
-                    {"points"}},
-        .rows = {}};
+        .columns =
+            report::columns("model", "group", "form", "parameter", "value:5", "standard error:2",
+                            "low:5", "high:5", "SSE:3", "SSR:3", "R²:6", "points")};
     for (const FitRow& row : rows)
         for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
             const statistics::Estimate& e = row.form->fit.parameters[k];
@@ -62,18 +52,9 @@ report::DocumentTable mapping_use_table(const StudyFit& fit) {
         .note =
             "u by κ over u_sd of the model, minus 1. A smaller κ moves the limit up; with a "
             "larger one some points would not settle.",
-        .columns = {{"model"},
-                    {"group"},
-                    {"κ of"},
-                    {"κ"},
-                    {"median of magnitudes [%]", 3},
-                    {"worst [%]", 3},
-                    {"at w", 3},
-                    {"at f_T", 3},
-                    {"points"},
-                    {"beyond the numerical error"},
-                    {"would ratchet"}},
-        .rows = {}};
+        .columns = report::columns("model", "group", "κ of", "κ", "median of magnitudes [%]:3",
+                                   "worst [%]:3", "at w:3", "at f_T:3", "points",
+                                   "beyond the numerical error", "would ratchet")};
     for (const MappingGroup& group : fit.mapping) {
         if (group.points.empty()) continue;
         for (const MappingUse& use : group.uses)
@@ -94,16 +75,9 @@ report::DocumentTable difference_table(const StudyFit& fit) {
         .note =
             "First over second, minus 1, each in its own units (a, U_max). Worst: of the "
             "points where the bars exclude each other, else of all.",
-        .columns = {{"quantity"},
-                    {"first"},
-                    {"second"},
-                    {"group"},
-                    {"median of magnitudes [%]", 3},
-                    {"worst [%]", 3},
-                    {"points"},
-                    {"with error bars"},
-                    {"different beyond them"}},
-        .rows = {}};
+        .columns =
+            report::columns("quantity", "first", "second", "group", "median of magnitudes [%]:3",
+                            "worst [%]:3", "points", "with error bars", "different beyond them")};
     for (const ModelDifference& d : fit.differences)
         table.rows.push_back({d.quantity->symbol, report::display_name(d.first),
                               report::display_name(d.second), d.group, 100 * d.median(),
@@ -115,19 +89,11 @@ report::DocumentTable difference_table(const StudyFit& fit) {
 }
 
 report::DocumentTable point_difference_table(const StudyFit& fit) {
-    report::DocumentTable table{.id = "point_differences",
-                                .title = "Settled shifts and shifts per period, point by point",
-                                .columns = {{"quantity"},
-                                            {"first"},
-                                            {"second"},
-                                            {"group"},
-                                            {"w", 3},
-                                            {"f_T", 3},
-                                            {"first's value"},
-                                            {"second's value"},
-                                            {"difference [%]"},
-                                            {"verdict"}},
-                                .rows = {}};
+    report::DocumentTable table{
+        .id = "point_differences",
+        .title = "Settled shifts and shifts per period, point by point",
+        .columns = report::columns("quantity", "first", "second", "group", "w:3", "f_T:3",
+                                   "first's value", "second's value", "difference [%]", "verdict")};
     for (const ModelDifference& d : fit.differences) {
         if (d.quantity != &quantities::settled_shift && d.quantity != &quantities::shift_increment)
             continue;
@@ -145,6 +111,43 @@ report::DocumentTable point_difference_table(const StudyFit& fit) {
         }
     }
     return table;
+}
+
+namespace {
+
+void add(std::vector<FitRow>& rows, const std::string& model, const std::string& group,
+         const std::optional<FittedForm>& form) {
+    if (form) rows.push_back({model, group, &*form});
+}
+
+}  // namespace
+
+std::vector<FitRow> mapping_rows(const StudyFit& fit) {
+    std::vector<FitRow> rows;
+    for (const MappingGroup& group : fit.mapping) {
+        add(rows, group.model, group.group, group.constant);
+        add(rows, group.model, group.group, group.plane);
+    }
+    return rows;
+}
+
+std::vector<FitRow> ratcheting_rows(const StudyFit& fit) {
+    std::vector<FitRow> rows;
+    for (const RatchetingGroup& group : fit.ratcheting) {
+        add(rows, group.model, group.group, group.limit);
+        for (const RatchetingLoad& load : group.loads)
+            add(rows, group.model,
+                group.group + ", f_T = " + report::as_given(load.tangential_ratio), load.slope);
+        add(rows, group.model, group.group, group.root);
+        add(rows, group.model, group.group, group.root_of_eta);
+    }
+    return rows;
+}
+
+std::vector<FitRow> fit_rows(const StudyFit& fit) {
+    std::vector<FitRow> rows = mapping_rows(fit);
+    for (FitRow& row : ratcheting_rows(fit)) rows.push_back(std::move(row));
+    return rows;
 }
 
 }  // namespace tricontact::comparisons

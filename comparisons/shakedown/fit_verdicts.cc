@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "comparisons/shakedown/grouping.h"
+#include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
 #include "report/format_share.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -123,8 +123,9 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
                      "2^(1/2) = 1.41 parallel, 5^(1/2) = 2.24 perpendicular",
                      name_of(group), interval(c),
                      report::significant(group.root->of_left_side.r_squared, 3))});
-    std::vector<double> ratios = group.thesis_ratio;
-    std::erase_if(ratios, [](double value) { return std::isnan(value); });
+    std::vector<double> ratios;
+    for (const RatchetingPoint& p : group.points)
+        if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);
     if (ratios.empty() || group.model == "mdr" || !elastic) return;
     const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
     verdicts.push_back(

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/half_space/line_layer.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/case.h"
+#include "contact/bodies/half_space_scales.h"
+#include "contact/error.h"
+#include "contact/root.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -35,23 +37,54 @@ std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
     return variable == LimitVariable::load ? r.limit_tangential_ratio : r.limit_amplitude_ratio;
 }
 
-std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
-    if (c.is_line_contact()) return line_layer_limit(c, variable);
+/// What the limits of an exact contact with a layer follow from.
+struct LayerLimits {
+    double radius, normal_force;                 ///< a (half width) [m], F_N [N]
+    std::function<double(double)> of_load;       ///< f_T,lim at w = W/a in [0, 1]
+    std::function<double(double)> of_amplitude;  ///< w_lim at f_T in [0, 1]
+};
+
+std::optional<LayerLimits> line_layer_limits(const Case& c) {
+    try {
+        const auto line = exact_line_contact(c);
+        if (!line) return {};
+        const auto limit = [=](double w) {
+            return line->load_beyond(w * line->half_width) / line->load;
+        };
+        return LayerLimits{line->half_width, line->load * c.indenter.length, limit, [=](double f) {
+                               return contact::bracketed_root(
+                                   [&](double w) { return limit(w) - f; }, 0., 1.);
+                           }};
+    } catch (const contact::InputError&) {  // out of the theory's range
+        return {};
+    }
+}
+
+std::optional<LayerLimits> layer_limits(const Case& c) {
+    if (c.is_line_contact()) return line_layer_limits(c);
     if (!contact::pressure_falls(c)) return {};  // as elastic_layer.h wants it
     const auto exact = exact_layer_contact(c);
     if (!exact) return {};
-    const double radius = exact->contact_radius;
+    return LayerLimits{exact->contact_radius, exact->normal_force,
+                       [=](double w) { return theory::shakedown_limit(*exact, w); },
+                       [=](double f) { return theory::amplitude_limit(*exact, f); }};
+}
+
+std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
+    const auto layer = layer_limits(c);
+    if (!layer) return {};
+    const double radius = layer->radius;
     const double reference_radius =
         c.rolling->amplitude_reference == Case::AmplitudeReference::model
             ? radius
             : contact::half_space_scales(c).contact_radius;
     if (variable == LimitVariable::load) {
         const double w = contact::rolling_amplitude(*c.rolling, reference_radius) / radius;
-        return in_unit_range(w) ? std::optional(theory::shakedown_limit(*exact, w)) : std::nullopt;
+        return in_unit_range(w) ? std::optional(layer->of_load(w)) : std::nullopt;
     }
-    const double f = load_ratio(c, exact->normal_force);
+    const double f = load_ratio(c, layer->normal_force);
     if (!in_unit_range(f)) return {};
-    return theory::amplitude_limit(*exact, f) * radius / reference_radius;
+    return layer->of_amplitude(f) * radius / reference_radius;
 }
 
 }  // namespace

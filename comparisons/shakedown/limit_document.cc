@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "comparisons/shakedown/limit.h"
+#include "report/columns.h"
 #include "report/format.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -102,16 +103,10 @@ void add_thesis(const LimitStudy& study, const char* symbol,
 }
 
 report::DocumentTable limit_table(const LimitStudy& study, const Symbols& symbols) {
-    report::DocumentTable table;
-    table.id = "limits";
-    table.title = fmt::format("Limits in {}", symbols.varied);
-    table.columns = {{"model"},
-                     {"limit", 7},
-                     {"last shakedown", 8},
-                     {"first ratcheting", 8},
-                     {"by pressures", 8},
-                     {"exact, uncoupled", 8},
-                     {"u at the limit", 4}};
+    report::DocumentTable table{.id = "limits",
+                                .title = fmt::format("Limits in {}", symbols.varied)};
+    table.columns = report::columns("model", "limit:7", "last shakedown:8", "first ratcheting:8",
+                                    "by pressures:8", "exact, uncoupled:8", "u at the limit:4");
     table.note =
         "limit: middle of the bracket and its half width, of the model at its resolution. "
         "by pressures: where (1/F_N) ∫ min p dA over the path is f_T, the exact limit of uncoupled "
@@ -144,7 +139,7 @@ report::Curve settled_shift_of_mdr(const LimitStudy& study) {
     const bool load = study.variable == LimitVariable::load;
     const double limit =
         load ? theory::shakedown_limit(study.given) : theory::amplitude_limit(study.given);
-    report::Curve curve{.name = "MDR, closed form", .x = {}, .y = {}, .theory = true};
+    report::Curve curve{.name = "MDR, closed form", .theory = true};
     for (int i = 0; i <= n; ++i) {
         // Closer towards the limit, where the shift rises as a square root.
         const double x = limit * (1 - std::pow(1 - static_cast<double>(i) / n, 2));
@@ -157,42 +152,44 @@ report::Curve settled_shift_of_mdr(const LimitStudy& study) {
     return curve;
 }
 
+/// The runs of a model in one state that have a place [x, y], in a colour.
+template <class PlaceOf>
+report::Curve runs_curve(const ModelLimit& m, State state, const std::string& name,
+                         report::Curve::Kind kind, std::size_t colour, const PlaceOf& place_of) {
+    report::Curve curve{.name = name, .kind = kind, .colour = static_cast<int>(colour)};
+    for (const LimitRun& run : sorted_runs(m))
+        if (run.state == state) place_of(run, curve);
+    return curve;
+}
+
 report::Figure shift_figure(const LimitStudy& study, const Symbols& symbols) {
-    report::Figure figure;
-    figure.id = "shift";
-    figure.title = "Where the contact comes to rest";
-    figure.x.label = symbols.axis;
-    figure.y.label = "final shift u = U/U_max";
-    figure.caption = fmt::format(
-        "Shift after the last period of the runs that shake down, at {} = {:.4g}.{}", symbols.given,
-        study.given,
-        is_fold(study) ? " It approaches the limit as a square root: just below it, a little more "
-                         "of it lets the contact go much farther."
-                       : "");
-    for (std::size_t i = 0; i < study.models.size(); ++i) {
-        report::Curve curve{.name = report::display_name(study.models[i].model),
-                            .x = {},
-                            .y = {},
-                            .kind = report::Curve::Kind::line_and_points,
-                            .colour = static_cast<int>(i)};
-        for (const LimitRun& run : sorted_runs(study.models[i]))
-            if (run.state == State::shakedown) {
-                curve.x.push_back(run.value);
-                curve.y.push_back(run.final_shift_ratio);
-            }
-        figure.curves.push_back(std::move(curve));
-    }
+    report::Figure figure{
+        .id = "shift",
+        .title = "Where the contact comes to rest",
+        .caption = fmt::format(
+            "Shift after the last period of the runs that shake down, at {} = {:.4g}.{}",
+            symbols.given, study.given,
+            is_fold(study) ? " It approaches the limit as a square root: just below it, a little "
+                             "more of it lets the contact go much farther."
+                           : ""),
+        .x = {symbols.axis},
+        .y = {"final shift u = U/U_max"}};
+    for (std::size_t i = 0; i < study.models.size(); ++i)
+        figure.curves.push_back(runs_curve(
+            study.models[i], State::shakedown, report::display_name(study.models[i].model),
+            report::Curve::Kind::line_and_points, i, [](const LimitRun& run, report::Curve& curve) {
+                curve.add(run.value, run.final_shift_ratio);
+            }));
     if (study.round && study.given <= 1) figure.curves.push_back(settled_shift_of_mdr(study));
     return figure;
 }
 
 report::Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
-    report::Figure figure;
-    figure.id = "periods";
-    figure.title = "How many periods the verdict takes";
-    figure.x = {fmt::format("distance of {} from the limit", symbols.varied), true};
-    figure.y = {"periods until the verdict", true};
-    figure.caption = "Runs on both sides of the limit.";
+    report::Figure figure{.id = "periods",
+                          .title = "How many periods the verdict takes",
+                          .caption = "Runs on both sides of the limit.",
+                          .x = {fmt::format("distance of {} from the limit", symbols.varied), true},
+                          .y = {"periods until the verdict", true}};
     if (is_fold(study))
         figure.caption +=
             " The nearer, the longer: as the distance to the power -1/2, for the contact creeps "
@@ -201,30 +198,23 @@ report::Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
     for (std::size_t i = 0; i < study.models.size(); ++i)
         for (const State state : {State::shakedown, State::ratcheting}) {
             const ModelLimit& m = study.models[i];
-            report::Curve curve{
-                .name =
-                    fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
-                .x = {},
-                .y = {},
-                .kind = report::Curve::Kind::points,
-                .colour = static_cast<int>(2 * i + (state == State::shakedown ? 0 : 1))};
-            for (const LimitRun& run : sorted_runs(m))
-                // Nearer than the half width the distance is not known.
-                if (run.state == state && std::abs(run.value - m.limit().value) > half_width(m)) {
-                    curve.x.push_back(std::abs(run.value - m.limit().value));
-                    curve.y.push_back(run.periods);
-                }
-            figure.curves.push_back(std::move(curve));
+            figure.curves.push_back(runs_curve(
+                m, state,
+                fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
+                report::Curve::Kind::points, 2 * i + (state == State::shakedown ? 0 : 1),
+                [&](const LimitRun& run, report::Curve& curve) {
+                    // Nearer than the half width the distance is not known.
+                    const double distance = std::abs(run.value - m.limit().value);
+                    if (distance > half_width(m)) curve.add(distance, run.periods);
+                }));
         }
     return figure;
 }
 
 report::DocumentTable run_table(const LimitStudy& study, const Symbols& symbols) {
-    report::DocumentTable table;
-    table.id = "runs";
-    table.title = "All runs";
-    table.columns = {{"model"},      {symbols.varied, 8}, {"verdict"},
-                     {"periods", 6}, {"U [um]", 5},       {"u [U_max]", 5}};
+    report::DocumentTable table{.id = "runs", .title = "All runs"};
+    table.columns = report::columns("model", symbols.varied + std::string(":8"), "verdict",
+                                    "periods:6", "U [um]:5", "u [U_max]:5");
     table.note = "Shift after the last period, in micrometres and over each model's own U_max.";
     for (const ModelLimit& m : study.models)
         for (const LimitRun& run : sorted_runs(m))
@@ -238,23 +228,22 @@ report::DocumentTable run_table(const LimitStudy& study, const Symbols& symbols)
 
 report::Document limit_document(const LimitStudy& study) {
     const Symbols symbols = symbols_of(study);
-    report::Document document;
-    document.kind = "Limit of shakedown";
-    document.title = study.title;
-    document.lead = fmt::format(
-        "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? Each "
-        "model is rolled anew at one value after another.",
-        symbols.varied, symbols.given, study.given);
+    report::Document document{
+        .kind = "Limit of shakedown",
+        .title = study.title,
+        .lead = fmt::format(
+            "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? "
+            "Each model is rolled anew at one value after another.",
+            symbols.varied, symbols.given, study.given),
+        .settings = {{symbols.given, fmt::format("{:.6g}", study.given)},
+                     {"rolling direction to the load",
+                      fmt::format("{:.4g}°", study.angle * 180 / std::numbers::pi)}}};
     for (const ModelLimit& m : study.models)
         document.verdicts.push_back(model_verdict(m, symbols.varied));
     add_differences(study, document.verdicts);
     add_thesis(study, symbols.varied, document.verdicts);
-    document.settings = {{symbols.given, fmt::format("{:.6g}", study.given)},
-                         {"rolling direction to the load",
-                          fmt::format("{:.4g}°", study.angle * 180 / std::numbers::pi)}};
     document.sections.push_back({.id = "limits",
                                  .heading = "Limits",
-                                 .paragraphs = {},
                                  .figures = {shift_figure(study, symbols)},
                                  .tables = {limit_table(study, symbols)}});
     document.sections.push_back(

@@ -19,31 +19,29 @@ const char* name_of(LimitVariable variable) {
                                            : quantities::amplitude_ratio.key;
 }
 
-json to_json(const LimitRun& run) {
+json run_json(const LimitRun& run) {
     return {{"value", run.value},
             {quantities::state.key, contact::name_of(run.state)},
             {quantities::periods.key, run.periods},
-            {quantities::final_shift.key, report::number(run.final_shift)},
-            {quantities::final_shift_ratio.key, report::number(run.final_shift_ratio)}};
+            {quantities::final_shift.key, run.final_shift},
+            {quantities::final_shift_ratio.key, run.final_shift_ratio}};
 }
 
 json to_json(const ModelLimit& m) {
     const auto& band = m.bracket.undecided;
     const auto shift = m.shift_ratio();
-    json runs = json::array();
-    for (const LimitRun& run : m.runs) runs.push_back(to_json(run));
     return {{"limit", m.limit().value},
             {"last_shakedown", m.bracket.last_shakedown},
             {"first_ratcheting", m.bracket.first_ratcheting},
             {"undecided", band ? json{band->first, band->second} : json()},
-            {"limit_by_pressures", report::number(m.by_pressures)},
-            {"exact_uncoupled_limit", report::number(m.exact)},
+            {"limit_by_pressures", m.by_pressures},
+            {"exact_uncoupled_limit", m.exact},
             {"final_shift_ratio_at_limit",
              shift ? json{{"value", shift->value}, {"low", shift->low}, {"high", shift->high}}
                    : json()},
             {"coupled", m.coupled},
             {"periods_at_most", m.periods_at_most},
-            {"runs", runs}};
+            {"runs", report::list_of(m.runs, run_json)}};
 }
 
 }  // namespace
@@ -56,7 +54,7 @@ json limit_json(const std::string& version, const LimitStudy& study) {
         {"version", version},
         {"limit_of", name_of(study.variable)},
         {load ? quantities::amplitude_ratio.key : quantities::tangential_ratio.key, study.given},
-        {"thesis", report::number(study.thesis)},
+        {"thesis", study.thesis},
         {"models", models}};
 }
 
@@ -67,13 +65,12 @@ std::string limit_csv(const LimitStudy& study) {
                                          "final_shift_ratio_low", "final_shift_ratio_high"});
     for (const ModelLimit& m : study.models) {
         const auto shift = m.shift_ratio();
-        text += report::csv_line(
-            {m.model, name_of(study.variable), report::csv_field(m.limit().value),
-             report::csv_field(m.bracket.last_shakedown),
-             report::csv_field(m.bracket.first_ratcheting), report::csv_field(m.by_pressures),
-             report::csv_field(m.exact), shift ? report::csv_field(shift->value) : "",
-             shift ? report::csv_field(shift->low) : "",
-             shift ? report::csv_field(shift->high) : ""});
+        using Value = std::optional<double>;
+        text += report::csv_row(
+            std::string(m.model), std::string(name_of(study.variable)), m.limit().value,
+            m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures, m.exact,
+            shift ? Value(shift->value) : Value(), shift ? Value(shift->low) : Value(),
+            shift ? Value(shift->high) : Value());
     }
     return text;
 }

@@ -1,5 +1,3 @@
-#include "comparisons/shakedown/line_fit_document.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,9 @@
 #include <set>
 
 #include "comparisons/half_space/layer.h"
-#include "comparisons/shakedown/fit_curves.h"
-#include "comparisons/shakedown/fit_figures.h"
+#include "comparisons/shakedown/fit_document.h"
+#include "comparisons/shakedown/study_fit.h"
+#include "report/columns.h"
 #include "report/format.h"
 #include "theory/oscillating_cylinder.h"
 
@@ -19,7 +18,7 @@ namespace {
 /// Loads from which a settled point counts as near its limit.
 constexpr double near_line_limit = 0.97;
 
-double same(double x) {
+double itself(double x) {
     return x;
 }
 
@@ -29,14 +28,11 @@ double exact_shift(double w, double f, double lambda) {
     return stick ? theory::line_settled_shift_ratio(w, *stick, lambda) : std::nan("");
 }
 
+constexpr int of_thesis_line = 0, exact_line = 1;  // kinds of forms
+
 class LineFigures {
   public:
-    LineFigures(const StudyFit& fit, double lambda) : lambda_(lambda), models_(model_names(fit)) {
-        for (const RollingPoint& p : fit.points) {
-            points_.push_back(&p);
-            amplitudes_.insert(std::round(p.amplitude_ratio * 1e3) / 1e3);
-        }
-    }
+    LineFigures(const StudyFit& fit, double lambda) : lambda_(lambda), of_(fit, "", "", 1e3) {}
 
     std::vector<report::Figure> all() const {
         return with_model_points(
@@ -44,122 +40,99 @@ class LineFigures {
     }
 
   private:
-    // Colours of closed forms, after those of the models.
-    int thesis_colour() const { return static_cast<int>(models_.size()); }
-    int exact_colour() const { return thesis_colour() + 1; }
-
-    void add_points(report::Figure& figure, const Place& place) const {
-        add_model_points(figure, models_, points_, place);
-    }
-
     report::Figure stick_widths() const {
-        report::Figure f{
-            .id = "figure_3_40",
-            .title = "Half width that sticks after shakedown (as figure 3.40 of the thesis)",
-            .caption =
-                "Lines: exact on the half-space, and the thesis' (3.5.24), for the "
-                "amplitudes of the points up to the limit.",
-            .x = {"f_T"},
-            .y = {"c_sd/a"}};
+        report::Figure f =
+            of_.figure("3.40", "Half width that sticks after shakedown",
+                       "Lines: exact on the half-space, and the thesis' (3.5.24), for the "
+                       "amplitudes of the points up to the limit.",
+                       "f_T", "c_sd/a");
         const auto add = [&](const char* name, double w, auto force, int colour) {
             const double widest = (1 - w) * (1 - 1e-9);  // at 1 - w itself nothing slips
-            f.curves.push_back(closed_form(
-                name, 0, widest, [=](double c) { return force(w, c); }, same, colour));
+            of_.add_form(
+                f, name, 0, widest, [=](double c) { return force(w, c); }, itself, colour);
         };
-        for (const double w : amplitudes_) {
-            add("exact, half-space", w, theory::line_stick_force, exact_colour());
-            add("thesis (3.5.24)", w, theory::thesis_line_stick_force, thesis_colour());
+        for (const double w : of_.amplitudes()) {
+            add("exact, half-space", w, theory::line_stick_force, exact_line);
+            add("thesis (3.5.24)", w, theory::thesis_line_stick_force, of_thesis_line);
         }
-        add_points(f, over_load(quantities::stick_ratio));
+        of_.add_points(f, over_load(quantities::stick_ratio));
         return f;
     }
 
     report::Figure settled() const {
-        report::Figure f{.id = "figure_3_43",
-                         .title = "Settled shift over the load (as figure 3.43 of the thesis)",
-                         .caption =
-                             "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
-                             "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
-                             "the limit; the lowest is u_stat (w = 0).",
-                         .x = {"f_T"},
-                         .y = {"u_sd [U_max]"}};
-        std::set<double> amplitudes = amplitudes_;
+        report::Figure f =
+            of_.figure("3.43", "Settled shift over the load",
+                       "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
+                       "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
+                       "the limit; the lowest is u_stat (w = 0).",
+                       "f_T", "u_sd [U_max]");
+        std::set<double> amplitudes = of_.amplitudes();
         amplitudes.insert(0);
         for (const double w : amplitudes) {
             const double limit = theory::line_shakedown_limit(w);
-            f.curves.push_back(closed_form(
-                "exact, half-space", 0, limit, same,
+            of_.add_form(
+                f, "exact, half-space", 0, limit, itself,
                 [&](double load) { return exact_shift(w, std::min(load, limit), lambda_); },
-                exact_colour()));
-            f.curves.push_back(closed_form(
-                "thesis (3.5.26)", 0, limit, same,
+                exact_line);
+            of_.add_form(
+                f, "thesis (3.5.26)", 0, limit, itself,
                 [&](double load) {
                     return theory::thesis_line_settled_shift_ratio(w, std::min(load, limit))
                         .value();
                 },
-                thesis_colour()));
+                of_thesis_line);
         }
-        add_points(f, over_load(quantities::settled_shift_ratio));
+        of_.add_points(f, over_load(quantities::settled_shift_ratio));
         return f;
     }
 
     report::Figure limits() const {
-        report::Figure f{
-            .id = "figure_3_44",
-            .title = "Largest amplitude that settles (as figure 3.44 of the thesis)",
-            .caption =
-                "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
-                "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
-            .x = {"f_T,lim"},
-            .y = {"w_lim"}};
-        f.curves.push_back(closed_form("exact, half-space", 0, 1, theory::line_shakedown_limit,
-                                       same, exact_colour()));
-        f.curves.push_back(closed_form("thesis (3.5.28)", 0, 1, same,
-                                       theory::thesis_line_amplitude_limit, thesis_colour()));
-        add_points(f, amplitude_over_limit());
+        report::Figure f =
+            of_.figure("3.44", "Largest amplitude that settles",
+                       "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
+                       "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
+                       "f_T,lim", "w_lim");
+        of_.add_form(f, "exact, half-space", 0, 1, theory::line_shakedown_limit, itself,
+                     exact_line);
+        of_.add_form(f, "thesis (3.5.28)", 0, 1, itself, theory::thesis_line_amplitude_limit,
+                     of_thesis_line);
+        of_.add_points(f, amplitude_over_limit());
         return f;
     }
 
     report::Figure limit_shifts() const {
-        report::Figure f{
-            .id = "figure_3_45",
-            .title = "Shift at the limit (as figure 3.45 of the thesis)",
-            .caption = fmt::format("Points: settled shifts at {} of the model's limit or more. "
+        report::Figure f =
+            of_.figure("3.45", "Shift at the limit",
+                       fmt::format("Points: settled shifts at {} of the model's limit or more. "
                                    "Thesis: its fit u_lim = f^0.87 (3.5.29).",
                                    near_line_limit),
-            .x = {"f_T,lim"},
-            .y = {"u_lim [U_max]"}};
-        f.curves.push_back(closed_form(
-            "exact, half-space", 0, 1, theory::line_shakedown_limit,
-            [&](double w) { return theory::line_settled_shift_ratio(w, 0, lambda_); },
-            exact_colour()));
-        f.curves.push_back(closed_form("thesis (3.5.29)", 0, 1, same,
-                                       theory::thesis_line_limit_shift_ratio, thesis_colour()));
-        add_points(f, settled_near_limit(near_line_limit));
+                       "f_T,lim", "u_lim [U_max]");
+        of_.add_form(
+            f, "exact, half-space", 0, 1, theory::line_shakedown_limit,
+            [&](double w) { return theory::line_settled_shift_ratio(w, 0, lambda_); }, exact_line);
+        of_.add_form(f, "thesis (3.5.29)", 0, 1, itself, theory::thesis_line_limit_shift_ratio,
+                     of_thesis_line);
+        of_.add_points(f, settled_near_limit(near_line_limit));
         return f;
     }
 
     report::Figure increments() const {
-        report::Figure f{.id = "figure_3_46",
-                         .title = "Shift per period over the load (as figure 3.46 of the thesis)",
-                         .caption =
-                             "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
-                             "amplitudes of the points.",
-                         .x = {"f_T"},
-                         .y = {"Δu [U_max]"}};
-        for (const double w : amplitudes_)
-            f.curves.push_back(closed_form(
-                "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, same,
+        report::Figure f =
+            of_.figure("3.46", "Shift per period over the load",
+                       "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
+                       "amplitudes of the points.",
+                       "f_T", "Δu [U_max]");
+        for (const double w : of_.amplitudes())
+            of_.add_form(
+                f, "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, itself,
                 [&](double load) { return theory::thesis_line_increment(w, load); },
-                thesis_colour()));
-        add_points(f, over_load(quantities::shift_increment_ratio));
+                of_thesis_line);
+        of_.add_points(f, over_load(quantities::shift_increment_ratio));
         return f;
     }
 
     double lambda_;
-    std::vector<std::string> models_;
-    std::vector<const RollingPoint*> points_;
-    std::set<double> amplitudes_;
+    ThesisFigures of_;
 };
 
 report::WithError cell(const Computed& value) {
@@ -178,17 +151,8 @@ report::DocumentTable settled_table(const StudyFit& fit, double lambda) {
         .note =
             "Exact: the uncoupled half-space at the model's own w. Differences "
             "are of the closed forms from the model.",
-        .columns = {{"model"},
-                    {"group"},
-                    {"w", 3},
-                    {"f_T", 3},
-                    {"f_T,lim", 4},
-                    {"u_sd"},
-                    {"exact", 5},
-                    {"difference [%]", 2},
-                    {"(3.5.26)", 5},
-                    {"difference [%]", 2}},
-        .rows = {}};
+        .columns = report::columns("model", "group", "w:3", "f_T:3", "f_T,lim:4", "u_sd", "exact:5",
+                                   "difference [%]:2", "(3.5.26):5", "difference [%]:2")};
     for (const RollingPoint& p : fit.points) {
         const Computed* settled = p.find(quantities::settled_shift_ratio);
         if (!settled) continue;
@@ -210,8 +174,7 @@ report::DocumentTable stick_table(const StudyFit& fit) {
             "Of the model between its cells. Exact and (3.5.24): the uncoupled "
             "half-space at the model's own w.",
         .columns =
-            {{"model"}, {"group"}, {"w", 3}, {"f_T", 3}, {"c_sd/a"}, {"exact", 4}, {"(3.5.24)", 4}},
-        .rows = {}};
+            report::columns("model", "group", "w:3", "f_T:3", "c_sd/a", "exact:4", "(3.5.24):4")};
     for (const RollingPoint& p : fit.points) {
         const Computed* stick = p.find(quantities::stick_ratio);
         if (!stick) continue;
@@ -232,16 +195,8 @@ report::DocumentTable increment_table(const StudyFit& fit, double lambda) {
             "Δu/(f_T (w − w_lim)): with w_lim of (3.5.27), where the thesis has "
             "0.64 and its fit of w_lim. Carter: dΔu/dw over f_T far beyond the "
             "limit, where each way is rolled in steady state on the half-space.",
-        .columns = {{"model"},
-                    {"group"},
-                    {"w", 3},
-                    {"f_T", 3},
-                    {"Δu"},
-                    {"Δu/(f_T (w − w_lim))", 3},
-                    {"Carter", 3},
-                    {"(3.5.30)", 4},
-                    {"difference [%]", 2}},
-        .rows = {}};
+        .columns = report::columns("model", "group", "w:3", "f_T:3", "Δu", "Δu/(f_T (w − w_lim)):3",
+                                   "Carter:3", "(3.5.30):4", "difference [%]:2")};
     for (const RollingPoint& p : fit.points) {
         const Computed* increment = p.find(quantities::shift_increment_ratio);
         if (!increment) continue;
@@ -268,7 +223,6 @@ report::Document line_fit_document(const StudyFit& fit, double shift_factor) {
             "the exact solution on the half-space and the fits of the thesis. w, "
             "f_T and u are ratios to each model's own half width, friction limit "
             "and U_max.",
-        .verdicts = {},
         .settings = fit.settings,
         .files = {{"all numbers (JSON)", "fit.json"}},
         .command = fit.command,

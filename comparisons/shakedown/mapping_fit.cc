@@ -4,9 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "comparisons/quantities/mapping.h"
 #include "comparisons/quantities/reference.h"
-#include "comparisons/shakedown/grouping.h"
+#include "comparisons/shakedown/rolling_points.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/shakedown/grouping.h"
+#include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
 #include "report/format_share.h"
 

@@ -1,12 +1,14 @@
 #include "comparisons/shakedown/ratcheting_fit.h"
 
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
-#include "comparisons/quantities/mapping.h"
-#include "comparisons/shakedown/grouping.h"
+#include "comparisons/quantities/reference.h"
+#include "comparisons/shakedown/rolling_points.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -65,8 +67,8 @@ void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& li
     if (!eta) return;
     const double error =
         (p.at(increment).error + *eta * limit.error) / (p.amplitude_ratio - limit.value);
-    group.points.push_back({.at = p, .amplitude_limit = limit, .eta = {*eta, error}});
-    group.thesis_ratio.push_back(thesis_ratio(p));
+    group.points.push_back(
+        {.at = p, .amplitude_limit = limit, .eta = {*eta, error}, .thesis_ratio = thesis_ratio(p)});
 }
 
 void add_loads(RatchetingGroup& group, double confidence) {
@@ -108,6 +110,37 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
         group.root_of_eta = eta_form(group.loads, confidence);
     }
     return groups;
+}
+
+namespace {
+
+/// Below it the limit is nearly 1, or 0, whatever k is.
+constexpr double least_weight = 0.01;
+
+double weight_of(double w) {
+    return w * (1 - w) * (1 + w);
+}
+
+std::vector<LimitPoint> usable(std::vector<LimitPoint> limits) {
+    std::erase_if(limits,
+                  [](const LimitPoint& p) { return weight_of(p.amplitude_ratio) < least_weight; });
+    std::sort(limits.begin(), limits.end(), [](const LimitPoint& a, const LimitPoint& b) {
+        return a.amplitude_ratio < b.amplitude_ratio;
+    });
+    return limits;
+}
+
+}  // namespace
+
+std::optional<FittedForm> fit_limit(const std::vector<LimitPoint>& limits, double confidence) {
+    std::vector<double> column, observed, offset;
+    for (const LimitPoint& p : usable(limits)) {
+        column.push_back(-weight_of(p.amplitude_ratio));
+        observed.push_back(p.limit.value);
+        offset.push_back(1 - std::pow(p.amplitude_ratio, 3));
+    }
+    return fit_form("f_T,lim = 1 - k w (1 - w^2) - w^3", {"k"}, {column}, observed, offset,
+                    confidence, 2);
 }
 
 }  // namespace tricontact::comparisons

@@ -4,16 +4,31 @@
 #include <string>
 #include <vector>
 
-#include "comparisons/shakedown/limit_curve.h"
+#include "comparisons/resolution/refinement.h"
+#include "comparisons/shakedown/fitted_form.h"
 #include "comparisons/shakedown/rolling_points.h"
 
 namespace tricontact::comparisons {
+
+/// Shakedown limit of a model at one amplitude, from its own pressures.
+struct LimitPoint {
+    double amplitude_ratio = 0;  ///< w
+    Computed limit;              ///< f_T,lim
+};
+
+/// One number k for f_T,lim = 1 - k w (1 - w^2) - w^3, which has the ends right whatever the
+/// pressures: k = 3/2 for Hertz' (exact, see theory::shakedown_limit, which ends there), else a
+/// fit. Empty below two points.
+std::optional<FittedForm> fit_limit(const std::vector<LimitPoint>& limits, double confidence);
 
 /// A ratcheting point with eta = Du/(w - w_lim) (3.3.1), w_lim being the model's own limit.
 struct RatchetingPoint {
     RollingPoint at;
     Computed amplitude_limit;  ///< w_lim at this f_T
     Computed eta;              ///< ill-conditioned near the limit: its bar says how much
+    /// Du of the thesis' formula (3.3.4 parallel, 3.4.15 perpendicular) with its own limit, over
+    /// the model's; NaN in other directions.
+    double thesis_ratio = 0;
 };
 
 /// Points of one load.
@@ -34,9 +49,6 @@ struct RatchetingGroup {
     std::optional<FittedForm>
         root_of_eta;                ///< eta = c u_stat^(1/2) over loads (3.3.2); below three empty
     int n_turning_points_only = 0;  ///< ratcheting, but in steps too coarse for a shift per period
-    /// Du of the thesis' formula (3.3.4 parallel, 3.4.15 perpendicular) with its own limit, over
-    /// the model's: per point, NaN in other directions.
-    std::vector<double> thesis_ratio;
 };
 
 /// Groups in the order of the points.

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "comparisons/shakedown/fit_rows.h"
+#include "comparisons/shakedown/fit_document.h"
 #include "report/csv.h"
 #include "report/json_number.h"
 
@@ -13,8 +13,17 @@ namespace {
 using json = nlohmann::ordered_json;
 
 json computed(const Computed& value) {
-    return {{"value", report::number(value.value)},
-            {"numerical_error", report::number(value.error)}};
+    return {{"value", value.value}, {"numerical_error", value.error}};
+}
+
+json point_json(const RollingPoint& p);
+json point_json(const MappingPoint& p);
+json point_json(const RatchetingPoint& p);
+json point_json(const PointDifference& p);
+
+template <class Point>
+json points_json(const std::vector<Point>& points) {
+    return report::list_of(points, [](const Point& p) { return point_json(p); });
 }
 
 json form_json(const std::optional<FittedForm>& form) {
@@ -22,138 +31,118 @@ json form_json(const std::optional<FittedForm>& form) {
     json parameters = json::object();
     for (std::size_t k = 0; k < form->parameters.size(); ++k) {
         const statistics::Estimate& e = form->fit.parameters[k];
-        parameters[form->parameters[k]] = {{"value", report::number(e.value)},
-                                           {"standard_error", report::number(e.standard_error)},
-                                           {"low", report::number(e.low)},
-                                           {"high", report::number(e.high)}};
+        parameters[form->parameters[k]] = {{"value", e.value},
+                                           {"standard_error", e.standard_error},
+                                           {"low", e.low},
+                                           {"high", e.high}};
     }
     return {{"form", form->form},
             {"parameters", parameters},
-            {"explained_sum_of_squares", report::number(form->of_left_side.explained)},
-            {"residual_sum_of_squares", report::number(form->of_left_side.residual)},
-            {"r_squared", report::number(form->of_left_side.r_squared)},
-            {"r_squared_about_zero", report::number(form->fit.r_squared())},
+            {"explained_sum_of_squares", form->of_left_side.explained},
+            {"residual_sum_of_squares", form->of_left_side.residual},
+            {"r_squared", form->of_left_side.r_squared},
+            {"r_squared_about_zero", form->fit.r_squared()},
             {"observations", form->fit.fitted.size()},
             {"degrees_of_freedom", form->fit.degrees_of_freedom}};
 }
 
-json points_json(const std::vector<RollingPoint>& points) {
-    json all = json::array();
-    for (const RollingPoint& p : points) {
-        json point{{"model", p.model},
-                   {"group", p.group},
-                   {quantities::amplitude_ratio.key, report::number(p.amplitude_ratio)},
-                   {quantities::tangential_ratio.key, report::number(p.tangential_ratio)},
-                   {quantities::state.key, contact::name_of(p.state)}};
-        for (const Quantity* q : point_quantities())
-            point[q->key] = p.find(*q) ? computed(p.at(*q)) : json();
-        all.push_back(point);
-    }
-    return all;
+json point_json(const RollingPoint& p) {
+    json point{{"model", p.model},
+               {"group", p.group},
+               {quantities::amplitude_ratio.key, p.amplitude_ratio},
+               {quantities::tangential_ratio.key, p.tangential_ratio},
+               {quantities::state.key, contact::name_of(p.state)}};
+    for (const Quantity* q : point_quantities())
+        point[q->key] = p.find(*q) ? computed(p.at(*q)) : json();
+    return point;
 }
 
-json uses_json(const std::vector<MappingUse>& uses) {
-    json all = json::array();
-    for (const MappingUse& use : uses)
-        all.push_back({{"name", use.name},
-                       {quantities::kappa.key, report::number(use.kappa)},
-                       {"median_error", report::number(use.median)},
-                       {"worst_error", report::number(use.worst)},
-                       {"worst_amplitude_ratio", report::number(use.worst_amplitude_ratio)},
-                       {"worst_tangential_ratio", report::number(use.worst_tangential_ratio)},
-                       {"points", use.n},
-                       {"points_said_to_ratchet", use.n_ratcheting},
-                       {"points_with_numerical_error", use.n_with_bars},
-                       {"points_beyond_numerical_error", use.n_beyond_bars}});
-    return all;
+json use_json(const MappingUse& use) {
+    return {{"name", use.name},
+            {quantities::kappa.key, use.kappa},
+            {"median_error", use.median},
+            {"worst_error", use.worst},
+            {"worst_amplitude_ratio", use.worst_amplitude_ratio},
+            {"worst_tangential_ratio", use.worst_tangential_ratio},
+            {"points", use.n},
+            {"points_said_to_ratchet", use.n_ratcheting},
+            {"points_with_numerical_error", use.n_with_bars},
+            {"points_beyond_numerical_error", use.n_beyond_bars}};
 }
 
 json one_json(const OneMapping& one) {
     static constexpr const char* names[] = {"holds", "fails", "cannot tell"};
     const bool some = one.low <= one.high;
     return {{"finding", names[static_cast<int>(one.finding)]},
-            {"kappa_low", some ? report::number(one.low) : json()},
-            {"kappa_high", some ? report::number(one.high) : json()},
+            {"kappa_low", some ? json(one.low) : json()},
+            {"kappa_high", some ? json(one.high) : json()},
             {"points_with_numerical_error", one.n_with_bars},
             {"points_that_know_kappa_to_10_percent", one.n_telling},
             {"misses_less_than_0.1_percent", one.is_negligible}};
 }
 
-json mapping_json(const std::vector<MappingGroup>& groups) {
-    json all = json::array();
-    for (const MappingGroup& group : groups) {
-        json points = json::array();
-        for (const MappingPoint& p : group.points)
-            points.push_back(
-                {{quantities::amplitude_ratio.key, report::number(p.at.amplitude_ratio)},
-                 {quantities::tangential_ratio.key, report::number(p.at.tangential_ratio)},
-                 {"over_limit", report::number(p.limit_ratio)},
-                 {quantities::kappa.key, computed(p.kappa)}});
-        all.push_back({{"model", group.model},
-                       {"group", group.group},
-                       {"points", points},
-                       {"one_kappa", one_json(group.one)},
-                       {"constant", form_json(group.constant)},
-                       {"plane", form_json(group.plane)},
-                       {"settled_shifts_by_one_kappa", uses_json(group.uses)}});
-    }
-    return all;
+json point_json(const MappingPoint& p) {
+    return {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
+            {quantities::tangential_ratio.key, p.at.tangential_ratio},
+            {"over_limit", p.limit_ratio},
+            {quantities::kappa.key, computed(p.kappa)}};
 }
 
-json ratcheting_json(const std::vector<RatchetingGroup>& groups) {
-    json all = json::array();
-    for (const RatchetingGroup& group : groups) {
-        json points = json::array(), loads = json::array();
-        for (std::size_t i = 0; i < group.points.size(); ++i) {
-            const RatchetingPoint& p = group.points[i];
-            points.push_back(
-                {{quantities::amplitude_ratio.key, report::number(p.at.amplitude_ratio)},
-                 {quantities::tangential_ratio.key, report::number(p.at.tangential_ratio)},
-                 {quantities::limit_amplitude_ratio.key, computed(p.amplitude_limit)},
-                 {quantities::eta.key, computed(p.eta)},
-                 {"thesis_increment_over_model", report::number(group.thesis_ratio[i])}});
-        }
-        for (const RatchetingLoad& load : group.loads)
-            loads.push_back(
-                {{quantities::tangential_ratio.key, report::number(load.tangential_ratio)},
-                 {quantities::static_shift_ratio.key, report::number(load.static_shift_ratio)},
-                 {quantities::limit_amplitude_ratio.key, computed(load.amplitude_limit)},
-                 {"slope", form_json(load.slope)}});
-        all.push_back({{"model", group.model},
-                       {"group", group.group},
-                       {"limit", form_json(group.limit)},
-                       {"points", points},
-                       {"loads", loads},
-                       {"root", form_json(group.root)},
-                       {"root_of_eta", form_json(group.root_of_eta)},
-                       {"points_by_turning_points_only", group.n_turning_points_only}});
-    }
-    return all;
+json group_json(const MappingGroup& group) {
+    return {{"model", group.model},
+            {"group", group.group},
+            {"points", points_json(group.points)},
+            {"one_kappa", one_json(group.one)},
+            {"constant", form_json(group.constant)},
+            {"plane", form_json(group.plane)},
+            {"settled_shifts_by_one_kappa", report::list_of(group.uses, use_json)}};
 }
 
-json differences_json(const std::vector<ModelDifference>& differences) {
-    json all = json::array();
-    for (const ModelDifference& d : differences) {
-        json points = json::array();
-        for (const PointDifference& p : d.points)
-            points.push_back(
-                {{quantities::amplitude_ratio.key, report::number(p.amplitude_ratio)},
-                 {quantities::tangential_ratio.key, report::number(p.tangential_ratio)},
-                 {"first", computed(p.first)},
-                 {"second", computed(p.second)},
-                 {"relative_difference", report::number(p.relative())},
-                 {"relative_error", report::number(p.bar())},
-                 {"differs", differs(p.first, p.second)}});
-        all.push_back({{"quantity", d.quantity->symbol},
-                       {"first", d.first},
-                       {"second", d.second},
-                       {"group", d.group},
-                       {"median_magnitude", report::number(d.median())},
-                       {"worst", report::number(d.worst().relative())},
-                       {"points_that_differ", d.n_different()},
-                       {"points", points}});
-    }
-    return all;
+json point_json(const RatchetingPoint& p) {
+    return {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
+            {quantities::tangential_ratio.key, p.at.tangential_ratio},
+            {quantities::limit_amplitude_ratio.key, computed(p.amplitude_limit)},
+            {quantities::eta.key, computed(p.eta)},
+            {"thesis_increment_over_model", p.thesis_ratio}};
+}
+
+json load_json(const RatchetingLoad& load) {
+    return {{quantities::tangential_ratio.key, load.tangential_ratio},
+            {quantities::static_shift_ratio.key, load.static_shift_ratio},
+            {quantities::limit_amplitude_ratio.key, computed(load.amplitude_limit)},
+            {"slope", form_json(load.slope)}};
+}
+
+json group_json(const RatchetingGroup& group) {
+    return {{"model", group.model},
+            {"group", group.group},
+            {"limit", form_json(group.limit)},
+            {"points", points_json(group.points)},
+            {"loads", report::list_of(group.loads, load_json)},
+            {"root", form_json(group.root)},
+            {"root_of_eta", form_json(group.root_of_eta)},
+            {"points_by_turning_points_only", group.n_turning_points_only}};
+}
+
+json point_json(const PointDifference& p) {
+    return {{quantities::amplitude_ratio.key, p.amplitude_ratio},
+            {quantities::tangential_ratio.key, p.tangential_ratio},
+            {"first", computed(p.first)},
+            {"second", computed(p.second)},
+            {"relative_difference", p.relative()},
+            {"relative_error", p.bar()},
+            {"differs", differs(p.first, p.second)}};
+}
+
+json difference_json(const ModelDifference& d) {
+    return {{"quantity", d.quantity->symbol},
+            {"first", d.first},
+            {"second", d.second},
+            {"group", d.group},
+            {"median_magnitude", d.median()},
+            {"worst", d.worst().relative()},
+            {"points_that_differ", d.n_different()},
+            {"points", points_json(d.points)}};
 }
 
 }  // namespace
@@ -173,14 +162,17 @@ std::string relaxing_caveat() {
 }
 
 std::string fit_json(const StudyFit& fit) {
-    const json all = {{"tricontact", fit.version},
-                      {"title", fit.title},
-                      {"confidence", fit.confidence},
-                      {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
-                      {"points", points_json(fit.points)},
-                      {quantities::kappa.key, mapping_json(fit.mapping)},
-                      {quantities::eta.key, ratcheting_json(fit.ratcheting)},
-                      {"differences", differences_json(fit.differences)}};
+    const json all = {
+        {"tricontact", fit.version},
+        {"title", fit.title},
+        {"confidence", fit.confidence},
+        {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
+        {"points", points_json(fit.points)},
+        {quantities::kappa.key,
+         report::list_of(fit.mapping, [](const auto& g) { return group_json(g); })},
+        {quantities::eta.key,
+         report::list_of(fit.ratcheting, [](const auto& g) { return group_json(g); })},
+        {"differences", report::list_of(fit.differences, difference_json)}};
     return all.dump(2) + '\n';
 }
 
@@ -217,15 +209,11 @@ std::string fits_csv(const StudyFit& fit) {
             const statistics::Fit& f = row.form->fit;
             const statistics::Estimate& e = f.parameters[k];
             const Goodness& g = row.form->of_left_side;
-            text += report::csv_line(
-                {report::csv_field(row.model), report::csv_field(row.group),
-                 report::csv_field(row.form->form), report::csv_field(row.form->parameters[k]),
-                 report::csv_field(e.value), report::csv_field(e.standard_error),
-                 report::csv_field(e.low), report::csv_field(e.high),
-                 report::csv_field(g.explained), report::csv_field(g.residual),
-                 report::csv_field(g.r_squared), report::csv_field(f.r_squared()),
-                 std::to_string(f.fitted.size()), std::to_string(f.degrees_of_freedom),
-                 report::csv_field(fit.caveat)});
+            text +=
+                report::csv_row(row.model, row.group, row.form->form, row.form->parameters[k],
+                                e.value, e.standard_error, e.low, e.high, g.explained, g.residual,
+                                g.r_squared, f.r_squared(), std::to_string(f.fitted.size()),
+                                std::to_string(f.degrees_of_freedom), fit.caveat);
         }
     return text;
 }

@@ -1,13 +1,10 @@
-#include "comparisons/shakedown/thesis_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "comparisons/shakedown/fit_curves.h"
-#include "comparisons/shakedown/fit_figures.h"
+#include "comparisons/shakedown/fit_document.h"
 #include "report/format.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -19,17 +16,19 @@ namespace {
 /// Loads from which a settled point counts as near its limit.
 constexpr double drawn_near_limit = 0.9;
 
+constexpr int of_thesis = 0, exact_form = 1, exact_threshold = 2;  // kinds of forms
+
+double same_value(double x) {
+    return x;
+}
+
 /// The figures of one group, all its models in each.
 class GroupFigures {
   public:
-    GroupFigures(const StudyFit& fit, const std::string& group, std::string suffix)
-        : fit_(fit), suffix_(std::move(suffix)), models_(model_names(fit)), group_(group) {
-        for (const RollingPoint& p : fit.points)
-            if (p.group == group) points_.push_back(&p);
-        parallel_ = is_parallel(points_.front()->angle);
+    GroupFigures(const StudyFit& fit, const std::string& group, const std::string& suffix)
+        : fit_(fit), group_(group), of_(fit, group, suffix, 1e4) {
+        parallel_ = is_parallel(of_.points().front()->angle);
         kappa_ = parallel_ ? theory::thesis_mapping_parallel : theory::thesis_mapping_perpendicular;
-        for (const RollingPoint* p : points_)
-            amplitudes_.insert(std::round(p->amplitude_ratio * 1e4) / 1e4);
     }
 
     std::vector<report::Figure> all() const {
@@ -37,113 +36,92 @@ class GroupFigures {
     }
 
   private:
-    // Colours of closed forms, after those of the models.
-    int thesis_colour() const { return static_cast<int>(models_.size()); }
-    int exact_colour() const { return thesis_colour() + 1; }
-
-    report::Figure figure(const char* number_parallel, const char* number_perpendicular,
-                          const std::string& title, const std::string& caption, const char* x,
-                          const char* y) const {
-        const std::string number = parallel_ ? number_parallel : number_perpendicular;
-        std::string id = "figure_" + number + suffix_;
-        std::replace(id.begin(), id.end(), '.', '_');
-        return {.id = id,
-                .title = fmt::format("{}, {} (as figure {} of the thesis)", title, group_, number),
-                .caption = caption,
-                .x = {x},
-                .y = {y}};
-    }
-
-    void add_points(report::Figure& figure, const Place& place) const {
-        add_model_points(figure, models_, points_, place);
+    const char* number(const char* parallel, const char* perpendicular) const {
+        return parallel_ ? parallel : perpendicular;
     }
 
     report::Figure settled() const {
         report::Figure f =
-            figure("3.16", "3.30", "Settled shift over the load",
-                   fmt::format("Lines: f_T = 1 − {} w u − (1 − u)^(3/2) of the thesis for "
-                               "the amplitudes of the points, up to its limit; the lowest is "
-                               "u_stat (w = 0).",
-                               kappa_),
-                   "f_T", "u_sd [U_max]");
-        std::set<double> amplitudes = amplitudes_;
+            of_.figure(number("3.16", "3.30"), "Settled shift over the load",
+                       fmt::format("Lines: f_T = 1 − {} w u − (1 − u)^(3/2) of the thesis for "
+                                   "the amplitudes of the points, up to its limit; the lowest is "
+                                   "u_stat (w = 0).",
+                                   kappa_),
+                       "f_T", "u_sd [U_max]");
+        std::set<double> amplitudes = of_.amplitudes();
         amplitudes.insert(0);
         for (const double w : amplitudes)
-            f.curves.push_back(closed_form(
-                "thesis", 0, 1 - w * w,
-                [&](double u) { return 1 - kappa_ * w * u - std::pow(1 - u, 1.5); },
-                [](double u) { return u; }, thesis_colour()));
-        add_points(f, over_load(quantities::settled_shift_ratio));
+            of_.add_form(
+                f, "thesis", 0, 1 - w * w,
+                [&](double u) { return 1 - kappa_ * w * u - std::pow(1 - u, 1.5); }, same_value,
+                of_thesis);
+        of_.add_points(f, over_load(quantities::settled_shift_ratio));
         return f;
     }
 
     report::Figure limits() const {
         report::Figure f =
-            figure("3.17", "3.31", "Largest amplitude that settles",
-                   "Points: f_T,lim from each model's own pressures. Exact: 1 − 3/2 w + 1/2 "
-                   "w³ of every uncoupled contact under Hertz' pressure.",
-                   "f_T,lim", "w_lim");
-        const auto same = [](double w) { return w; };
-        f.curves.push_back(closed_form(
-            "thesis", 0, 1, [&](double w) { return theory::shakedown_limit(w, kappa_); }, same,
-            thesis_colour()));
-        f.curves.push_back(closed_form(
-            "exact", 0, 1, [](double w) { return theory::shakedown_limit(w); }, same,
-            exact_colour()));
-        add_points(f, amplitude_over_limit());
+            of_.figure(number("3.17", "3.31"), "Largest amplitude that settles",
+                       "Points: f_T,lim from each model's own pressures. Exact: 1 − 3/2 w + 1/2 "
+                       "w³ of every uncoupled contact under Hertz' pressure.",
+                       "f_T,lim", "w_lim");
+        of_.add_form(
+            f, "thesis", 0, 1, [&](double w) { return theory::shakedown_limit(w, kappa_); },
+            same_value, of_thesis);
+        of_.add_form(
+            f, "exact", 0, 1, [](double w) { return theory::shakedown_limit(w); }, same_value,
+            exact_form);
+        of_.add_points(f, amplitude_over_limit());
         return f;
     }
 
     report::Figure limit_shifts() const {
         report::Figure f =
-            figure("3.18", "3.32", "Shift at the limit",
-                   fmt::format("Points: settled shifts at {} of the model's limit or more, "
-                               "which lie below that at the limit itself. MDR: 1 − w² at its "
-                               "own limit.",
-                               drawn_near_limit),
-                   "f_T,lim", "u_lim [U_max]");
+            of_.figure(number("3.18", "3.32"), "Shift at the limit",
+                       fmt::format("Points: settled shifts at {} of the model's limit or more, "
+                                   "which lie below that at the limit itself. MDR: 1 − w² at its "
+                                   "own limit.",
+                                   drawn_near_limit),
+                       "f_T,lim", "u_lim [U_max]");
         const auto shift = [](double w) { return 1 - w * w; };
-        f.curves.push_back(closed_form(
-            "thesis", 0, 1, [&](double w) { return theory::shakedown_limit(w, kappa_); }, shift,
-            thesis_colour()));
-        f.curves.push_back(closed_form(
-            "MDR at the exact limit", 0, 1, [](double w) { return theory::shakedown_limit(w); },
-            shift, exact_colour()));
-        add_points(f, settled_near_limit(drawn_near_limit));
+        of_.add_form(
+            f, "thesis", 0, 1, [&](double w) { return theory::shakedown_limit(w, kappa_); }, shift,
+            of_thesis);
+        of_.add_form(
+            f, "MDR at the exact limit", 0, 1, [](double w) { return theory::shakedown_limit(w); },
+            shift, exact_form);
+        of_.add_points(f, settled_near_limit(drawn_near_limit));
         return f;
     }
 
     report::Figure slopes() const {
         report::Figure f =
-            figure("3.20", "3.20", "Ratcheting slope over the static shift",
-                   "Points: η fitted to Δu = η (w − w_lim) at each load, w_lim being the "
-                   "model's own; bars: intervals of the fit.",
-                   "u_stat [U_max]", "η");
+            of_.figure("3.20", "Ratcheting slope over the static shift",
+                       "Points: η fitted to Δu = η (w − w_lim) at each load, w_lim being the "
+                       "model's own; bars: intervals of the fit.",
+                       "u_stat [U_max]", "η");
         if (!parallel_) f.id += "_perpendicular";
-        const auto same = [](double u) { return u; };
-        f.curves.push_back(closed_form(
-            "thesis, MDR: 4.77 u_stat^(1/2)", 0, 1, same,
-            [](double u) { return thesis_root_mdr * std::sqrt(u); }, thesis_colour()));
+        of_.add_form(
+            f, "thesis, MDR: 4.77 u_stat^(1/2)", 0, 1, same_value,
+            [](double u) { return thesis_root_mdr * std::sqrt(u); }, of_thesis);
         const double c = parallel_ ? thesis_root_parallel : thesis_root_perpendicular;
-        f.curves.push_back(closed_form(
-            parallel_ ? "thesis: (2 u_stat)^(1/2)" : "thesis: (5 u_stat)^(1/2)", 0, 1, same,
-            [=](double u) { return c * std::sqrt(u); }, exact_colour()));
-        f.curves.push_back(closed_form(
-            "MDR just beyond its limit, exact", 0, 0.99,
+        of_.add_form(
+            f, parallel_ ? "thesis: (2 u_stat)^(1/2)" : "thesis: (5 u_stat)^(1/2)", 0, 1,
+            same_value, [=](double u) { return c * std::sqrt(u); }, exact_form);
+        of_.add_form(
+            f, "MDR just beyond its limit, exact", 0, 0.99,
             [](double load) { return theory::static_shift_ratio(load); },
-            theory::mdr_threshold_slope, exact_colour() + 1));
+            theory::mdr_threshold_slope, exact_threshold);
         for (const RatchetingGroup& group : fit_.ratcheting)
             if (group.group == group_) f.curves.push_back(slope_points(group));
         return f;
     }
 
     report::Curve slope_points(const RatchetingGroup& group) const {
-        const auto model = std::find(models_.begin(), models_.end(), group.model);
+        const auto model = std::find(of_.models().begin(), of_.models().end(), group.model);
         report::Curve curve{.name = report::display_name(group.model),
-                            .x = {},
-                            .y = {},
                             .kind = report::Curve::Kind::points,
-                            .colour = static_cast<int>(model - models_.begin())};
+                            .colour = static_cast<int>(model - of_.models().begin())};
         for (const RatchetingLoad& load : group.loads) {
             if (!load.slope) continue;
             const statistics::Estimate& eta = load.slope->fit.parameters.front();
@@ -155,26 +133,23 @@ class GroupFigures {
     }
 
     report::Figure increments() const {
-        report::Figure f = figure(
-            "3.21", "3.33", "Shift per period over the load",
+        report::Figure f = of_.figure(
+            number("3.21", "3.33"), "Shift per period over the load",
             "Lines: the thesis' formula with its own limit, for the amplitudes of the points.",
             "f_T", "Δu [U_max]");
         const auto formula =
             parallel_ ? theory::thesis_increment_parallel : theory::thesis_increment_perpendicular;
-        for (const double w : amplitudes_)
-            f.curves.push_back(closed_form(
-                "thesis", theory::shakedown_limit(w, kappa_), 1, [](double load) { return load; },
-                [&](double load) { return formula(w, load); }, thesis_colour()));
-        add_points(f, over_load(quantities::shift_increment_ratio));
+        for (const double w : of_.amplitudes())
+            of_.add_form(
+                f, "thesis", theory::shakedown_limit(w, kappa_), 1, same_value,
+                [&](double load) { return formula(w, load); }, of_thesis);
+        of_.add_points(f, over_load(quantities::shift_increment_ratio));
         return f;
     }
 
     const StudyFit& fit_;
-    std::string suffix_;  // of ids, where a direction has several groups
-    std::vector<std::string> models_;
     std::string group_;
-    std::vector<const RollingPoint*> points_;
-    std::set<double> amplitudes_;
+    ThesisFigures of_;
     bool parallel_ = true;
     double kappa_ = 1;
 };

@@ -45,9 +45,9 @@ Values values_of(const std::vector<Given>& given) {
 
 Calculation calculate(std::string name, std::string symbol, std::string formula, std::string source,
                       std::string unit, std::vector<Given> given, statistics::Quantity function) {
-    std::vector<statistics::Uncertain> quantities;
+    std::vector<Estimate> quantities;
     for (const Given& one : given) quantities.push_back(one.value);
-    const statistics::Uncertain result = statistics::propagate(function, quantities).result;
+    const Estimate result = statistics::propagate(function, quantities).result;
     return {std::move(name), std::move(symbol), std::move(formula),  std::move(source),
             std::move(unit), std::move(given),  std::move(function), result};
 }

@@ -8,10 +8,12 @@
 
 namespace tricontact::experiments {
 
+using statistics::Estimate;
+
 /// A quantity that goes into a formula.
 struct Given {
     std::string symbol;  ///< "W"
-    statistics::Uncertain value;
+    Estimate value;
     std::string unit;  ///< SI, "1" of pure numbers
 };
 
@@ -24,7 +26,7 @@ struct Calculation {
     std::string unit;     ///< SI, "1" of pure numbers
     std::vector<Given> given;
     statistics::Quantity function;  ///< of the values of `given`
-    statistics::Uncertain result;   ///< first-order error of the given ones
+    Estimate result;                ///< first-order error of the given ones
 };
 
 /// With its result. Throws what `function` throws.
@@ -58,7 +60,7 @@ template <class Rig>
 struct RigQuantity {
     const char* key;   ///< its symbol, with ' behind where another quantity has the same one
     const char* unit;  ///< SI, "1" of pure numbers
-    statistics::Uncertain (*of)(const Rig&);
+    Estimate (*of)(const Rig&);
 };
 
 /// Those of a table that the keys name. Throws std::out_of_range for other keys.

@@ -1,5 +1,7 @@
 #include "experiments/assumptions/check_rig.h"
 
+#include <cmath>
+
 #include "experiments/assumptions/rolling_parts.h"
 #include "experiments/assumptions/walking_parts.h"
 
@@ -52,6 +54,58 @@ RigReport check_rig(const WalkingRig& rig) {
                                      no_tilting(rig), sampled_often(rig)}};
     report.printed = check_printed(rig.printed, report.assumptions);
     return report;
+}
+
+namespace {
+
+using Agreement = PrintedCheck::Agreement;
+
+// In half digits: prints are computed from rounded numbers, which moves them a little further.
+constexpr double rounding_margin = 1.1;
+
+const Calculation* find(const std::string& name, const std::vector<Assumption>& assumptions) {
+    for (const Assumption& assumption : assumptions) {
+        for (const Criterion& criterion : assumption.criteria)
+            if (criterion.calculation.name == name) return &criterion.calculation;
+        for (const Calculation& calculation : assumption.background)
+            if (calculation.name == name) return &calculation;
+    }
+    return nullptr;
+}
+
+Agreement agreement(const PrintedValue& printed, const Estimate& computed) {
+    const double difference = std::abs(printed.value.value - computed.value);
+    if (difference <= printed.half_digit * rounding_margin) return Agreement::agrees;
+    const double error = std::max(printed.value.standard_error, computed.standard_error);
+    return difference <= error ? Agreement::within_error : Agreement::differs;
+}
+
+PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) {
+    PrintedCheck check;
+    check.printed = printed;
+    if (!calculation) return check;
+    check.calculation = *calculation;
+    const Estimate& computed = calculation->result;
+    check.agreement = agreement(printed, computed);
+    check.ratio = printed.value.value / computed.value;
+    if (printed.value.standard_error > 0 && computed.standard_error > 0) {
+        check.error_ratio = printed.value.standard_error / computed.standard_error;
+        check.error_agrees = std::abs(printed.value.standard_error - computed.standard_error) <=
+                             printed.half_error_digit * rounding_margin;
+    }
+    if (check.agreement != Agreement::agrees)
+        check.substitutes = substitutes(*calculation, printed.value.value);
+    return check;
+}
+
+}  // namespace
+
+std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,
+                                        const std::vector<Assumption>& assumptions) {
+    std::vector<PrintedCheck> checks;
+    for (const PrintedValue& value : printed)
+        checks.push_back(check(value, find(value.name, assumptions)));
+    return checks;
 }
 
 }  // namespace tricontact::experiments

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/assumptions/printed.h"
+#include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/rig.h"
 
 namespace tricontact::experiments {
@@ -16,8 +16,27 @@ struct ForceCurves {
     std::vector<double> force;  ///< up to one and a half times that of the rig [N]
     std::vector<double> hertz_diameter, layer_diameter;        ///< 2 a [m]
     std::vector<double> hertz_indentation, layer_indentation;  ///< d [m]
-    statistics::Uncertain rig_force;                           ///< F_N [N]
-    std::optional<statistics::Uncertain> measured_diameter;    ///< at that force [m]
+    Estimate rig_force;                                        ///< F_N [N]
+    std::optional<Estimate> measured_diameter;                 ///< at that force [m]
+};
+
+/// A published number beside the same number computed from the rig's data.
+struct PrintedCheck {
+    enum class Agreement {
+        agrees,        ///< equal when rounded like the print
+        within_error,  ///< not that, but closer than the printed or propagated error
+        differs,
+        not_computed  ///< the rig file lacks what the formula needs
+    };
+
+    PrintedValue printed;
+    std::optional<Calculation> calculation;
+    Agreement agreement = Agreement::not_computed;
+    double ratio = 0;  ///< printed over computed
+    /// Printed error over the propagated one, if both are there, ...
+    std::optional<double> error_ratio;
+    bool error_agrees = true;  ///< ... and whether they are equal when rounded like the print
+    std::vector<Substitute> substitutes;  ///< which the print would follow from, if it differs
 };
 
 /// What follows about an experiment.
@@ -43,5 +62,9 @@ RigReport check_rig(const RollingRig& rig, const StaticShift& static_shift = {})
 /// What the evaluation of a micro-walking rig takes for granted, with verdicts. Throws
 /// contact::InputError for materials out of range.
 RigReport check_rig(const WalkingRig& rig);
+
+/// Looks the printed quantities up by name among the calculations of the assumptions.
+std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,
+                                        const std::vector<Assumption>& assumptions);
 
 }  // namespace tricontact::experiments

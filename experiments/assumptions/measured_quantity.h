@@ -3,13 +3,15 @@
 #include <string_view>
 
 #include "io/keys/units.h"
-#include "statistics/uncertain.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
+using statistics::Estimate;
+
 /// A number as somebody wrote it down, SI units.
 struct MeasuredQuantity {
-    statistics::Uncertain quantity;
+    Estimate quantity;
     double half_digit = 0;        ///< half a unit of the last written digit
     double half_error_digit = 0;  ///< the same of the error; 0 without one
 };

@@ -6,6 +6,7 @@
 #include "contact/number_text.h"
 #include "experiments/assumptions/rig_report.h"
 #include "files/version.h"
+#include "report/columns.h"
 
 namespace tricontact::experiments {
 
@@ -47,14 +48,8 @@ Verdict verdict_on(const Assumption& assumption) {
 DocumentTable criteria_table(const Assumption& assumption) {
     DocumentTable table{.id = assumption.name + "_criteria",
                         .title = "What decides",
-                        .columns = {{"quantity"},
-                                    {"formula"},
-                                    {"source"},
-                                    {"with"},
-                                    {"number"},
-                                    {"must be"},
-                                    {"since"},
-                                    {"verdict"}}};
+                        .columns = report::columns("quantity", "formula", "source", "with",
+                                                   "number", "must be", "since", "verdict")};
     for (const Criterion& one : assumption.criteria) {
         const Calculation& c = one.calculation;
         table.rows.push_back({c.symbol, c.formula, c.source, given_text(c),
@@ -65,9 +60,10 @@ DocumentTable criteria_table(const Assumption& assumption) {
 }
 
 DocumentTable background_table(const Assumption& assumption) {
-    DocumentTable table{.id = assumption.name + "_numbers",
-                        .title = "Further numbers",
-                        .columns = {{"quantity"}, {"formula"}, {"source"}, {"with"}, {"number"}}};
+    DocumentTable table{
+        .id = assumption.name + "_numbers",
+        .title = "Further numbers",
+        .columns = report::columns("quantity", "formula", "source", "with", "number")};
     for (const Calculation& c : assumption.background)
         table.rows.push_back(
             {c.symbol, c.formula, c.source, given_text(c), text_of(c.result, c.unit)});
@@ -115,15 +111,8 @@ DocumentSection printed_section(const std::vector<PrintedCheck>& printed) {
         .note =
             "Agrees: equal when rounded to the printed digits. Each value that stands in the "
             "last column would alone lead to the print.",
-        .columns = {{"quantity"},
-                    {"source"},
-                    {"printed"},
-                    {"computed"},
-                    {"formula"},
-                    {"with"},
-                    {"printed/computed"},
-                    {"verdict"},
-                    {"follows from"}}};
+        .columns = report::columns("quantity", "source", "printed", "computed", "formula", "with",
+                                   "printed/computed", "verdict", "follows from")};
     for (const PrintedCheck& check : printed) {
         const bool known = check.calculation.has_value();
         std::string verdict = word_of(check.agreement);

@@ -11,7 +11,7 @@ namespace {
 using report::number;
 using json = nlohmann::ordered_json;
 
-json quantity_json(const statistics::Uncertain& quantity, const std::string& unit) {
+json quantity_json(const Estimate& quantity, const std::string& unit) {
     return {{"value", number(quantity.value)},
             {"standard_error", number(quantity.standard_error)},
             {"unit", unit}};

@@ -17,10 +17,8 @@ namespace tricontact::experiments {
 
 namespace {
 
-using statistics::Uncertain;
-
 // Place of a quantity; monostate: its part of the rig is absent.
-using Target = std::variant<std::monostate, Uncertain*, std::optional<Uncertain>*>;
+using Target = std::variant<std::monostate, Estimate*, std::optional<Estimate>*>;
 
 // One quantity of a rig file, and its place in a rig, which must outlive it.
 struct RigKey : io::Key {
@@ -29,7 +27,7 @@ struct RigKey : io::Key {
         : Key{.path = name,
               .dimension = of,
               .range = admissible,
-              .required = std::holds_alternative<Uncertain*>(place),
+              .required = std::holds_alternative<Estimate*>(place),
               .example = shown,
               .text = {}},
           target(place) {}
@@ -153,8 +151,8 @@ MeasuredQuantity measured(const io::Entry& entry, io::Dimension dimension) {
 }
 
 // What is propagated is evaluated within the errors.
-void check_range(const io::Entry& entry, const RigKey& key, const Uncertain& quantity) {
-    const auto [value, error] = quantity;
+void check_range(const io::Entry& entry, const RigKey& key, const Estimate& quantity) {
+    const double value = quantity.value, error = quantity.standard_error;
     const bool inside = key.range.contains(value);
     if (inside && key.range.contains(value - error) && key.range.contains(value + error)) return;
     io::fail(entry.place, entry.subject(),
@@ -166,11 +164,10 @@ void read_key(const io::Document& document, const RigKey& key, const io::KeyList
     const io::Entry* entry = document.find(key.path);
     if (!entry && key.required) io::refuse_missing(key, document, keys);
     if (!entry) return;
-    const Uncertain quantity = measured(*entry, key.dimension).quantity;
+    const Estimate quantity = measured(*entry, key.dimension).quantity;
     check_range(*entry, key, quantity);
-    if (auto* const* place = std::get_if<Uncertain*>(&key.target)) **place = quantity;
-    if (auto* const* place = std::get_if<std::optional<Uncertain>*>(&key.target))
-        **place = quantity;
+    if (auto* const* place = std::get_if<Estimate*>(&key.target)) **place = quantity;
+    if (auto* const* place = std::get_if<std::optional<Estimate>*>(&key.target)) **place = quantity;
 }
 
 PrintedValue printed_value(const io::Document& document, const io::Document::Section& section,

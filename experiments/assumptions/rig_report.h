@@ -9,7 +9,7 @@
 namespace tricontact::experiments {
 
 /// "18.1 ± 1.5 µm"; pure numbers without unit. Error 0: none is told.
-std::string text_of(const statistics::Uncertain& value, const std::string& unit);
+std::string text_of(const Estimate& value, const std::string& unit);
 /// "DU = 1.55 ± 0.13 µm, R = 40 mm"
 std::string given_text(const Calculation& calculation);
 /// "Dh = DU R/(w a) = 18.1 ± 1.5 µm, with DU = ..."

@@ -18,7 +18,7 @@ report::Unit unit_for(double value, const std::string& unit) {
 
 }  // namespace
 
-std::string text_of(const statistics::Uncertain& value, const std::string& unit) {
+std::string text_of(const Estimate& value, const std::string& unit) {
     const report::Unit fitting = unit_for(value.value, unit);
     const double number = value.value / fitting.factor;
     std::string text = value.standard_error > 0

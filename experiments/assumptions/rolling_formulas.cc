@@ -9,11 +9,10 @@ namespace tricontact::experiments {
 
 namespace {
 
-using statistics::Uncertain;
 using Rolling = const RollingRig&;
 
 /// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
-Uncertain half_size(Rolling rig) {
+Estimate half_size(Rolling rig) {
     const Values x = values_of(contact_given(rig, hertz_keys));
     return {x.size() > 6 ? line_half_width_of(x) : hertz_of(x).contact_radius};
 }
@@ -45,7 +44,7 @@ const std::vector<RigQuantity<RollingRig>>& rolling_quantities() {
              return r.drive.reference_radius ? *r.drive.reference_radius : half_size(r);
          }},
         {"D_c", "m", [](Rolling r) {
-             return r.measured_contact_size.value_or(Uncertain{2 * half_size(r).value});
+             return r.measured_contact_size.value_or(Estimate{2 * half_size(r).value});
          }}};
     return table;
 }
@@ -64,7 +63,7 @@ constexpr ThesisRig thesis_rigs[] = {
     {RollingRig::Shape::sphere, 40e-3, 8e-3, 4.35e6, 0.93, 21.19},   // table 5.1.2
     {RollingRig::Shape::cylinder, 40e-3, 5e-3, 3.6e6, 0.79, 32.3}};  // table 5.1.3
 
-bool same(const Uncertain& given, double value) {
+bool same(const Estimate& given, double value) {
     return std::abs(given.value / value - 1) < 1e-9;  // rounding of units
 }
 

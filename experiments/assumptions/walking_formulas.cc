@@ -43,7 +43,7 @@ const std::vector<RigQuantity<WalkingRig>>& walking_quantities() {
         {"tau", "s", [](Walking r) { return r.oscillation->time; }},
         {"f_samp", "Hz", [](Walking r) { return *r.oscillation->sampling_rate; }},
         {"F_N", "N",
-         [](Walking r) -> statistics::Uncertain {
+         [](Walking r) -> Estimate {
              const auto& mass = r.specimen.mass;
              return {spot_force(mass.value), spot_force(mass.standard_error)};
          }},

@@ -35,11 +35,6 @@ double level(const IdentificationTask& task, double least, int n_held, int degre
     return least * (1 + n_held * f / degrees_of_freedom);
 }
 
-Properties with(Properties properties, Property property, double value) {
-    (property == Property::young ? properties.young : properties.friction) = value;
-    return properties;
-}
-
 /// Profile of one property, and where it leaves a level.
 class Likelihood {
   public:
@@ -100,10 +95,6 @@ std::vector<Property> free_properties(const IdentificationTask& task) {
     return properties;
 }
 
-double value_of(const Properties& properties, Property property) {
-    return property == Property::young ? properties.young : properties.friction;
-}
-
 /// Least squares once more in the properties themselves, from the best ones: their covariance.
 /// Empty where there is none, at the edge of what the model is defined for.
 std::optional<statistics::Fit> linearised(const IdentificationTask& task,
@@ -111,10 +102,10 @@ std::optional<statistics::Fit> linearised(const IdentificationTask& task,
                                           const LeastSquares& best) {
     const auto properties = free_properties(task);
     std::vector<double> start;
-    for (const Property property : properties) start.push_back(value_of(best.at, property));
+    for (const Property property : properties) start.push_back(best.at[property]);
     const auto model = [&](const std::vector<double>& p) {
         Properties trial = best.at;
-        for (std::size_t k = 0; k < p.size(); ++k) trial = with(trial, properties[k], p[k]);
+        for (std::size_t k = 0; k < p.size(); ++k) trial[properties[k]] = p[k];
         if (!(trial.young > 0) || (task.friction_is_free && trial.friction < task.least_friction))
             throw std::domain_error("no such material");
         return task.model(trial);
@@ -134,8 +125,7 @@ std::optional<statistics::Fit> linearised(const IdentificationTask& task,
 bool take_over(const statistics::Fit& fit, const IdentificationTask& task, LeastSquares& best) {
     const auto properties = free_properties(task);
     Properties at = best.at;
-    for (std::size_t k = 0; k < properties.size(); ++k)
-        at = with(at, properties[k], fit.parameters[k].value);
+    for (std::size_t k = 0; k < properties.size(); ++k) at[properties[k]] = fit.parameters[k].value;
     if (fit.residual_sum_of_squares > best.sum ||
         (task.friction_is_free && at.friction > task.least_friction * largest_friction_ratio))
         return false;
@@ -146,12 +136,16 @@ bool take_over(const statistics::Fit& fit, const IdentificationTask& task, Least
 /// Slope of all fitted values by one property.
 std::vector<double> slope(const IdentificationTask& task, const Properties& best,
                           Property property) {
-    const double value = value_of(best, property);
+    const double value = best[property];
     const double high = value * (1 + difference_step);
     double low = value * (1 - difference_step);
     if (property == Property::friction) low = std::max(low, task.least_friction);
-    const auto above = task.model(with(best, property, high));
-    const auto below = task.model(with(best, property, low));
+    const auto values_at = [&](double changed) {
+        Properties properties = best;
+        properties[property] = changed;
+        return task.model(properties);
+    };
+    const auto above = values_at(high), below = values_at(low);
     std::vector<double> slopes;
     for (std::size_t i = 0; i < above.size(); ++i)
         slopes.push_back((above[i] - below[i]) / (high - low));
@@ -219,8 +213,8 @@ Identification identify(const IdentificationTask& task) {
                                level(task, best.sum, 2, found.degrees_of_freedom)};
     std::size_t k = 0;
     for (const Property property : free_properties(task)) {
-        const double value = value_of(best.at, property);
-        auto& estimate = property == Property::young ? found.young : found.friction;
+        const double value = best.at[property];
+        auto& estimate = found[property];
         estimate = estimate_of(value, fit ? &fit->parameters[k++] : nullptr);
         estimate->likelihood =
             Likelihood(squares, task, property, value).interval(found.level_of_interval[0]);
@@ -244,7 +238,7 @@ Identification identify(const IdentificationTask& task) {
 Profile profile_of(const IdentificationTask& task, const Identification& found, Property property,
                    int n_points) {
     const BestSumOfSquares squares(task);
-    const auto& estimate = property == Property::young ? found.young : found.friction;
+    const auto& estimate = found[property];
     if (!estimate) throw std::invalid_argument("a property that was not free has no profile");
     const double best = estimate->value;
     const double lowest =

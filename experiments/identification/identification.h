@@ -9,10 +9,18 @@
 namespace tricontact::experiments {
 
 /// What an identification is after.
-struct Properties {
-    double young = 0;     ///< E of the substrate [Pa]
-    double friction = 0;  ///< mu [-]
+enum class Property { young, friction };
+inline constexpr std::array both_properties{Property::young, Property::friction};
+
+/// Something of each.
+template <class Value>
+struct PerProperty {
+    Value young = {}, friction = {};
+
+    Value& operator[](Property p) { return p == Property::young ? young : friction; }
+    const Value& operator[](Property p) const { return p == Property::young ? young : friction; }
 };
+using Properties = PerProperty<double>;  ///< E of the substrate [Pa], mu [-]
 
 /// Values [SI] that a model gives instead of the measured ones, one per observation.
 using Prediction = std::function<std::vector<double>(const Properties&)>;
@@ -48,9 +56,8 @@ struct PropertyEstimate {
 };
 
 /// What one model makes of the observations.
-struct Identification {
+struct Identification : PerProperty<std::optional<PropertyEstimate>> {  ///< those that were free
     Properties best;
-    std::optional<PropertyEstimate> young, friction;  ///< those that were free
     /// Of E and mu in the linearised model; empty unless both were free and told.
     std::optional<double> correlation;
     std::vector<double> fitted, residuals;   ///< [SI]; observed minus fitted
@@ -80,7 +87,6 @@ struct Profile {
     std::vector<double> value;           ///< increasing
     std::vector<double> sum_of_squares;  ///< as Identification's
 };
-enum class Property { young, friction };
 /// Over somewhat more than the interval of the likelihood, `n_points` values.
 Profile profile_of(const IdentificationTask& task, const Identification& found, Property property,
                    int n_points);

@@ -9,6 +9,7 @@
 
 #include "contact/special_values.h"
 #include "experiments/identification/identification_report.h"
+#include "report/columns.h"
 #include "report/format.h"
 #include "report/format_share.h"
 #include "statistics/regression.h"
@@ -144,12 +145,9 @@ std::vector<double> relative(const std::vector<double>& sums, const Identificati
 
 std::optional<report::Figure> profile_figure(const IdentificationStudy& study, Property property) {
     const bool young = property == Property::young;
-    const auto profile_of_model = [&](const IdentifiedModel& model) -> const auto& {
-        return young ? model.young_profile : model.friction_profile;
-    };
     std::vector<double> all;
     for (const IdentifiedModel& model : study.models)
-        if (const auto& profile = profile_of_model(model))
+        if (const auto& profile = model.profiles[property])
             all.insert(all.end(), profile->value.begin(), profile->value.end());
     if (all.empty()) return {};
     const Scaled scale(all, young ? "Pa" : "");
@@ -165,7 +163,7 @@ std::optional<report::Figure> profile_figure(const IdentificationStudy& study, P
         .y = {"excess of the sum of squares"}};
     int colour = 0;
     for (const IdentifiedModel& model : study.models) {
-        if (const auto& profile = profile_of_model(model))
+        if (const auto& profile = model.profiles[property])
             figure.curves.push_back({.name = model.name,
                                      .x = scale(profile->value),
                                      .y = relative(profile->sum_of_squares, model.found,
@@ -228,25 +226,15 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
             "with the standard error of the fit, in squares (A.1.4).",
             100 * study.models.front().found.confidence,
             study.has_input_errors ? "[standard_errors]" : "none is stated"),
-        .columns = {{"model"},
-                    {"property"},
-                    {"value"},
-                    {"low"},
-                    {"high"},
-                    {"low by the fit"},
-                    {"high by the fit"},
-                    {"half width, linearised"},
-                    {"standard error of the fit"},
-                    {"of the inputs"},
-                    {"both"}}};
+        .columns = report::columns("model", "property", "value", "low", "high", "low by the fit",
+                                   "high by the fit", "half width, linearised",
+                                   "standard error of the fit", "of the inputs", "both")};
     for (const IdentifiedModel& model : study.models)
-        for (const Property property : {Property::young, Property::friction}) {
+        for (const Property property : both_properties) {
             const bool young = property == Property::young;
-            const auto& estimate = young ? model.found.young : model.found.friction;
+            const auto& estimate = model.found[property];
             if (!estimate) continue;
             const double factor = young ? 1e6 : 1;
-            const double both = combined_standard_error(model, property);
-            const double inputs = input_standard_error(model, property);
             const Interval full = full_interval(model, property);
             table.rows.push_back({model.name, std::string(young ? "E [MPa]" : "mu"),
                                   estimate->value / factor, open_or(full.low, factor),
@@ -254,8 +242,9 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
                                   open_or(estimate->likelihood.low, factor),
                                   open_or(estimate->likelihood.high, factor),
                                   open_or(estimate->linearised.high - estimate->value, factor),
-                                  open_or(estimate->standard_error, factor), inputs / factor,
-                                  open_or(both, factor)});
+                                  open_or(estimate->standard_error, factor),
+                                  input_standard_error(model, property) / factor,
+                                  open_or(combined_standard_error(model, property), factor)});
         }
     return table;
 }
@@ -270,13 +259,9 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
                       : "Standard errors of the observed values are not stated: "
                         "they are estimated from the residuals, and nothing says "
                         "whether a model fits.",
-        .columns = {{"model"},
-                    {known ? "chi^2" : "sum of squares [SI]"},
-                    {"degrees of freedom"},
-                    {"p"},
-                    {"R^2", 6},
-                    {"correlation of E and mu", 3},
-                    {"interpolation error", 2}}};
+        .columns =
+            report::columns("model", known ? "chi^2" : "sum of squares [SI]", "degrees of freedom",
+                            "p", "R^2:6", "correlation of E and mu:3", "interpolation error:2")};
     for (const IdentifiedModel& model : study.models) {
         const Identification& found = model.found;
         table.rows.push_back({model.name, found.sum_of_squares,
@@ -290,16 +275,14 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
 
 /// What each uncertain input does.
 std::optional<report::DocumentTable> input_table(const IdentificationStudy& study) {
-    report::DocumentTable table{.id = "inputs",
-                                .title = "Errors of the rig's data",
-                                .note =
-                                    "Change of the property by one standard error of the input, to "
-                                    "first order.",
-                                .columns = {{"model"},
-                                            {"input"},
-                                            {"standard error [SI]"},
-                                            {"change of E [MPa]", 3},
-                                            {"change of mu", 3}}};
+    report::DocumentTable table{
+        .id = "inputs",
+        .title = "Errors of the rig's data",
+        .note =
+            "Change of the property by one standard error of the input, to "
+            "first order.",
+        .columns = report::columns("model", "input", "standard error [SI]", "change of E [MPa]:3",
+                                   "change of mu:3")};
     for (const IdentifiedModel& model : study.models)
         for (const InputContribution& input : model.contributions)
             table.rows.push_back(
@@ -313,29 +296,29 @@ std::optional<report::DocumentTable> input_table(const IdentificationStudy& stud
 }  // namespace
 
 report::Document identification_document(const IdentificationStudy& study) {
-    report::Document document;
-    document.kind = "Identification";
-    document.title = study.title;
-    document.lead =
-        "Which Young's modulus, and which friction, do the measured values have? Every model is "
-        "fitted by least squares on its own.";
+    report::Document document{
+        .kind = "Identification",
+        .title = study.title,
+        .lead =
+            "Which Young's modulus, and which friction, do the measured values have? Every model "
+            "is fitted by least squares on its own.",
+        .verdicts = identification_verdicts(study),
+        .settings = study.settings,
+        .files = {{"all numbers (JSON)", "identify.json"}},
+        .command = study.command,
+        .version = study.version};
     if (study.models.size() > 1)
         document.lead +=
             " The differences between their answers are what the simpler one leaves "
             "out.";
-    document.verdicts = identification_verdicts(study);
-    document.settings = study.settings;
-    document.command = study.command;
-    document.version = study.version;
-    document.files = {{"all numbers (JSON)", "identify.json"}};
-
-    report::DocumentSection fit{.id = "fit_section", .heading = "Fit"};
-    fit.figures = {fit_figure(study), residual_figure(study)};
-    fit.tables = {goodness_table(study)};
-    report::DocumentSection values{.id = "values_section", .heading = "Properties"};
-    values.tables = {value_table(study)};
+    report::DocumentSection fit{.id = "fit_section",
+                                .heading = "Fit",
+                                .figures = {fit_figure(study), residual_figure(study)},
+                                .tables = {goodness_table(study)}};
+    report::DocumentSection values{
+        .id = "values_section", .heading = "Properties", .tables = {value_table(study)}};
     if (auto inputs = input_table(study)) values.tables.push_back(std::move(*inputs));
-    for (const Property property : {Property::young, Property::friction})
+    for (const Property property : both_properties)
         if (auto figure = profile_figure(study, property))
             values.figures.push_back(std::move(*figure));
     for (const IdentifiedModel& model : study.models)

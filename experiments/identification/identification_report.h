@@ -28,8 +28,8 @@ struct SquaresMap {
 struct IdentifiedModel {
     std::string name;  ///< "half-space", "layer", "bem-layer", "fem"
     Identification found;
-    std::optional<Profile> young_profile, friction_profile;  ///< of what was free
-    std::optional<SquaresMap> map;                           ///< if both were free
+    PerProperty<std::optional<Profile>> profiles;  ///< of what was free
+    std::optional<SquaresMap> map;                 ///< if both were free
     /// Largest difference between the interpolated model and the model itself at the best
     /// properties, over the largest value; empty for closed forms and at the edge of sliding.
     std::optional<double> interpolation_error;

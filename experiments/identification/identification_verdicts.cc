@@ -19,26 +19,15 @@ constexpr double least_goodness = 0.01;
 // A property that moves by less than this is not called different.
 constexpr double least_bias = 0.005;
 
-const std::optional<PropertyEstimate>& estimate_of(const IdentifiedModel& model,
-                                                   Property property) {
-    return property == Property::young ? model.found.young : model.found.friction;
-}
-
-double change_of(const InputContribution& input, Property property) {
-    return property == Property::young ? input.change.young : input.change.friction;
-}
-
 std::string shown(const IdentifiedModel& model, Property property, const std::string& unit) {
-    constexpr double lowest = 0;
     const auto text = [&](double value) {
         return unit.empty() ? report::significant(value, 3) : report::quantity(value, unit, 3);
     };
     const auto [low, high] = full_interval(model, property);
-    if (std::isinf(high) && low <= lowest) return "cannot be told";
+    if (std::isinf(high) && low <= 0) return "cannot be told";
     if (std::isinf(high)) return "above " + text(low);
-    if (low <= lowest && lowest == 0) return "below " + text(high);
-    return fmt::format("{} ({} to {})", text(estimate_of(model, property)->value), text(low),
-                       text(high));
+    if (low <= 0) return "below " + text(high);
+    return fmt::format("{} ({} to {})", text(model.found[property]->value), text(low), text(high));
 }
 
 /// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
@@ -73,7 +62,7 @@ report::Verdict values_found(const IdentificationStudy& study, const IdentifiedM
 double relative_change(const IdentifiedModel& model, const std::string& key, Property property) {
     const auto input = std::ranges::find(model.contributions, key, &InputContribution::key);
     if (input == model.contributions.end()) return 0;
-    return change_of(*input, property) / estimate_of(model, property)->value;
+    return input->change[property] / model.found[property]->value;
 }
 
 /// Standard error of a property of one model over that of the other by the errors of the inputs,
@@ -92,12 +81,12 @@ double shared_error(const IdentifiedModel& a, const IdentifiedModel& b, Property
 /// The intervals of the likelihood overlap, or are no further apart than the inputs' errors move
 /// one model's value against the other's.
 bool overlap(const IdentifiedModel& a, const IdentifiedModel& b, Property property) {
-    const Interval of_a = estimate_of(a, property)->likelihood;
-    const Interval of_b = estimate_of(b, property)->likelihood;
+    const Interval of_a = a.found[property]->likelihood;
+    const Interval of_b = b.found[property]->likelihood;
     const double gap = std::max(of_a.low - of_b.high, of_b.low - of_a.high);
     const double reach =
         statistics::normal_quantile(a.found.confidence) * shared_error(a, b, property);
-    return gap <= reach * estimate_of(b, property)->value;
+    return gap <= reach * b.found[property]->value;
 }
 
 std::string off(double ratio) {
@@ -184,18 +173,18 @@ std::string shown_friction(const IdentifiedModel& model) {
 double input_standard_error(const IdentifiedModel& model, Property property) {
     double error = 0;
     for (const InputContribution& input : model.contributions)
-        error = std::hypot(error, change_of(input, property));
+        error = std::hypot(error, input.change[property]);
     return error;
 }
 
 double combined_standard_error(const IdentifiedModel& model, Property property) {
-    const auto& estimate = estimate_of(model, property);
+    const auto& estimate = model.found[property];
     return std::hypot(estimate ? estimate->standard_error : 0,
                       input_standard_error(model, property));
 }
 
 Interval full_interval(const IdentifiedModel& model, Property property) {
-    const PropertyEstimate& estimate = *estimate_of(model, property);
+    const PropertyEstimate& estimate = *model.found[property];
     const double half =
         statistics::normal_quantile(model.found.confidence) * input_standard_error(model, property);
     const auto [low, high] = estimate.likelihood;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "experiments/records/shift_period.h"
 
 namespace tricontact::experiments {
 

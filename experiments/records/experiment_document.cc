@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "experiments/records/experiment_report.h"
-#include "experiments/records/experiment_tables.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
@@ -21,44 +20,45 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
     return result;
 }
 
-std::vector<double> counts(std::size_t n) {
-    std::vector<double> result(n);
-    for (std::size_t i = 0; i < n; ++i) result[i] = static_cast<double>(i);
-    return result;
-}
-
-report::Curve measured_curve(const ExperimentEvaluation& e) {
-    report::Curve curve{.name = "measured", .x = counts(e.shift.size())};
-    curve.kind = report::Curve::Kind::points;
-    curve.colour = 0;
-    for (const statistics::Estimate& u : e.shift) {
-        curve.y.push_back(um * u.value);
-        curve.y_error.push_back(um * (u.high - u.low) / 2);
-    }
-    return curve;
+/// What was measured, and the models' curves behind it; `of` makes one from shifts [m].
+template <class Of>
+std::vector<report::Curve> with_models(const ExperimentEvaluation& e,
+                                       const std::vector<Estimate>& bars, std::size_t first_period,
+                                       const Of& of) {
+    std::vector<double> shift, errors;
+    for (const Estimate& u : e.shift) shift.push_back(u.value);
+    for (const Estimate& bar : bars) errors.push_back(um * bar.half_width());
+    const auto counts = [&](std::size_t n) {
+        std::vector<double> result;
+        for (std::size_t i = first_period; i < n; ++i) result.push_back(static_cast<double>(i));
+        return result;
+    };
+    std::vector<report::Curve> curves{{.name = "measured",
+                                       .x = counts(shift.size()),
+                                       .y = of(shift),
+                                       .y_error = errors,
+                                       .kind = report::Curve::Kind::points,
+                                       .colour = 0}};
+    for (const ModelPrediction& p : e.predictions)
+        curves.push_back({.name = report::display_name(p.model),
+                          .x = counts(p.shift.size()),
+                          .y = of(p.shift),
+                          .colour = static_cast<int>(curves.size())});
+    return curves;
 }
 
 report::Figure periods_figure(const ExperimentEvaluation& e) {
-    report::Figure figure{
-        .id = "shift_over_periods",
-        .title = "Shift over the rolling periods",
-        .caption = fmt::format(
-            "U with the roller upright, before the first period (n = 0) and after each; "
-            "bars: {:.4g} %, by the scatter of the runs or, for one run, by noise and "
-            "drift. Lines: the models on the case, same amplitude and periods.",
-            100 * e.confidence),
-        .x = {"period n [-]"},
-        .y = {"shift U [µm]"}};
-    figure.curves.push_back(measured_curve(e));
-    int colour = 1;
-    for (const ModelPrediction& p : e.predictions) {
-        report::Curve curve{.name = report::display_name(p.model),
-                            .x = counts(p.shift.size()),
-                            .y = scaled(p.shift, um)};
-        curve.colour = colour++;
-        figure.curves.push_back(curve);
-    }
-    return figure;
+    return {.id = "shift_over_periods",
+            .title = "Shift over the rolling periods",
+            .caption = fmt::format(
+                "U with the roller upright, before the first period (n = 0) and after each; "
+                "bars: {:.4g} %, by the scatter of the runs or, for one run, by noise and "
+                "drift. Lines: the models on the case, same amplitude and periods.",
+                100 * e.confidence),
+            .x = {"period n [-]"},
+            .y = {"shift U [µm]"},
+            .curves = with_models(
+                e, e.shift, 0, [](const std::vector<double>& shift) { return scaled(shift, um); })};
 }
 
 // No logarithm of what does not grow.
@@ -72,32 +72,15 @@ std::vector<double> growth(const std::vector<double>& shift) {
 }
 
 report::Figure increments_figure(const ExperimentEvaluation& e) {
-    report::Figure figure{
-        .id = "increments",
-        .title = "Growth per period",
-        .caption =
-            fmt::format("u_n - u_(n-1): a transient falls along a straight line, ratcheting stays "
-                        "at its level. Bars: {:.4g} %; values that do not grow are left out.",
-                        100 * e.confidence),
-        .x = {"period n [-]"},
-        .y = {"growth in the period [µm]", true}};
-    std::vector<double> n = counts(e.shift.size());
-    n.erase(n.begin());
-    std::vector<double> shift, errors;
-    for (const statistics::Estimate& u : e.shift) shift.push_back(u.value);
-    for (const statistics::Estimate& d : e.period_increments)
-        errors.push_back(um * (d.high - d.low) / 2);
-    report::Curve measured{.name = "measured", .x = n, .y = growth(shift), .y_error = errors};
-    measured.kind = report::Curve::Kind::points;
-    measured.colour = 0;
-    figure.curves.push_back(measured);
-    int colour = 1;
-    for (const ModelPrediction& p : e.predictions) {
-        report::Curve curve{.name = report::display_name(p.model), .x = n, .y = growth(p.shift)};
-        curve.colour = colour++;
-        figure.curves.push_back(curve);
-    }
-    return figure;
+    return {.id = "increments",
+            .title = "Growth per period",
+            .caption = fmt::format(
+                "u_n - u_(n-1): a transient falls along a straight line, ratcheting stays "
+                "at its level. Bars: {:.4g} %; values that do not grow are left out.",
+                100 * e.confidence),
+            .x = {"period n [-]"},
+            .y = {"growth in the period [µm]", true},
+            .curves = with_models(e, e.period_increments, 1, growth)};
 }
 
 // Figure 5.9 of the thesis, by values of periods.
@@ -114,8 +97,7 @@ report::Figure criterion_figure(const ExperimentEvaluation& e) {
                         e.runs.front().name, report::significant(stage.curvature.value, 3)),
         .x = {"time (t - t_0)/(t_N - t_0) [-]"},
         .y = {"shift (U - u_0)/(u_N - u_0) [-]"}};
-    report::Curve values{.name = "values upright"};
-    values.kind = report::Curve::Kind::points;
+    report::Curve values{.name = "values upright", .kind = report::Curve::Kind::points};
     report::Curve walk{.name = "transient and walk"};
     for (std::size_t n = 0; n < stage.shift.size(); ++n) {
         const double t =
@@ -126,20 +108,12 @@ report::Figure criterion_figure(const ExperimentEvaluation& e) {
     const std::vector<double> ones(values.x.size(), 1.);
     std::vector<double> squares;
     for (const double t : values.x) squares.push_back(t * t);
-    report::Curve parabola{.name = "parabola of the thesis", .x = values.x};
-    parabola.y = statistics::fit_linear({ones, values.x, squares}, values.y).fitted;
-    parabola.theory = true;
-    figure.curves = {values, walk, parabola};
+    const auto parabola = statistics::fit_linear({ones, values.x, squares}, values.y).fitted;
+    figure.curves = {
+        values,
+        walk,
+        {.name = "parabola of the thesis", .x = values.x, .y = parabola, .theory = true}};
     return figure;
-}
-
-report::Curve record_curve(const RunEvaluation& run) {
-    report::Curve curve{.name = run.name};
-    const std::size_t every = run.time.size() / most_drawn + 1;
-    for (std::size_t i = 0; i < run.time.size(); i += every) {
-        curve.add(run.time[i], um * run.shift[i]);
-    }
-    return curve;
 }
 
 report::Figure records_figure(const ExperimentEvaluation& e) {
@@ -151,18 +125,21 @@ report::Figure records_figure(const ExperimentEvaluation& e) {
                                most_drawn),
         .x = {"time t [s]"},
         .y = {"shift U [µm]"}};
-    for (const RunEvaluation& run : e.runs) figure.curves.push_back(record_curve(run));
+    for (const RunEvaluation& run : e.runs) {
+        report::Curve& curve = figure.curves.emplace_back(report::Curve{.name = run.name});
+        const std::size_t every = run.time.size() / most_drawn + 1;
+        for (std::size_t i = 0; i < run.time.size(); i += every)
+            curve.add(run.time[i], um * run.shift[i]);
+    }
     return figure;
 }
 
 report::Curve line(const StageEvaluation& stage, const LineIntersection& lines, double slope,
                    const std::string& name) {
-    report::Curve curve{.name = name};
-    curve.theory = true;
+    report::Curve curve{.name = name, .theory = true};
     for (const double t : {std::min(stage.time.front(), lines.time), lines.time,
-                           std::max(stage.time.back(), lines.time)}) {
+                           std::max(stage.time.back(), lines.time)})
         curve.add(t, um * (lines.shift.value + slope * (t - lines.time)));
-    }
     return curve;
 }
 
@@ -179,33 +156,32 @@ report::Figure limit_figure(const RunEvaluation& run, const LimitReading& limit)
             report::significant(mm * after.amplitude, 4)),
         .x = {"time t [s]"},
         .y = {"shift U [µm]"}};
-    for (const auto* stage : {&before, &after}) {
-        report::Curve values{.name = stage == &before ? "shakedown" : "ratcheting",
-                             .x = stage->time,
-                             .y = scaled(stage->shift, um)};
-        values.kind = report::Curve::Kind::points;
-        figure.curves.push_back(values);
-    }
+    for (const auto* stage : {&before, &after})
+        figure.curves.push_back({.name = stage == &before ? "shakedown" : "ratcheting",
+                                 .x = stage->time,
+                                 .y = scaled(stage->shift, um),
+                                 .kind = report::Curve::Kind::points});
     figure.curves.push_back(line(before, limit.lines, limit.lines.slopes[0], "line, shakedown"));
     figure.curves.push_back(line(after, limit.lines, limit.lines.slopes[1], "line, ratcheting"));
     return figure;
 }
 
 report::DocumentSection limit_section(const ExperimentEvaluation& e) {
-    report::DocumentSection section{.id = "limit", .heading = "Limit"};
+    report::DocumentSection section{
+        .id = "limit", .heading = "Limit", .tables = {stages_table(e), limits_table(e)}};
     for (std::size_t i = 0; i < e.runs.size(); ++i)
         if (e.limits[i] && section.figures.empty())
             section.figures.push_back(limit_figure(e.runs[i], *e.limits[i]));
-    section.tables = {stages_table(e), limits_table(e)};
     if (e.normalised) section.tables.push_back(normalised_table(e));
     if (!e.model_limits.empty()) section.tables.push_back(model_stages_table(e));
     return section;
 }
 
 report::DocumentSection values_section(const ExperimentEvaluation& e) {
-    report::DocumentSection section{.id = "values", .heading = "Shift over the periods"};
-    section.figures = {periods_figure(e), increments_figure(e)};
-    section.tables = {values_table(e)};
+    report::DocumentSection section{.id = "values",
+                                    .heading = "Shift over the periods",
+                                    .figures = {periods_figure(e), increments_figure(e)},
+                                    .tables = {values_table(e)}};
     if (e.normalised) section.tables.push_back(normalised_table(e));
     if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
     return section;
@@ -230,17 +206,17 @@ report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
 }  // namespace
 
 report::Document experiment_document(const ExperimentEvaluation& e) {
-    report::Document document;
-    document.kind = "Evaluated experiment";
-    document.title = e.title.empty() ? "Experiment" : e.title;
     const bool limit = e.kind == Experiment::Kind::limit;
-    document.lead =
-        limit ? "At which rolling amplitude does the contact begin to walk, and where was it then?"
-              : "Did the contact settle or walk, how far, and what do the models say?";
-    document.verdicts = experiment_verdicts(e);
-    document.settings = {{"runs", std::to_string(e.runs.size())},
-                         {"periods", std::to_string(e.periods)},
-                         {"confidence", fmt::format("{:.4g} %", 100 * e.confidence)}};
+    report::Document document{
+        .kind = "Evaluated experiment",
+        .title = e.title.empty() ? "Experiment" : e.title,
+        .lead = limit ? "At which rolling amplitude does the contact begin to walk, and where was "
+                        "it then?"
+                      : "Did the contact settle or walk, how far, and what do the models say?",
+        .verdicts = experiment_verdicts(e),
+        .settings = {{"runs", std::to_string(e.runs.size())},
+                     {"periods", std::to_string(e.periods)},
+                     {"confidence", fmt::format("{:.4g} %", 100 * e.confidence)}}};
     if (e.amplitude > 0)
         document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
                                      report::significant(mm * e.amplitude, 4) + " mm"});
@@ -250,9 +226,10 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
         document.sections.push_back(values_section(e));
         document.sections.push_back(criteria_section(e));
     }
-    report::DocumentSection measurement{.id = "measurement", .heading = "Records and their noise"};
-    measurement.figures = {records_figure(e)};
-    measurement.tables = {noise_table(e)};
+    report::DocumentSection measurement{.id = "measurement",
+                                        .heading = "Records and their noise",
+                                        .figures = {records_figure(e)},
+                                        .tables = {noise_table(e)}};
     if (e.wobble && e.normalised) measurement.tables.push_back(wobble_table(e));
     document.sections.push_back(measurement);
     return document;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
-#include "experiments/records/repeats.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -18,26 +18,21 @@ using contact::State;
 constexpr double equal_amplitudes = 0.02;  // of repeats, relative
 constexpr int many = 1'000'000;            // degrees of freedom of a known standard error
 
-statistics::Estimate interval_of(double value, double error, double confidence,
-                                 int degrees_of_freedom) {
-    const double half = error * statistics::student_t(confidence, degrees_of_freedom);
-    return {value, error, value - half, value + half};
-}
-
 // Of one run, by noise and drift.
-statistics::Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
+Estimate value_at(const RunEvaluation& run, std::size_t n, double confidence) {
     const StageEvaluation& stage = run.stages.front();
-    return interval_of(stage.shift[n], stage.shift_error[n], confidence, run.degrees_of_freedom);
+    return statistics::with_interval(stage.shift[n], stage.shift_error[n],
+                                     statistics::student_t(confidence, run.degrees_of_freedom));
 }
 
 // The zero's error is the same in both values, the drift's differs by that of one period.
-statistics::Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence) {
+Estimate increment_at(const RunEvaluation& run, std::size_t n, double confidence) {
     const StageEvaluation& stage = run.stages.front();
     const double drift = run.drift.standard_error * (stage.drift_time[n] - stage.drift_time[n - 1]);
     const double error =
         std::hypot(std::hypot(stage.noise_error[n], stage.noise_error[n - 1]), drift);
-    return interval_of(stage.shift[n] - stage.shift[n - 1], error, confidence,
-                       run.degrees_of_freedom);
+    return statistics::with_interval(stage.shift[n] - stage.shift[n - 1], error,
+                                     statistics::student_t(confidence, run.degrees_of_freedom));
 }
 
 State joint_state(const std::vector<RunEvaluation>& runs) {
@@ -64,8 +59,8 @@ void check_amplitudes(const std::vector<RunEvaluation>& runs) {
 }
 
 void put_together(ExperimentEvaluation& e) {
-    std::vector<statistics::Estimate> settled, increment;
-    std::vector<std::vector<statistics::Estimate>> shift(static_cast<std::size_t>(e.periods) + 1);
+    std::vector<Estimate> settled, increment;
+    std::vector<std::vector<Estimate>> shift(static_cast<std::size_t>(e.periods) + 1);
     for (const RunEvaluation& run : e.runs) {
         for (std::size_t n = 0; n < shift.size(); ++n)
             shift[n].push_back(value_at(run, n, e.confidence));
@@ -75,12 +70,12 @@ void put_together(ExperimentEvaluation& e) {
     for (const auto& of_runs : shift)
         e.shift.push_back(repeated(of_runs, e.confidence).at_confidence);
     for (std::size_t n = 1; n < shift.size(); ++n) {
-        std::vector<statistics::Estimate> of_runs;
+        std::vector<Estimate> of_runs;
         for (const RunEvaluation& run : e.runs)
             of_runs.push_back(increment_at(run, n, e.confidence));
         e.period_increments.push_back(repeated(of_runs, e.confidence).at_confidence);
     }
-    std::vector<statistics::Estimate> wobble;
+    std::vector<Estimate> wobble;
     for (const RunEvaluation& run : e.runs)
         if (run.wobble) wobble.push_back(*run.wobble);
     if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
@@ -88,15 +83,6 @@ void put_together(ExperimentEvaluation& e) {
     e.final_shift = repeated(shift.back(), e.confidence);
     e.settled_shift = repeated(settled, e.confidence);
     e.increment = repeated(increment, e.confidence);
-}
-
-// What all repeats share does not average out.
-void widen(Repeated& r, double common, double standard_error) {
-    for (statistics::Estimate* e : {&r.at_confidence, &r.at_95}) {
-        e->standard_error = std::hypot(e->standard_error, standard_error);
-        e->low = e->value - std::hypot(e->value - e->low, common);
-        e->high = e->value + std::hypot(e->high - e->value, common);
-    }
 }
 
 // Drift that was subtracted in one period, mean of the runs [m].
@@ -107,7 +93,7 @@ double subtracted_per_period(const ExperimentEvaluation& e) {
 }
 
 void read_limits(ExperimentEvaluation& e) {
-    std::vector<statistics::Estimate> middle, low, shift;
+    std::vector<Estimate> middle, low, shift;
     for (const RunEvaluation& run : e.runs) {
         e.limits_by_curvature.push_back(
             read_limit(run, &StageEvaluation::by_curvature, e.confidence));
@@ -130,28 +116,28 @@ void read_limits(ExperimentEvaluation& e) {
         return;
     }
     // The steps of the amplitude; and how far from straight the shift is in both stages.
-    widen(*e.limit_amplitude, (middle.front().high - middle.front().low) / 2,
-          middle.front().standard_error);
-    widen(*e.limit_shift, (shift.front().high - shift.front().low) / 2,
-          shift.front().standard_error);
+    for (Estimate* w : {&e.limit_amplitude->at_confidence, &e.limit_amplitude->at_95})
+        w->widen(middle.front().standard_error, middle.front().half_width());
+    for (Estimate* u : {&e.limit_shift->at_confidence, &e.limit_shift->at_95})
+        u->widen(shift.front().standard_error, shift.front().half_width());
 }
 
 }  // namespace
 
 std::optional<bool> Deviation::differs() const {
     if (!has_errors || rest_is_missing) return {};
-    statistics::Estimate with_creep = measured;
+    Estimate with_creep = measured;
     (creep > 0 ? with_creep.high : with_creep.low) += creep;
     if (differ(with_creep, predicted)) return true;
     if (differ(measured, predicted)) return {};
     return false;
 }
 
-Repeated repeated(const std::vector<statistics::Estimate>& of_runs, double confidence) {
+Repeated repeated(const std::vector<Estimate>& of_runs, double confidence) {
     Repeated r;
     r.runs = static_cast<int>(of_runs.size());
     if (of_runs.size() == 1) {
-        const statistics::Estimate& only = of_runs.front();
+        const Estimate& only = of_runs.front();
         const double t =
             statistics::student_t(0.95, many) / statistics::student_t(confidence, many);
         r.at_confidence = only;
@@ -160,9 +146,9 @@ Repeated repeated(const std::vector<statistics::Estimate>& of_runs, double confi
         return r;
     }
     std::vector<double> values;
-    for (const statistics::Estimate& e : of_runs) values.push_back(e.value);
-    r.at_confidence = mean_of(values, confidence);
-    r.at_95 = mean_of(values, 0.95);
+    for (const Estimate& e : of_runs) values.push_back(e.value);
+    r.at_confidence = statistics::mean_of(values, confidence);
+    r.at_95 = statistics::mean_of(values, 0.95);
     return r;
 }
 
@@ -197,7 +183,8 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
             variance += change * change;
         }
         Deviation d{prediction.model, name, measured.at_confidence,
-                    interval_of(value, std::sqrt(variance), e.confidence, many)};
+                    statistics::with_interval(value, std::sqrt(variance),
+                                              statistics::student_t(e.confidence, many))};
         d.has_errors = !prediction.raised.empty();
         if (e.rolled_as.hold) {
             d.rest_is_missing = !e.rolled_as.hold_is_known;

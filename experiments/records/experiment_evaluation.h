@@ -17,7 +17,7 @@ namespace tricontact::experiments {
 /// A quantity over all runs: mean and interval by their scatter from two runs on, else the only
 /// run's own.
 struct Repeated {
-    statistics::Estimate at_confidence, at_95;
+    Estimate at_confidence, at_95;
     int runs = 0;  ///< that have it
 };
 
@@ -32,13 +32,13 @@ struct CaseQuantity {
 
 /// Measured quantities over Hertz' scales of the case, as the thesis normalises (3.1.4).
 struct NormalisedResults {
-    statistics::Uncertain tangential_ratio;  ///< f_T = F_T/(mu F_N)
-    statistics::Uncertain amplitude_ratio;   ///< w = W/a; of a limit run w_lim
-    statistics::Uncertain unit_shift;        ///< U_max [m]
+    Estimate tangential_ratio;  ///< f_T = F_T/(mu F_N)
+    Estimate amplitude_ratio;   ///< w = W/a; of a limit run w_lim
+    Estimate unit_shift;        ///< U_max [m]
     /// Over U_max; the final one of a limit run is u_lim.
-    statistics::Uncertain static_ratio, final_ratio, increment_ratio;
+    Estimate static_ratio, final_ratio, increment_ratio;
     /// w_lim of the half-space by f_T alone: 1 - 3/2 w + 1/2 w^3 = f_T, and the thesis' 1 - f_T.
-    statistics::Uncertain exact_limit, thesis_limit;
+    Estimate exact_limit, thesis_limit;
     double radius = 0;  ///< R [m]
 };
 
@@ -56,8 +56,8 @@ struct ModelPrediction {
 /// A quantity measured and by a model [m].
 struct Deviation {
     std::string model, quantity;
-    statistics::Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
-    bool has_errors = false;                   ///< errors of the case's numbers are stated
+    Estimate measured, predicted;  ///< predicted: by the errors of the case's numbers
+    bool has_errors = false;       ///< errors of the case's numbers are stated
     bool rest_is_missing = false;  ///< of a relaxing substrate: how long F_T acted is not known
     /// Drift subtracted from the measured value that on a relaxing substrate may be creep, which
     /// the model's has [m].
@@ -104,9 +104,9 @@ struct ExperimentEvaluation {
     Repeated final_shift;                        ///< u_sd: upright after the last common period [m]
     Repeated settled_shift;                      ///< extrapolated [m]
     Repeated increment;                          ///< Du, second half of the periods [m]
-    std::vector<statistics::Estimate> shift;     ///< per period, at `confidence` [m]
+    std::vector<Estimate> shift;                 ///< per period, at `confidence` [m]
     /// Of each period, u_n - u_(n-1), at `confidence` [m]; of one run by noise.
-    std::vector<statistics::Estimate> period_increments;
+    std::vector<Estimate> period_increments;
 
     /// dU/dW: the shift that follows the drive [-]; empty where the amplitude is unknown or
     /// changes.
@@ -148,12 +148,12 @@ double model_wobble(const contact::Case& c, const contact::History& history);
 
 /// What is left of the measured wobble beside a model's own, as a pivot that is Dh = R dU/dW too
 /// high (5.1.11) [m]. Needs `wobble` and `normalised`.
-statistics::Uncertain pivot_height(const ExperimentEvaluation& e, double own_wobble);
+Estimate pivot_height(const ExperimentEvaluation& e, double own_wobble);
 
 /// Adds a model's prediction and its deviations: u_stat, u_sd (shakedown) or Du (ratcheting).
 void add_prediction(ExperimentEvaluation& evaluation, ModelPrediction prediction);
 
 /// The scatter of one measured quantity over the runs.
-Repeated repeated(const std::vector<statistics::Estimate>& of_runs, double confidence);
+Repeated repeated(const std::vector<Estimate>& of_runs, double confidence);
 
 }  // namespace tricontact::experiments

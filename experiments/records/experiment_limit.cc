@@ -23,12 +23,12 @@ LineIntersection intersect(const StageEvaluation& before, const StageEvaluation&
     const double origin = after.time.front();  // near the intersection
     const statistics::Fit lines[] = {line_of(before, origin, confidence),
                                      line_of(after, origin, confidence)};
-    std::vector<statistics::Uncertain> numbers;
+    std::vector<Estimate> numbers;
     std::vector<std::vector<double>> correlation(4, std::vector<double>(4, 0.));
     for (std::size_t l = 0; l < 2; ++l)
         for (std::size_t k = 0; k < 2; ++k) {
-            const statistics::Estimate& p = lines[l].parameters[k];
-            numbers.push_back({p.value, p.standard_error});
+            const Estimate& p = lines[l].parameters[k];
+            numbers.push_back(p);
             for (std::size_t j = 0; j < 2; ++j) {
                 const double both = p.standard_error * lines[l].parameters[j].standard_error;
                 correlation[2 * l + k][2 * l + j] =
@@ -51,10 +51,9 @@ LineIntersection intersect(const StageEvaluation& before, const StageEvaluation&
     if (difference < 3 * std::hypot(numbers[1].standard_error, numbers[3].standard_error))
         return result;
     const double error = statistics::propagate(shift, numbers, correlation).result.standard_error;
-    const double half =
-        error * statistics::student_t(
-                    confidence, std::min(lines[0].degrees_of_freedom, lines[1].degrees_of_freedom));
-    result.shift = {shift(p), error, shift(p) - half, shift(p) + half};
+    const int freedom = std::min(lines[0].degrees_of_freedom, lines[1].degrees_of_freedom);
+    result.shift =
+        statistics::with_interval(shift(p), error, statistics::student_t(confidence, freedom));
     return result;
 }
 

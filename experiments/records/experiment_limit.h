@@ -9,9 +9,9 @@ namespace tricontact::experiments {
 
 /// Two straight lines of least squares and where they meet.
 struct LineIntersection {
-    double time = 0;             ///< [s]
-    statistics::Estimate shift;  ///< U_lim [m]
-    double slopes[2] = {0, 0};   ///< before and after [m/s]
+    double time = 0;            ///< [s]
+    Estimate shift;             ///< U_lim [m]
+    double slopes[2] = {0, 0};  ///< before and after [m/s]
 };
 
 /// The shakedown limit of a run whose amplitude rises in steps.

@@ -9,15 +9,10 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::Case;
-using statistics::Uncertain;
 
 double tangential_ratio(const Case& c) {
     return *c.load.tangential_force /
            (c.friction_coefficient * contact::half_space_scales(c).normal_force);
-}
-
-Uncertain uncertain(const statistics::Estimate& e) {
-    return {e.value, e.standard_error};
 }
 
 /// Functions of the case and of one measured value, errors of both propagated.
@@ -31,8 +26,8 @@ class Propagation {
     }
 
     template <class Function>
-    Uncertain operator()(Function f, const Uncertain& measured) const {
-        std::vector<Uncertain> inputs = inputs_;
+    Estimate operator()(Function f, const Estimate& measured) const {
+        std::vector<Estimate> inputs = inputs_;
         inputs.push_back(measured);
         const std::function<double(std::vector<double>)> of_numbers =
             [&](const std::vector<double>& x) {
@@ -49,8 +44,8 @@ class Propagation {
         return statistics::propagate(of_numbers, inputs).result;
     }
     template <class Function>
-    Uncertain operator()(Function f) const {
-        return (*this)([&](const Case& c, double) { return f(c); }, Uncertain{});
+    Estimate operator()(Function f) const {
+        return (*this)([&](const Case& c, double) { return f(c); }, Estimate{});
     }
 
   private:
@@ -61,7 +56,7 @@ class Propagation {
 
     const Case& case_;
     const std::vector<CaseQuantity>& quantities_;
-    std::vector<Uncertain> inputs_;
+    std::vector<Estimate> inputs_;
 };
 
 }  // namespace
@@ -97,16 +92,16 @@ void normalise(ExperimentEvaluation& e, const Case& given,
     const bool limit = e.limit_amplitude.has_value();
     NormalisedResults r;
     r.tangential_ratio = propagated(tangential_ratio);
-    r.amplitude_ratio = propagated(over_radius, limit ? uncertain(e.limit_amplitude->at_confidence)
-                                                      : Uncertain{e.amplitude, 0});
+    r.amplitude_ratio = propagated(
+        over_radius, limit ? e.limit_amplitude->at_confidence : Estimate{e.amplitude, 0});
     r.unit_shift =
         propagated([](const Case& k) { return contact::half_space_scales(k).unit_shift; });
-    r.static_ratio = propagated(over_unit, uncertain(e.static_shift.at_confidence));
-    statistics::Estimate last = e.final_shift.at_confidence;
+    r.static_ratio = propagated(over_unit, e.static_shift.at_confidence);
+    Estimate last = e.final_shift.at_confidence;
     if (limit) last = e.limit_shift->at_confidence;
     if (!std::isfinite(last.standard_error)) last.standard_error = 0;  // lines nearly parallel
-    r.final_ratio = propagated(over_unit, uncertain(last));
-    r.increment_ratio = propagated(over_unit, uncertain(e.increment.at_confidence));
+    r.final_ratio = propagated(over_unit, last);
+    r.increment_ratio = propagated(over_unit, e.increment.at_confidence);
     r.exact_limit = propagated([](const Case& k) {
         return theory::amplitude_limit(std::clamp(tangential_ratio(k), 0., 1.));
     });
@@ -114,6 +109,26 @@ void normalise(ExperimentEvaluation& e, const Case& given,
 
     r.radius = c.indenter.radius;
     e.normalised = r;
+}
+
+double model_wobble(const contact::Case& c, const contact::History& history) {
+    const double begin = history.steps.back().phase - 1;
+    std::vector<double> ones, phase, offset, shift;
+    for (const auto& step : history.steps) {
+        if (step.phase < begin - 1e-9) continue;  // phases are sums of rounded fractions
+        ones.push_back(1);
+        phase.push_back(step.phase - begin);
+        offset.push_back(step.offset[0] * std::cos(c.rolling->angle) +
+                         step.offset[1] * std::sin(c.rolling->angle));
+        shift.push_back(step.shift[0]);
+    }
+    return statistics::fit_linear({ones, phase, offset}, shift).parameters[2].value;
+}
+
+Estimate pivot_height(const ExperimentEvaluation& e, double own_wobble) {
+    const Estimate& measured = e.wobble->at_confidence;
+    return {e.normalised->radius * (measured.value - own_wobble),
+            e.normalised->radius * measured.standard_error};
 }
 
 }  // namespace tricontact::experiments

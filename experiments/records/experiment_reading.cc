@@ -15,13 +15,13 @@ using contact::State;
 using Standing = report::Verdict::Standing;
 
 // "217.9 ± 0.3 um" with the half width of the interval.
-std::string shift(const statistics::Estimate& e) {
-    return report::with_error(1e6 * e.value, 1e6 * (e.high - e.low) / 2, 4) + " µm";
+std::string shift(const Estimate& e) {
+    return report::with_error(1e6 * e.value, 1e6 * e.half_width(), 4) + " µm";
 }
 std::string shift(const Repeated& r) {
     return shift(r.at_confidence);
 }
-std::string between(const statistics::Estimate& e) {
+std::string between(const Estimate& e) {
     return fmt::format("between {} and {}", report::significant(1e6 * e.low, 3),
                        report::significant(1e6 * e.high, 3));
 }
@@ -30,8 +30,8 @@ std::string level(double confidence) {
     return fmt::format("{:.4g} %", 100 * confidence);
 }
 
-std::string runs(int n) {
-    return n == 1 ? "one run" : fmt::format("{} runs", n);
+std::string runs(const ExperimentEvaluation& e) {
+    return e.runs.size() == 1 ? "one run" : fmt::format("{} runs", e.runs.size());
 }
 
 int count(const ExperimentEvaluation& e, State StageEvaluation::*verdict, State state) {
@@ -49,27 +49,27 @@ const StageEvaluation& largest_walk(const ExperimentEvaluation& e) {
 
 std::string walk(const ExperimentEvaluation& e) {
     const StageEvaluation& stage = largest_walk(e);
-    const statistics::Estimate& increment = stage.settling.increment;
+    const Estimate& increment = stage.settling.increment;
     if (e.state == State::ratcheting)
-        return fmt::format("the steady walk beside the transient is {} per period ({})",
+        return fmt::format("the residual ratcheting beside the transient is {} per period ({})",
                            shift(increment), level(verdict_confidence));
     if (e.state == State::undecided)
-        return fmt::format("the steady walk beside the transient is {} µm per period ({})",
+        return fmt::format("the residual ratcheting beside the transient is {} µm per period ({})",
                            between(increment), level(verdict_confidence));
     const double added = std::max(0., increment.high * stage.periods());
-    return fmt::format("a steady walk adds at most {:.2g} % of the shift in {} periods ({})",
-                       100 * added / std::abs(stage.shift.back()), stage.periods(),
-                       level(verdict_confidence));
+    return fmt::format(
+        "residual ratcheting contributes at most {:.2g} % of the shift in {} periods ({})",
+        100 * added / std::abs(stage.shift.back()), stage.periods(), level(verdict_confidence));
 }
 
 report::Verdict state_verdict(const ExperimentEvaluation& e) {
-    const int n = static_cast<int>(e.runs.size());
+    const std::size_t n = e.runs.size();
     const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
     if (e.state == State::undecided)
         return {Standing::cannot_tell,
                 fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
                             "{} settle and {} ratchet.",
-                            e.periods, walk(e), runs(n),
+                            e.periods, walk(e), runs(e),
                             count(e, &StageEvaluation::by_walk, State::shakedown),
                             count(e, &StageEvaluation::by_walk, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
@@ -80,7 +80,7 @@ report::Verdict state_verdict(const ExperimentEvaluation& e) {
 }
 
 report::Verdict curvature_verdict(const ExperimentEvaluation& e) {
-    const statistics::Estimate& c = e.runs.front().stages.front().curvature;
+    const Estimate& c = e.runs.front().stages.front().curvature;
     const State state = e.runs.front().stages.front().by_curvature;
     std::string sentence = fmt::format(
         "The thesis' criterion, the curvature of a parabola through U(t) (5.1.5-5.1.8), says "
@@ -95,9 +95,8 @@ report::Verdict curvature_verdict(const ExperimentEvaluation& e) {
 }
 
 report::Verdict values_verdict(const ExperimentEvaluation& e) {
-    const std::string scatter = e.runs.size() > 1
-                                    ? "by the scatter of " + runs(static_cast<int>(e.runs.size()))
-                                    : "of one run, by noise and drift";
+    const std::string scatter =
+        e.runs.size() > 1 ? "by the scatter of " + runs(e) : "of one run, by noise and drift";
     std::string sentence = fmt::format("u_stat = {}, ", shift(e.static_shift));
     if (e.kind == Experiment::Kind::ratcheting)
         sentence += fmt::format("Du = {} per period ({}, {}).", shift(e.increment),
@@ -115,7 +114,7 @@ report::Verdict limit_verdict(const ExperimentEvaluation& e) {
             Standing::cannot_tell,
             "No run has an amplitude that shakes down and a larger one that ratchets: the limit "
             "is not in the record."};
-    const statistics::Estimate& w = e.limit_amplitude->at_confidence;
+    const Estimate& w = e.limit_amplitude->at_confidence;
     const auto& first = **std::ranges::find_if(e.limits, [](const auto& l) { return bool(l); });
     const double ratio_limit = first.amplitude_low / w.value;
     return {Standing::finding,
@@ -123,9 +122,8 @@ report::Verdict limit_verdict(const ExperimentEvaluation& e) {
                         "and the first that ratchets. Read as the last that shakes down it would "
                         "be {} mm, half a step lower: {} from the middle. U_lim = {} where the "
                         "straight lines through both intervals meet (5.1.9, 5.1.10).",
-                        report::with_error(1e3 * w.value, 1e3 * (w.high - w.low) / 2, 4),
-                        e.limit_amplitude->runs, runs(static_cast<int>(e.runs.size())),
-                        level(e.confidence),
+                        report::with_error(1e3 * w.value, 1e3 * w.half_width(), 4),
+                        e.limit_amplitude->runs, runs(e), level(e.confidence),
                         report::significant(1e3 * e.last_shakedown->at_confidence.value, 4),
                         report::percent(ratio_limit), shift(*e.limit_shift))};
 }
@@ -143,7 +141,16 @@ std::string why_not_compared(const Deviation& d) {
         report::significant(1e6 * d.creep, 2));
 }
 
-report::Verdict deviation_verdict(const Deviation& d) {
+/// Of what differs.
+std::string difference_text(const Deviation& d, double confidence) {
+    const Estimate difference =
+        statistics::with_interval(d.measured.value - d.predicted.value,
+                                  std::hypot(d.measured.half_width(), d.predicted.half_width()), 1);
+    return fmt::format("measured minus computed: {} ({}): they differ", shift(difference),
+                       level(confidence));
+}
+
+report::Verdict deviation_verdict(const Deviation& d, double confidence) {
     const auto differs = d.differs();
     const Standing standing = !differs   ? Standing::cannot_tell
                               : *differs ? Standing::fails
@@ -154,7 +161,7 @@ report::Verdict deviation_verdict(const Deviation& d) {
             fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
                         d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
                         !differs   ? why_not_compared(d)
-                        : *differs ? "the intervals exclude each other: they differ"
+                        : *differs ? difference_text(d, confidence)
                                    : "the intervals overlap")};
 }
 
@@ -207,7 +214,7 @@ report::Verdict model_limit_verdict(const ExperimentEvaluation& e, const Predict
     report::Verdict v{Standing::finding,
                       fmt::format("{}: W_lim {}", report::display_name(limit.model), range)};
     if (e.limit_amplitude) {
-        const statistics::Estimate& w = e.limit_amplitude->at_confidence;
+        const Estimate& w = e.limit_amplitude->at_confidence;
         // Stages of runs agree to 1 %, so that neighbouring intervals only touch.
         const bool overlap = low < 0.99 * w.high && high > 1.01 * w.low;
         v.standing = overlap ? Standing::holds : Standing::fails;
@@ -224,30 +231,30 @@ report::Verdict drift_verdict(const ExperimentEvaluation& e) {
             fmt::format("The drift before and after the rolling differs in {} of {} by more than "
                         "three standard errors: it is not linear, or the substrate still creeps; "
                         "the errors are widened by the difference.",
-                        changes, runs(static_cast<int>(e.runs.size())))};
+                        changes, runs(e))};
 }
 
-std::string slope(const statistics::Estimate& e) {
-    return report::with_error(mm * e.value, mm * (e.high - e.low) / 2, 3) + " µm/mm";
+std::string slope(const Estimate& e) {
+    return report::with_error(mm * e.value, mm * e.half_width(), 3) + " µm/mm";
 }
 
-/// What a height of the pivot over the contact is, as far as it is more than its error.
-std::string pivot_text(const statistics::Uncertain& height) {
+/// Where the pivot is over the contact, as far as that is more than its error.
+std::string pivot_text(const Estimate& height) {
     const std::string size =
         report::with_error(1e6 * std::abs(height.value), 1e6 * height.standard_error, 3) + " µm";
     if (std::abs(height.value) <= height.standard_error)
-        return "no more than a pivot level with the contact to " + size;
-    return fmt::format("a pivot {} too {}", size, height.value > 0 ? "high" : "low");
+        return "the pivot is level with the contact to " + size;
+    return fmt::format("the pivot sits {} too {}", size, height.value > 0 ? "high" : "low");
 }
 
 report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
-    const statistics::Uncertain height = pivot_height(e, p.wobble);
-    return {Standing::finding,
-            fmt::format("The shift follows the drive by {}, of which {} has {} itself; the rest "
-                        "corresponds to "
-                        "{} (5.1.11, one standard error).",
-                        slope(e.wobble->at_confidence), report::display_name(p.model),
-                        report::significant(mm * p.wobble, 3), pivot_text(height))};
+    const Estimate height = pivot_height(e, p.wobble);
+    return {
+        Standing::finding,
+        fmt::format("The shift follows the drive by {}, of which {} has {} itself; by the rest {} "
+                    "(5.1.11, one standard error).",
+                    slope(e.wobble->at_confidence), report::display_name(p.model),
+                    report::significant(mm * p.wobble, 3), pivot_text(height))};
 }
 
 }  // namespace
@@ -265,7 +272,8 @@ std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e) 
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
     } else {
         verdicts = {state_verdict(e), values_verdict(e), curvature_verdict(e)};
-        for (const Deviation& d : e.deviations) verdicts.push_back(deviation_verdict(d));
+        for (const Deviation& d : e.deviations)
+            verdicts.push_back(deviation_verdict(d, e.confidence));
         if (e.rolled_as.hold) verdicts.push_back(rest_verdict(e));
         for (const ModelPrediction& p : e.predictions)
             if (e.wobble && std::abs(p.wobble) > e.wobble->at_confidence.standard_error)

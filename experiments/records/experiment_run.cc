@@ -8,7 +8,7 @@
 #include "contact/error.h"
 #include "contact/verdict.h"
 #include "experiments/records/drive_timeline.h"
-#include "experiments/records/repeats.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::experiments {
 
@@ -51,7 +51,7 @@ RecordNoise noise_of(const Part& rest, double resolution) {
     return {residuals, resolution};
 }
 
-Drift drift_of(const Part& rest, const RecordNoise& noise) {
+Estimate drift_of(const Part& rest, const RecordNoise& noise) {
     const auto weights = weights_of_slope(rest.time);
     return {weighted(weights, rest.shift), noise.standard_error(weights)};
 }
@@ -157,21 +157,17 @@ class Corrections {
     double reference_ = 0;  // where the drift has no error [s]
 };
 
-// An error of the drift is one of the walk.
-void widen(statistics::Estimate& e, double error, double t) {
-    e.low = e.value - std::hypot(e.value - e.low, t * error);
-    e.high = e.value + std::hypot(e.high - e.value, t * error);
-    e.standard_error = std::hypot(e.standard_error, error);
-}
-
 void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples,
            double confidence) {
     stage.settling = fit_settling(stage.shift, verdict_confidence);
     stage.increment = late_increment(stage.shift, confidence);
+    // An error of the drift is one of the walk.
     const double drift = run.drift.standard_error * stage.period;
-    widen(stage.settling.increment, drift,
-          statistics::student_t(verdict_confidence, run.degrees_of_freedom));
-    widen(stage.increment, drift, statistics::student_t(confidence, run.degrees_of_freedom));
+    const auto half = [&](double level) {
+        return statistics::student_t(level, run.degrees_of_freedom) * drift;
+    };
+    stage.settling.increment.widen(drift, half(verdict_confidence));
+    stage.increment.widen(drift, half(confidence));
     stage.curvature = normalised_curvature(stage.time, stage.shift, verdict_confidence);
     stage.sampled_curvature =
         normalised_curvature(samples.time, samples.shift, verdict_confidence).value;
@@ -180,8 +176,8 @@ void judge(StageEvaluation& stage, const RunEvaluation& run, const Part& samples
 }
 
 // What goes with the offset in each period of the second half, beside a straight line in time.
-statistics::Estimate wobble_of(const DriveTimeline::Stage& stage, const Corrections& corrections,
-                               double confidence) {
+Estimate wobble_of(const DriveTimeline::Stage& stage, const Corrections& corrections,
+                   double confidence) {
     std::vector<double> slopes;
     for (std::size_t n = stage.upright.size() / 2; n + 1 < stage.upright.size(); ++n) {
         const Part part = corrections.rest(stage.upright[n], stage.upright[n + 1]);
@@ -191,7 +187,7 @@ statistics::Estimate wobble_of(const DriveTimeline::Stage& stage, const Correcti
         slopes.push_back(
             statistics::fit_linear({ones, time, part.offset}, part.shift).parameters[2].value);
     }
-    return mean_of(slopes, confidence);
+    return statistics::mean_of(slopes, confidence);
 }
 
 void check_stages(const Record& record, const Experiment& experiment,
@@ -214,12 +210,12 @@ void check_stages(const Record& record, const Experiment& experiment,
 
 }  // namespace
 
-State judge_walk(const statistics::Estimate& increment, int periods, double last_shift) {
+State judge_walk(const Estimate& increment, int periods, double last_shift) {
     return contact::state_of(increment.low, increment.high,
                              negligible_walk * std::abs(last_shift) / periods);
 }
 
-statistics::Estimate late_increment(const std::vector<double>& shift, double confidence) {
+Estimate late_increment(const std::vector<double>& shift, double confidence) {
     const std::size_t first = (shift.size() - 1) / 2;
     std::vector<double> ones, count,
         late(shift.begin() + static_cast<std::ptrdiff_t>(first), shift.end());

@@ -30,33 +30,27 @@ struct StageEvaluation {
     std::vector<double> noise_error;  ///< of these by noise alone [m]
     std::vector<double> drift_time;   ///< times the drift's error is its part of them [s]
     SettlingFit settling;             ///< at verdict_confidence; drift's error included
-    statistics::Estimate curvature;   ///< of period values, at verdict_confidence [-]
+    Estimate curvature;               ///< of period values, at verdict_confidence [-]
     double sampled_curvature = 0;     ///< of all samples, as the thesis takes it [-]
-    statistics::Estimate increment;   ///< Du: slope of the second half, `confidence` [m]
+    Estimate increment;               ///< Du: slope of the second half, `confidence` [m]
     /// Undecided: cannot tell. By the curvature's interval on one side of 0 (5.1.7, 5.1.8).
     contact::State by_walk{}, by_curvature{};
 
     int periods() const { return static_cast<int>(shift.size()) - 1; }
 };
 
-/// A slope of the rest with its standard error [m/s].
-struct Drift {
-    double value = 0, standard_error = 0;
-};
-
 /// One record evaluated.
 struct RunEvaluation {
     std::string name;
     std::vector<StageEvaluation> stages;
-    RecordNoise noise;           ///< of the rest before rolling
-    double rest = 0;             ///< under F_T before rolling, as far as recorded [s]
-    bool rest_is_whole = false;  ///< the record says when F_T was applied
-    Drift before;                ///< of the rest before rolling
-    std::optional<Drift> after;  ///< of the rest after it
-    Drift drift;                 ///< what was subtracted: mean of both
-    bool drift_changes = false;  ///< both differ by more than three standard errors
-    std::optional<statistics::Estimate>
-        wobble;                       ///< dU/dW of the second half of the periods [-], one stage
+    RecordNoise noise;                ///< of the rest before rolling
+    double rest = 0;                  ///< under F_T before rolling, as far as recorded [s]
+    bool rest_is_whole = false;       ///< the record says when F_T was applied
+    Estimate before;                  ///< slope of the rest before rolling [m/s]
+    std::optional<Estimate> after;    ///< of the rest after it
+    Estimate drift;                   ///< what was subtracted: mean of both
+    bool drift_changes = false;       ///< both differ by more than three standard errors
+    std::optional<Estimate> wobble;   ///< dU/dW of the second half of the periods [-], one stage
     std::vector<double> time, shift;  ///< the record, corrected as above [s], [m]
     int degrees_of_freedom = 0;       ///< of the noise: independent samples of the rest, less two
 };
@@ -68,9 +62,9 @@ RunEvaluation evaluate_run(const Record& record, const Experiment& experiment);
 
 /// Verdict by the walk: shakedown if the upper end of its interval adds less than negligible_walk
 /// of the last shift over the interval; else ratcheting if the lower end is positive.
-contact::State judge_walk(const statistics::Estimate& increment, int periods, double last_shift);
+contact::State judge_walk(const Estimate& increment, int periods, double last_shift);
 
 /// Slope of the straight line through the second half of the shifts at the ends of periods.
-statistics::Estimate late_increment(const std::vector<double>& shift, double confidence);
+Estimate late_increment(const std::vector<double>& shift, double confidence);
 
 }  // namespace tricontact::experiments

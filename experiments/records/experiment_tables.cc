@@ -1,28 +1,27 @@
-#include "experiments/records/experiment_tables.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <limits>
 
 #include "experiments/records/experiment_report.h"
+#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-report::WithError with_half_width(const statistics::Estimate& e, double factor) {
-    return {factor * e.value, factor * (e.high - e.low) / 2};
+report::WithError with_half_width(const Estimate& e, double factor) {
+    return {factor * e.value, factor * e.half_width()};
 }
 
-std::string interval(const statistics::Estimate& e, double factor) {
+std::string interval(const Estimate& e, double factor) {
     return report::significant(factor * e.low, 3) + " to " +
            report::significant(factor * e.high, 3);
 }
 
 // An error of 0 is one that nobody stated.
-report::Cell with_stated_error(const statistics::Uncertain& u, double factor) {
+report::Cell with_stated_error(const Estimate& u, double factor) {
     if (u.standard_error == 0) return factor * u.value;
     return report::WithError{factor * u.value, factor * u.standard_error};
 }
@@ -48,7 +47,8 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
             "u_sd: upright after the last period. u_inf: where the transient of "
             "the second half of the periods leads. Du: slope over the second "
             "half of the periods.",
-        .columns = {{"quantity"}, {percents(e.confidence) + " [µm]"}, {"95 % [µm]"}, {"runs", 1}}};
+        .columns =
+            report::columns("quantity", percents(e.confidence) + " [µm]", "95 % [µm]", "runs:1")};
     const auto add = [&](const char* name, const Repeated& r) {
         table.rows.push_back({name, with_half_width(r.at_confidence, um),
                               with_half_width(r.at_95, um), double(r.runs)});
@@ -71,8 +71,8 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
             "case's numbers, first order, independent; F_T and W are what the "
             "rig sets. Errors of the case: " +
             numbers_with_errors(e) + ".",
-        .columns = {{"quantity"}, {"value"}}};
-    const auto add = [&](const char* name, const statistics::Uncertain& u, double factor = 1) {
+        .columns = report::columns("quantity", "value")};
+    const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
         table.rows.push_back({name, with_stated_error(u, factor)});
     };
     add("f_T = F_T/(μ F_N)", n.tangential_ratio);
@@ -97,12 +97,8 @@ report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
         .note = percents(e.confidence) +
                 " intervals; of a model by the errors of the case's numbers: " +
                 numbers_with_errors(e) + ". They differ if the intervals exclude each other.",
-        .columns = {{"model"},
-                    {"quantity"},
-                    {"measured [µm]"},
-                    {"computed [µm]"},
-                    {"deviation of the measured"},
-                    {"differs"}}};
+        .columns = report::columns("model", "quantity", "measured [µm]", "computed [µm]",
+                                   "deviation of the measured", "differs")};
     for (const Deviation& d : e.deviations)
         table.rows.push_back({report::display_name(d.model), d.quantity,
                               with_half_width(d.measured, um),
@@ -124,15 +120,9 @@ report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
                 "noise: what their errors explain. Curvature of all samples: as "
                 "the thesis takes it, without an interval, since neighbours in the "
                 "record are not independent.",
-        .columns = {{"run"},
-                    {"walk Du [µm]"},
-                    {"verdict by the walk"},
-                    {"q", 2},
-                    {"residual [µm]", 2},
-                    {"noise [µm]", 2},
-                    {"curvature"},
-                    {"verdict by it"},
-                    {"curvature of all samples", 3}}};
+        .columns = report::columns("run", "walk Du [µm]", "verdict by the walk", "q:2",
+                                   "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
+                                   "curvature of all samples:3")};
     for (const RunEvaluation& run : e.runs) {
         const StageEvaluation& s = run.stages.front();
         table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
@@ -148,13 +138,8 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
         .id = "stages",
         .title = "Verdict per amplitude",
         .note = "Walk and curvature: intervals at " + percents(verdict_confidence) + ".",
-        .columns = {{"run"},
-                    {"W [mm]"},
-                    {"periods"},
-                    {"walk Du [µm]"},
-                    {"verdict by the walk"},
-                    {"curvature"},
-                    {"verdict by it"}}};
+        .columns = report::columns("run", "W [mm]", "periods", "walk Du [µm]",
+                                   "verdict by the walk", "curvature", "verdict by it")};
     for (const RunEvaluation& run : e.runs)
         for (const StageEvaluation& s : run.stages)
             table.rows.push_back({run.name, mm * s.amplitude, double(s.periods()),
@@ -168,7 +153,8 @@ report::DocumentTable limits_table(const ExperimentEvaluation& e) {
         .id = "limits",
         .title = "Limit per run",
         .note = "U_lim: where the lines meet, half width of its interval behind ±.",
-        .columns = {{"run"}, {"last shakedown [mm]"}, {"first ratcheting [mm]"}, {"U_lim [µm]"}}};
+        .columns =
+            report::columns("run", "last shakedown [mm]", "first ratcheting [mm]", "U_lim [µm]")};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < e.runs.size(); ++i) {
         const auto& limit = e.limits[i];
@@ -207,9 +193,9 @@ report::DocumentTable wobble_table(const ExperimentEvaluation& e) {
             "wobble of its own; by what the measured one has beside it the "
             "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
             "standard error behind ±.",
-        .columns = {{"beside"}, {"its own dU/dW [µm/mm]"}, {"Dh of the rest [µm]"}}};
+        .columns = report::columns("beside", "its own dU/dW [µm/mm]", "Dh of the rest [µm]")};
     const auto add = [&](const std::string& name, double own) {
-        const statistics::Uncertain height = pivot_height(e, own);
+        const Estimate height = pivot_height(e, own);
         table.rows.push_back({name, um / mm * own,
                               report::WithError{um * height.value, um * height.standard_error}});
     };
@@ -229,16 +215,12 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
             "shift follows the drive by, dU/dW = Δh/R (5.1.11), half width of "
             "its interval behind ±; it vanishes upright. It holds "
             "what the contact itself does in step with the drive.",
-        .columns = {{"run"},
-                    {"resolution [nm]", 3},
-                    {"noise [nm]", 3},
-                    {"correlated samples", 2},
-                    {"drift before [nm/s]", 3},
-                    {"drift after [nm/s]", 3},
-                    {"wobble [µm/mm]", 3}}};
+        .columns =
+            report::columns("run", "resolution [nm]:3", "noise [nm]:3", "correlated samples:2",
+                            "drift before [nm/s]:3", "drift after [nm/s]:3", "wobble [µm/mm]:3")};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const RunEvaluation& run : e.runs) {
-        const Drift after = run.after.value_or(Drift{nan, nan});
+        const Estimate after = run.after.value_or(Estimate{nan, nan});
         table.rows.push_back(
             {run.name, nm * run.noise.resolution(), nm * run.noise.standard_deviation(),
              run.noise.correlated_samples(),

@@ -44,14 +44,14 @@ double unit_variance(const statistics::Fit& fit, std::size_t k) {
 }
 
 // q is a parameter too: one degree of freedom less than of a slice.
-statistics::Estimate profile(const std::vector<Slice>& all, std::size_t k, double confidence) {
+Estimate profile(const std::vector<Slice>& all, std::size_t k, double confidence) {
     const Slice& best = best_of(all);
     const int freedom = best.fit.degrees_of_freedom - 1;
     const double t = statistics::student_t(confidence, freedom);
     const double least = best.fit.residual_sum_of_squares;
     const double most = least * (1 + t * t / freedom);
-    statistics::Estimate e{best.fit.parameters[k].value, 0, std::numeric_limits<double>::infinity(),
-                           -std::numeric_limits<double>::infinity()};
+    Estimate e{best.fit.parameters[k].value, 0, std::numeric_limits<double>::infinity(),
+               -std::numeric_limits<double>::infinity()};
     for (const Slice& slice : all) {
         if (slice.fit.residual_sum_of_squares > most) continue;
         const double left = most - slice.fit.residual_sum_of_squares;
@@ -85,8 +85,8 @@ SettlingFit fit_settling(const std::vector<double>& shift, double confidence) {
     return result;
 }
 
-statistics::Estimate normalised_curvature(const std::vector<double>& time,
-                                          const std::vector<double>& shift, double confidence) {
+Estimate normalised_curvature(const std::vector<double>& time, const std::vector<double>& shift,
+                              double confidence) {
     const double rise = shift.back() - shift.front(), duration = time.back() - time.front();
     std::vector<double> ones(time.size(), 1.), t, tt, u;
     for (std::size_t i = 0; i < time.size(); ++i) {
@@ -96,8 +96,7 @@ statistics::Estimate normalised_curvature(const std::vector<double>& time,
     }
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (rise == 0) return {nan, nan, nan, nan};
-    statistics::Estimate e =
-        statistics::fit_linear({ones, t, tt}, u, {.confidence = confidence}).parameters[2];
+    Estimate e = statistics::fit_linear({ones, t, tt}, u, {.confidence = confidence}).parameters[2];
     for (double* value : {&e.value, &e.standard_error, &e.low, &e.high}) *value *= 2;
     return e;
 }

@@ -6,6 +6,8 @@
 
 namespace tricontact::experiments {
 
+using statistics::Estimate;
+
 /// Shift at the ends of periods as a transient that dies out geometrically and a steady walk:
 ///   u_n = limit - A q^n + increment n,   n = 0 ... N.
 /// Estimates with intervals by the profile of the sum of squares over q in [0, 0.95] (slower
@@ -13,10 +15,10 @@ namespace tricontact::experiments {
 /// minimum, t Student's. Asymmetric, finite whatever q, and wide where walk and transient cannot be
 /// told apart. Standard error: half the width over t.
 struct SettlingFit {
-    statistics::Estimate increment;  ///< Du per period of the steady walk [m]
+    Estimate increment;  ///< Du per period of the steady walk [m]
     /// The limit without a walk, from the second half of the periods [m]: a contact settles by
     /// several transients, of which the slowest is left there.
-    statistics::Estimate settled;
+    Estimate settled;
     double ratio = 0;               ///< q of the fit with a walk
     std::vector<double> fitted;     ///< of that fit [m]
     double residual_deviation = 0;  ///< of that fit [m]
@@ -33,7 +35,7 @@ SettlingFit fit_settling(const std::vector<double>& shift, double confidence);
 /// shift and time, both normalised to run from 0 to 1 in the interval. Negative is taken for
 /// shakedown, positive for ratcheting. NaN if the shift is the same at both ends.
 /// The interval is Student's, for independent errors: for values at the ends of periods.
-statistics::Estimate normalised_curvature(const std::vector<double>& time,
-                                          const std::vector<double>& shift, double confidence);
+Estimate normalised_curvature(const std::vector<double>& time, const std::vector<double>& shift,
+                              double confidence);
 
 }  // namespace tricontact::experiments

@@ -1,5 +1,3 @@
-#include "experiments/records/shift_period.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <vector>
 
 #include "contact/error.h"
+#include "experiments/records/drive_timeline.h"
 
 namespace tricontact::experiments {
 

@@ -104,7 +104,7 @@ refused "without a column drive its start and number of periods must be known"
 # 5. Without the drive its period is found, or given.
 write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12'
 expect 0 data.toml --output found --quiet
-says "Shakedown: a steady walk adds at most" out
+says "Shakedown: residual ratcheting contributes at most" out
 write 'kind = "shakedown"' 'runs = ["run.csv"]' '[drive]' 'start = "30 s"' 'periods = 12' \
     'amplitude = "1.0807 mm"' 'speed = "1 mm/s"'
 expect 0 data.toml --output given --quiet

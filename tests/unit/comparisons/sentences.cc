@@ -6,7 +6,7 @@
 
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/half_space/layer_report.h"
-#include "comparisons/quantities/model_assumptions.h"
+#include "comparisons/quantities/reference.h"
 #include "comparisons/run/figures.h"
 #include "comparisons/run/loading_report.h"
 #include "comparisons/run/reading.h"

@@ -11,7 +11,7 @@ namespace {
 
 // JCGM 100:2008, H.2: resistance, reactance and impedance from five simultaneous readings of
 // voltage, current and phase; tables H.2 (means, errors, correlations) and H.3 (results).
-const std::vector<Uncertain> readings = {
+const std::vector<Estimate> readings = {
     {4.9990, 0.0032}, {19.6610e-3, 0.0095e-3}, {1.04446, 0.00075}};
 const std::vector<std::vector<double>> correlation = {
     {1, -0.36, 0.86}, {-0.36, 1, -0.65}, {0.86, -0.65, 1}};
@@ -33,7 +33,7 @@ TEST(ErrorPropagation, EqualsTheExampleOfTheGuideWithCorrelatedQuantities) {
 }
 
 TEST(ErrorPropagation, RelativeErrorsOfAPowerLawAddInSquares) {
-    const std::vector<Uncertain> x = {{3e9, 3e7}, {2e-6, 1e-7}, {5, 0}};
+    const std::vector<Estimate> x = {{3e9, 3e7}, {2e-6, 1e-7}, {5, 0}};
     const auto p = propagate([](const auto& v) { return v[0] * std::pow(v[1], -2) * v[2]; }, x);
     const double relative = p.result.standard_error / p.result.value;
     EXPECT_NEAR(relative, std::hypot(0.01, 2 * 0.05), 1e-9);
@@ -43,7 +43,7 @@ TEST(ErrorPropagation, RelativeErrorsOfAPowerLawAddInSquares) {
 }
 
 TEST(ErrorPropagation, FullyCorrelatedErrorsCancelInADifference) {
-    const std::vector<Uncertain> x = {{7, 0.5}, {4, 0.5}};
+    const std::vector<Estimate> x = {{7, 0.5}, {4, 0.5}};
     const auto difference = [](const auto& v) { return v[0] - v[1]; };
     EXPECT_NEAR(propagate(difference, x).result.standard_error, std::sqrt(0.5), 1e-9);
     EXPECT_NEAR(propagate(difference, x, {{1, 1}, {1, 1}}).result.standard_error, 0, 1e-6);

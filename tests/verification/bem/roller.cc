@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bem/model.h"
-#include "comparisons/half_space/roller_ends.h"
+#include "comparisons/quantities/roller_ends.h"
 #include "contact/load_path.h"
 #include "contact/run.h"
 #include "theory/line_contact.h"

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "comparisons/half_space/deviation_output.h"
-#include "comparisons/half_space/deviation_rows.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -145,24 +144,25 @@ std::vector<RolledResult> made_up(const RolledAmplitudes& amplitudes, double fac
     return results;
 }
 
-std::optional<RolledRatio> of(const RolledDeviation& deviation, RolledQuantity q) {
-    return deviation.ratios.at(static_cast<std::size_t>(q));
+std::optional<RolledRatio> of(const RolledDeviation& deviation, const Quantity* q) {
+    const RolledRatio* ratio = found(deviation.ratios, q);
+    return ratio ? std::optional(*ratio) : std::nullopt;
 }
 
 TEST(RolledDeviation, IsTheFinestRatioWithTheSpreadOfTheLevels) {
     const auto found = rolled_deviations(made_up(rolled_amplitudes(.24, .56), .9, .01, .004));
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found.front().state, State::shakedown);
-    const auto settled = of(found.front(), RolledQuantity::settled_shift_ratio);
+    const auto settled = of(found.front(), &quantities::settled_shift_ratio);
     EXPECT_NEAR(settled->value, .9, 1e-12);
     EXPECT_NEAR(settled->error, .01, 1e-12);
-    const auto increment = of(found.front(), RolledQuantity::shift_increment_ratio);
+    const auto increment = of(found.front(), &quantities::shift_increment_ratio);
     EXPECT_NEAR(increment->value, .9, 1e-12);
     EXPECT_NEAR(increment->error, .01 + 2 * .004, 1e-12);
     const double u = *theory::settled_shift_ratio(.24, .56, 1.1);
-    EXPECT_NEAR(of(found.front(), RolledQuantity::kappa)->value,
+    EXPECT_NEAR(of(found.front(), &quantities::kappa)->value,
                 theory::mapping_parameter(.24, .56, .9 * u) / 1.1, 1e-12);
-    EXPECT_NEAR(of(found.front(), RolledQuantity::eta)->value, .9, 1e-12);
+    EXPECT_NEAR(of(found.front(), &quantities::eta)->value, .9, 1e-12);
 }
 
 TEST(RolledDeviation, HasNoSettledShiftOfWhatRatchetsOrFailed) {
@@ -175,17 +175,17 @@ TEST(RolledDeviation, HasNoSettledShiftOfWhatRatchetsOrFailed) {
         return rolled_deviations(results).front();
     };
     const auto ratchets = change([](auto& v) { v = values(.4, 5, .1, State::ratcheting); });
-    EXPECT_FALSE(of(ratchets, RolledQuantity::settled_shift));
-    EXPECT_TRUE(of(ratchets, RolledQuantity::static_shift));
+    EXPECT_FALSE(of(ratchets, &quantities::settled_shift));
+    EXPECT_TRUE(of(ratchets, &quantities::static_shift));
     EXPECT_EQ(ratchets.state, State::ratcheting);
     // What slips to and fro for ever without getting on has settled.
     const auto slips = change([](auto& v) { v = values(.4, .6, 1e-8, State::cyclic_slip); });
-    EXPECT_TRUE(of(slips, RolledQuantity::settled_shift));
+    EXPECT_TRUE(of(slips, &quantities::settled_shift));
     const auto creeps = change([](auto& v) { v = values(.4, .6, 1e-3, State::undecided); });
-    EXPECT_FALSE(of(creeps, RolledQuantity::settled_shift));
+    EXPECT_FALSE(of(creeps, &quantities::settled_shift));
     const auto failed = change([](auto& v) { v.reset(); });
-    EXPECT_FALSE(of(failed, RolledQuantity::static_shift));
-    EXPECT_TRUE(of(failed, RolledQuantity::shift_increment));
+    EXPECT_FALSE(of(failed, &quantities::static_shift));
+    EXPECT_TRUE(of(failed, &quantities::shift_increment));
 }
 
 /// As `exact_deviation` and `add_rolled` would make it, with few points.
@@ -202,7 +202,7 @@ HalfSpaceDeviation small_deviation() {
     curve.thickness_ratios = {.5, 100};
     for (const double thickness : curve.thickness_ratios)
         curve.ratios.push_back(exact.ratios(thickness));
-    curve.needed.front() = NeededThicknesses{NeededThickness{1.41}, {}, {}};
+    curve.needed[&quantities::contact_radius] = NeededThicknesses{NeededThickness{1.41}, {}, {}};
     d.map = {{.5, 100}, {.3, .5}, std::vector<ExactRatios>(4, d.here)};
     d.amplitudes = rolled_amplitudes(.24, .56);
     auto results = made_up(d.amplitudes, .9, .01, 0);

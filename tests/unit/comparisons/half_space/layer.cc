@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "comparisons/half_space/layer_report.h"
-#include "comparisons/quantities/summary.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/document.h"
 #include "tests/unit/comparisons/history.h"

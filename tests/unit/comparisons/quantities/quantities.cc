@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "comparisons/quantities/own_limit.h"
 #include "comparisons/quantities/results.h"
+#include "comparisons/quantities/surface_fields.h"
 #include "tests/unit/comparisons/history.h"
 #include "theory/rolling/oscillating_rolling.h"
 

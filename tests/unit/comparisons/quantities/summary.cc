@@ -1,10 +1,9 @@
-#include "comparisons/quantities/summary.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/results.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::summary_test {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "comparisons/quantities/summary.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/loading_report.h"
 #include "comparisons/run/report.h"
 #include "tests/unit/comparisons/document.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "comparisons/quantities/relaxation_study.h"
-#include "comparisons/quantities/summary.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "comparisons/run/report.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "comparisons/quantities/summary.h"
+#include "comparisons/quantities/results.h"
 #include "comparisons/run/figures.h"
 #include "comparisons/run/report_tables.h"
 #include "tests/unit/comparisons/history.h"

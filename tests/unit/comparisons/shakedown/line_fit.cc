@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "comparisons/quantities/surface_fields.h"
-#include "comparisons/shakedown/line_fit_document.h"
+#include "comparisons/shakedown/study_fit.h"
 #include "theory/oscillating_cylinder.h"
 
 namespace tricontact::comparisons::line_fit_test {

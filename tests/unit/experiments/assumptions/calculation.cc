@@ -5,7 +5,7 @@
 
 #include "contact/error.h"
 #include "experiments/assumptions/assumption.h"
-#include "experiments/assumptions/printed.h"
+#include "experiments/assumptions/check_rig.h"
 
 namespace tricontact::calculation_test {
 using namespace experiments;

@@ -25,11 +25,11 @@ RollingRig thesis_cylinder() {
 RollingRig ball_on_polyurethane() {
     RollingRig rig;
     rig.roller = {RollingRig::Shape::sphere, {15e-3}, {}, {206e9}, {0.3}};
-    rig.substrate = {
-        {3e-3}, {25e6}, {0.48}, statistics::Uncertain{1200}, statistics::Uncertain{3e3}, {}};
+    rig.substrate = {{3e-3}, {25e6}, {0.48}, statistics::Estimate{1200}, statistics::Estimate{3e3},
+                     {}};
     rig.friction_coefficient = {0.8};
     rig.normal_force = {12};
-    rig.drive = {{1e-3}, {0.2}, {}, statistics::Uncertain{30}};
+    rig.drive = {{1e-3}, {0.2}, {}, statistics::Estimate{30}};
     return rig;
 }
 
@@ -170,7 +170,7 @@ TEST(RigSentences, InertiaDecidesFromTheEigenfrequencyOn) {
     RollingRig rig = thesis_sphere();
     EXPECT_TRUE(says(
         drive(rig), "changes the motion by 0.0099 %: the fastest oscillation is 100 times slower"));
-    rig.drive.eigenfrequency = statistics::Uncertain{0.1};  // f_0 = 0.219 Hz
+    rig.drive.eigenfrequency = statistics::Estimate{0.1};  // f_0 = 0.219 Hz
     const std::string words = drive(rig);
     EXPECT_TRUE(says(words, "2.19 times as fast")) << words;
     EXPECT_FALSE(says(words, "slower")) << words;
@@ -178,7 +178,7 @@ TEST(RigSentences, InertiaDecidesFromTheEigenfrequencyOn) {
 
 TEST(RigSentences, MeasuredSizesWithoutAnErrorAreNotJudged) {
     RollingRig rig = thesis_sphere();
-    rig.measured_contact_size = statistics::Uncertain{9e-3};
+    rig.measured_contact_size = statistics::Estimate{9e-3};
     const std::string words = contact_of(rig);
     EXPECT_TRUE(says(words, "whose error is not given")) << words;
     for (const char* verdict : {"fits", "cannot tell the two apart"})
@@ -199,7 +199,7 @@ TEST(RigSentences, EndsOfACylinderAreThoseOfItsMaterials) {
     EXPECT_TRUE(says(words, "keep the pressure")) << words;
     EXPECT_FALSE(says(words, "lose")) << words;
     RollingRig barrel = thesis_cylinder();
-    barrel.roller.length = statistics::Uncertain{5e-3};
+    barrel.roller.length = statistics::Estimate{5e-3};
     words = ends(barrel);
     EXPECT_TRUE(says(words, "too short")) << words;
     EXPECT_FALSE(says(words, "of the load inwards")) << words;

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "contact/error.h"
-#include "experiments/records/shift_period.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
 namespace tricontact::experiments::drive_timeline_test {

@@ -4,7 +4,7 @@
 
 #include "contact/error.h"
 #include "experiments/records/experiment_evaluation.h"
-#include "experiments/records/repeats.h"
+#include "statistics/estimate.h"
 #include "tests/unit/experiments/records/synthetic_record.h"
 
 namespace tricontact::experiments::experiment_test {
@@ -320,12 +320,12 @@ TEST(Experiment, WobbleOfAModelIsWhatFollowsTheDrive) {
 
 // Two repeats: t = 1.837 at 68.3 %, 12.71 at 95 % (DIN 1319-3, table F.2: 1.84, 12.71).
 TEST(Repeats, FollowStudent) {
-    const statistics::Estimate e = mean_of({1, 3}, 0.95);
+    const statistics::Estimate e = statistics::mean_of({1, 3}, 0.95);
     EXPECT_EQ(e.value, 2);
     EXPECT_NEAR(e.standard_error, 1, 1e-15);
     EXPECT_NEAR(e.high, 2 + 12.706, 1e-3);
-    EXPECT_NEAR(mean_of({1, 3}, 0.683).high, 2 + 1.839, 2e-3);
-    EXPECT_THROW(mean_of({1}, 0.95), std::invalid_argument);
+    EXPECT_NEAR(statistics::mean_of({1, 3}, 0.683).high, 2 + 1.839, 2e-3);
+    EXPECT_THROW(statistics::mean_of({1}, 0.95), std::invalid_argument);
 }
 
 }  // namespace

@@ -30,9 +30,9 @@ TEST(ExperimentSentences, PivotsAreHighLowOrLevelWithTheContact) {
     ASSERT_TRUE(e.wobble);
     const std::string high = words_beside(e, -0.003), low = words_beside(e, 0.003),
                       level = words_beside(e, 0);
-    EXPECT_TRUE(says(high, "a pivot 120")) << high;
+    EXPECT_TRUE(says(high, "the pivot sits 120")) << high;
     EXPECT_TRUE(says(high, "µm too high (5.1.11")) << high;
-    EXPECT_TRUE(says(low, "a pivot 120")) << low;
+    EXPECT_TRUE(says(low, "the pivot sits 120")) << low;
     EXPECT_TRUE(says(low, "µm too low (5.1.11")) << low;
     EXPECT_FALSE(says(low, "too high")) << low;
     EXPECT_TRUE(says(level, "level with the contact")) << level;

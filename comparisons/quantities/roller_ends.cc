@@ -1,4 +1,4 @@
-#include "comparisons/half_space/roller_ends.h"
+#include "comparisons/quantities/roller_ends.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The outline of a roller's contact, of surfaces whose edges are known.
 
-#include "comparisons/half_space/roller_ends.h"
+#include "comparisons/quantities/roller_ends.h"
 
 #include <gtest/gtest.h>
 
