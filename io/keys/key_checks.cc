@@ -137,7 +137,7 @@ void refuse_missing(const Key& key, const Document& document, const KeyList& key
         remedy += "a section [" + section + "] with ";
     remedy.append(key.name()).append(" = ").append(key.example);
     fail(document.place_of(key.path), "",
-         (group.empty() ? "missing key " : "missing: exactly one of ") + what, remedy);
+         (group.size() < 2 ? "missing key " : "missing: exactly one of ") + what, remedy);
 }
 
 void check_names(const Document& document, const KeyList& keys, const OtherNames& others) {

@@ -159,7 +159,7 @@ refused 'missing key load.normal_force' '/^normal_force/d'
 refused 'layer is a model of a layer, but substrate.thickness is missing' '/thickness/d'
 refused 'nothing is left to be identified' \
     's/^\[load\]/[friction]\ncoefficient = 0.6\n[load]/; s/^poisson = 0.5/poisson = 0.5\nyoung = "5 MPa"/'
-refused 'a measurement has no section [rolling]' '$a [rolling]\namplitude = "1 mm"'
+refused 'a measurement has no key rolling.amplitude' '$a [rolling]\namplitude = "1 mm"'
 refused 'a measurement has no key load.tangential_force' 's/^normal_force.*/&\ntangential_force = "1 N"/'
 refused 'unknown key substrate.poison' 's/^poisson = 0.5/poison = 0.5/'
 refused 'standard_errors.load.normal_force = "0.1 mm"' 's/"0.1 N"/"0.1 mm"/'
