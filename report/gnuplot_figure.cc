@@ -177,12 +177,15 @@ Picture curves_picture(const Figure& figure) {
         most_key_columns;
     const int strips = 24 * static_cast<int>(figure.strips.size());
     const int foot = 76, top = key_line * key_rows + 12, height = foot + strips + 330 + top;
+    std::size_t longest = 6;  // letters of a strip's name, about eight pixels each
+    for (const auto& strip : figure.strips) longest = std::max(longest, strip.name.size());
     const auto from_below = [height](int pixels) { return static_cast<double>(pixels) / height; };
     return {640, height,
             head +
-                fmt::format("set multiplot\nset lmargin at screen 0.12\nset rmargin at screen "
+                fmt::format("set multiplot\nset lmargin at screen {:.4g}\nset rmargin at screen "
                             "0.97\nset tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
                             "set xlabel ''\nset format x ''\n",
+                            (8. * static_cast<double>(longest) + 29) / 640,
                             from_below(height - top), from_below(foot + strips + 6)) +
                 parts.plot() +
                 fmt::format("set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
