@@ -9,6 +9,8 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "io/case/case_writer.h"
+#include "io/keys/file_kind.h"
 #include "walking/input/walk_reader.h"
 
 namespace {
@@ -16,6 +18,7 @@ namespace {
 std::string resolved_text(std::string_view text, const std::string& name,
                           const std::vector<std::string>& overrides = {}) {
     using namespace tricontact::io;
+    using namespace tricontact::walking;
     if (is_walk_case(parse_document(text, name)))
         return write_walk_case(parse_walk_case(text, name, overrides));
     return write_case(parse_case(text, name, overrides));
