@@ -92,8 +92,8 @@ std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& 
         const RolledBody reference{.poisson = layer.body.poisson, .coupled = layer.body.coupled};
         const auto half_space = std::find_if(
             bodies.begin(), bodies.end(), [&](const BodyValues& b) { return b.body == reference; });
-        RolledDeviation& deviation =
-            deviations.emplace_back(layer.body, RolledRatios{}, layer.state, std::nullopt);
+        RolledDeviation& deviation = deviations.emplace_back(
+            RolledDeviation{layer.body, RolledRatios{}, layer.state, std::nullopt});
         if (half_space == bodies.end()) continue;
         deviation.half_space_state = half_space->state;
         for (const Quantity* q : rolled_quantities())

@@ -9,8 +9,7 @@
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/case/case_writer.h"
-#include "io/keys/file_kind.h"
+#include "io/keys/input_file.h"
 #include "walking/input/walk_reader.h"
 
 namespace {
