@@ -67,8 +67,8 @@ struct Case {
         };
         std::optional<double> thickness;  ///< b [m]
         Base base = Base::bonded;         ///< what the lowest layer rests on
-        std::optional<double> width;      ///< along x [m]; empty: wide enough
-        std::optional<double> depth;      ///< along y [m]; empty: wide enough
+        std::optional<double> width;      ///< along x [m]; empty: unbounded
+        std::optional<double> depth;      ///< along y [m]; empty: unbounded
         std::vector<Lower> lower;         ///< further elastic layers below, from the top down
         std::optional<Material> ground;   ///< the half-space of Base::half_space
 
@@ -228,9 +228,9 @@ bool has_conical_tip(const Case& c);
 /// W [m] of the case, `reference_radius` being the contact radius that a ratio refers to [m].
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius);
 
-/// Whether the pressure falls from the centre on, as Hertz' does: not under power laws of n > 2,
-/// punches and rough bodies, and of the profile of a table nobody knows. Then the least pressure on
-/// a path is that at one of its ends.
+/// Whether the pressure is known to fall from the centre on, as Hertz' does: not under power laws of
+/// n > 2, punches, rough bodies and profiles of tables. If so, the least pressure on a path is that
+/// at one of its ends.
 bool pressure_falls(const Case& c);
 
 /// Distance of the sides of a layer's block from the load at which they are hardly felt, in

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "comparisons/quantities/reference.h"
 #include "contact/special_values.h"

@@ -79,8 +79,7 @@ void check_assumptions(CommandOptions options) {
     options.fill({{"rig.json", "report.html"}}, [&] {
         report = std::visit(Check{}, given);
         options.write("rig.json", experiments::rig_json(report));
-        options.write("report.html", report::document_html(experiments::rig_document(
-                                         report, "tricontact rig " + stem + ".toml")));
+        options.write_report(experiments::rig_document(report), "tricontact rig " + stem + ".toml");
     });
     print(report);
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/quantities.h"

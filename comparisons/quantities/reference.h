@@ -28,7 +28,7 @@ struct Reference {
     bool is_nominal = false;        ///< `hertz` are scales of a nominally flat contact, no solution
     double tangential_ratio = 0;    ///< f_T
     double amplitude_ratio = 0;     ///< w over the Hertz radius
-    double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range or nobody knows
+    double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range or it is unavailable
     std::optional<double> peak_pressure;  ///< [Pa], where the pressure is largest at the centre
     bool has_mapping = false;             ///< kappa (3.2.16) is defined: paraboloid and sphere
     /// Below: with rolling at constant loads and w <= 1 only.

@@ -23,7 +23,7 @@ using contact::State;
 // and beyond 100 the fastest branch has no time to relax.
 constexpr double first_deborah = 0.01, least_deborah = 1e-4, largest_deborah = 100;
 constexpr double step = 10;
-constexpr double least_error = 1e-12;  // the logarithm of rounding errors says nothing
+constexpr double least_error = 1e-12;  // the logarithm of rounding errors has no meaning
 
 std::optional<double> relative_error(std::optional<double> elastic,
                                      std::optional<double> relaxing) {

@@ -7,7 +7,8 @@ namespace tricontact::comparisons {
 
 namespace {
 
-/// A change of this many solver tolerances says nothing: shifts gather the errors of many steps.
+/// A change of this many solver tolerances is not significant: shifts gather the errors of many
+/// steps.
 constexpr double noisy_tolerances = 10;
 
 std::optional<double> exact_value(const PressedValues& exact, const Quantity& q) {

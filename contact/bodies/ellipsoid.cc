@@ -4,7 +4,6 @@
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 #include <numeric>
 

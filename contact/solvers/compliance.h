@@ -80,7 +80,7 @@ class Compliance {
                                                                   const TangentialField& t) const;
     /// What missing_reaction may be over the force, for the rounding of a stiff material.
     virtual double allowed_missing_reaction() const { return 1e-8; }
-    /// What the body looks like inside under these tractions [Pa]; null where nobody knows.
+    /// What the body looks like inside under these tractions [Pa]; null if unavailable.
     virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
                                                      const TangentialField& t) const;
 };

@@ -63,7 +63,7 @@ class PartlyRelaxingSubstrate final : public Substrate {
     const SurfaceField& offset() const override { return offset_; }
     const Compliance& relaxed() const override { return relaxed_; }
     Energies end(const SurfaceField& t, const SurfaceField& u) override;
-    /// Nobody knows: strains inside would need the body's own history.
+    /// Unavailable: strains inside would need the body's own history.
     std::unique_ptr<const Interior> interior(const SurfaceField&) const override { return nullptr; }
 
   private:

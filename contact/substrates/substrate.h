@@ -64,7 +64,7 @@ class Substrate {
     /// Ends the step with these tractions [Pa] and displacements [m].
     virtual Energies end(const SurfaceField& t, const SurfaceField& u) = 0;
 
-    /// What it looks like inside; null where nobody knows. `t` as in end().
+    /// What it looks like inside; null if unavailable. `t` as in end().
     virtual std::unique_ptr<const Interior> interior(const SurfaceField& t) const = 0;
 
     void write(StateWriter& out);

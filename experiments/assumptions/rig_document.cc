@@ -5,7 +5,6 @@
 
 #include "contact/number_text.h"
 #include "experiments/assumptions/rig_report.h"
-#include "files/version.h"
 #include "report/columns.h"
 
 namespace tricontact::experiments {
@@ -225,7 +224,7 @@ Verdict printed_verdict(const std::vector<PrintedCheck>& printed) {
 
 }  // namespace
 
-report::Document rig_document(const RigReport& report, const std::string& command) {
+report::Document rig_document(const RigReport& report) {
     report::Document document{
         .kind = "Assumptions of an experiment",
         .title = report.title,
@@ -233,9 +232,7 @@ report::Document rig_document(const RigReport& report, const std::string& comman
             "What the evaluation of this rig takes for granted, each with the number that "
             "decides, its threshold and what follows; and the published numbers beside what "
             "follows from the others.",
-        .files = {{"all numbers (JSON)", "rig.json"}},
-        .command = command,
-        .version = files::version};
+        .files = {{"all numbers (JSON)", "rig.json"}}};
     for (const Assumption& assumption : report.assumptions) {
         document.verdicts.push_back(verdict_on(assumption));
         document.sections.push_back(section_of(assumption));

@@ -28,7 +28,7 @@ std::string error_text(const PrintedCheck& check);
 /// The text of rig.json: SI units, undefined numbers as null (docs/rig.md).
 std::string rig_json(const RigReport& report);
 
-/// What report.html says of a rig. `command`: that makes it again.
-report::Document rig_document(const RigReport& report, const std::string& command);
+/// What report.html says of a rig, without version and command.
+report::Document rig_document(const RigReport& report);
 
 }  // namespace tricontact::experiments

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <functional>
 #include <kainjow/mustache.hpp>
-#include <limits>
 #include <span>
 #include <stdexcept>
 #include <tuple>
