@@ -228,9 +228,9 @@ bool has_conical_tip(const Case& c);
 /// W [m] of the case, `reference_radius` being the contact radius that a ratio refers to [m].
 double rolling_amplitude(const Case::Rolling& rolling, double reference_radius);
 
-/// Whether the pressure is known to fall from the centre on, as Hertz' does: not under power laws of
-/// n > 2, punches, rough bodies and profiles of tables. If so, the least pressure on a path is that
-/// at one of its ends.
+/// Whether the pressure is known to fall from the centre on, as Hertz' does: not under power laws
+/// of n > 2, punches, rough bodies and profiles of tables. If so, the least pressure on a path is
+/// that at one of its ends.
 bool pressure_falls(const Case& c);
 
 /// Distance of the sides of a layer's block from the load at which they are hardly felt, in
