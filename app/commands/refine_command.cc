@@ -27,7 +27,7 @@ using comparisons::Results;
 using json = nlohmann::ordered_json;
 
 const std::vector<std::string> results{resolved_case_name, "report.html", "refinement.csv",
-                                       "refinement.json"};
+                                       "refinement.json", "plots/"};
 
 /// The numbers of a finished level.
 struct Finished {
@@ -176,7 +176,6 @@ comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
 // Results stay until a level has to be computed (Levels::run).
 io::OutputNames names_of(const RefinementPlan& plan) {
     io::OutputNames names{{}, results};
-    names.kept.push_back("plots/");
     for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
     if (plan.wide) names.kept.push_back(plan.wide->name + '/');
     return names;

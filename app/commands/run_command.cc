@@ -23,8 +23,8 @@ namespace tricontact::app {
 namespace {
 
 io::OutputNames run_outputs(const std::vector<std::string>& models) {
-    io::OutputNames names{{resolved_case_name, "summary.json", "report.html"},
-                          {io::paraview_macro_name, "plots/"}};
+    io::OutputNames names{{resolved_case_name, "summary.json", "report.html", "plots/"},
+                          {io::paraview_macro_name}};
     for (const std::string& model : models)
         for (const std::string& name : model_results) names.results.push_back(model + '/' + name);
     return names;

@@ -47,6 +47,17 @@ const char* kind_of(fs::file_type type) {
     }
 }
 
+// The drawing goes last: a removal that is interrupted is made up for.
+void remove_figures(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> drawings;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".svg") drawings.push_back(entry.path());
+    for (fs::path file : drawings)
+        for (const char* extension : {".csv", ".png", ".svg"})
+            fs::remove(file.replace_extension(extension), ignored);
+}
+
 }  // namespace
 
 std::string first_bytes(const std::string& path, std::size_t n) {
@@ -82,7 +93,11 @@ std::string output_folder(const std::string& given, const std::string& input_fil
 
 void remove_old_results(const std::string& folder, const std::vector<std::string>& names) {
     std::error_code ignored;
-    for (const std::string& name : names) fs::remove(fs::path(folder) / name, ignored);
+    for (const std::string& name : names)
+        if (name.ends_with('/'))
+            remove_figures(fs::path(folder) / name);
+        else
+            fs::remove(fs::path(folder) / name, ignored);
 }
 
 void refuse_output(const std::string& path, const char* what, int error) {

@@ -20,9 +20,10 @@ void make_output_folder(const std::string& path);
 std::string output_folder(const std::string& given, const std::string& input_file,
                           const std::string& suffix = {});
 
-/// Removes files of the folder, by names relative to it: what an earlier run left must not stand
-/// beside a new case as if it were its own. One that cannot be removed cannot be written either,
-/// which is said then.
+/// Removes files of the folder, by names relative to it, of a folder among them ("plots/") the files
+/// of figures (one name with .svg, .png, .csv): what an earlier run left must not stand beside a new
+/// case as if it were its own. One that cannot be removed cannot be written either, which is said
+/// then.
 void remove_old_results(const std::string& folder, const std::vector<std::string>& names);
 
 /// Up to n bytes from the beginning of a file; none if it cannot be read.

@@ -106,7 +106,7 @@ void OutputFolder::check() const {
     for (const std::string& claim : claims_)
         is_folder_name(claim) ? check_folder(claim) : check_file(claim);
     for (const std::string& name : names_.results)
-        if (name.find('/') != std::string::npos) check_replaceable(at(name));
+        if (name.find('/') < name.size() - 1) check_replaceable(at(name));
 }
 
 void OutputFolder::check_file(const std::string& name) const {

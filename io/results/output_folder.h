@@ -9,7 +9,8 @@ namespace tricontact::io {
 
 /// What a command writes into its folder, as names relative to it; folders end in '/'.
 struct OutputNames {
-    std::vector<std::string> results;    ///< removed at the start: never those of another call
+    std::vector<std::string> results;    ///< removed at the start: never those of another call;
+                                         ///< of a folder, the files of figures
     std::vector<std::string> kept = {};  ///< what later calls take over or write over
 };
 
