@@ -141,10 +141,14 @@ void add_circumstances(vtkFieldData& data, double phase, const Interior& interio
     add_provenance(data, provenance);
 }
 
+constexpr std::array axis_names{"x_m", "y_m", "z_m"};
+
 void set_coordinates(vtkRectilinearGrid& grid, const Interior& interior) {
     std::array<vtkNew<vtkDoubleArray>, 3> axes;
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < 3; ++d) {
+        axes[d]->SetName(axis_names[d]);  // VTK names arrays without a name by their address
         for (const double x : interior.axes[d]) axes[d]->InsertNextValue(x);
+    }
     grid.SetDimensions(static_cast<int>(interior.axes[0].size()),
                        static_cast<int>(interior.axes[1].size()),
                        static_cast<int>(interior.axes[2].size()));
