@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "fem/layer_file.h"
 #include "files/digest.h"
 #include "files/partial_file.h"
@@ -45,15 +45,14 @@ bool is_layer_name(std::string_view name) {
 
 // NaN if the text is no size.
 double size_of(std::string_view text) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc()) return none;
+    if (error != std::errc()) return contact::undefined;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     for (const auto& [unit, factor] : units)
         if (text == unit) return value * factor;
-    return none;
+    return contact::undefined;
 }
 
 std::string user_folder() {

@@ -174,8 +174,8 @@ Point centre_of(const HexMesh& mesh, const std::array<int, 4>& face) {
     return mean(mesh, face);
 }
 
-bool covers(const std::array<Point, 4>& quadrilateral, const Point& point, double tolerance) {
-    const auto& [a, b, c, d] = quadrilateral;
+bool covers(const std::array<Point, 4>& corners, const Point& point, double tolerance) {
+    const auto& [a, b, c, d] = corners;
     return triangle_covers(a, b, c, point, tolerance) || triangle_covers(a, c, d, point, tolerance);
 }
 

@@ -48,7 +48,7 @@ std::array<double, 4> bilinear(double xi, double eta) {
 std::optional<std::array<double, 4>> weights_at(const Corners& c, const Vector2& p) {
     constexpr double margin = 1e-9;  // of a side: no gaps between neighbours
     double xi = 0.5, eta = 0.5;
-    for (int step = 0; step < 20; ++step) {
+    for (int iteration = 0; iteration < 20; ++iteration) {
         const auto w = bilinear(xi, eta);
         Vector2 miss = {-p[0], -p[1]}, by_xi{}, by_eta{};
         for (int d = 0; d < 2; ++d) {

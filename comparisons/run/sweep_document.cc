@@ -123,11 +123,11 @@ std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
     }
     for (const std::string& model : models) {
         auto& of_model = states[model];
-        const int n = of_model[shakedown] + of_model[cyclic_slip] + of_model[ratcheting] +
-                      of_model[undecided];
+        const int n_rolling = of_model[shakedown] + of_model[cyclic_slip] + of_model[ratcheting] +
+                              of_model[undecided];
         std::string text =
-            fmt::format("{}: of {} rolling {}, {} shake down, ", report::display_name(model), n,
-                        n == 1 ? "point" : "points", of_model[shakedown]);
+            fmt::format("{}: of {} rolling {}, {} shake down, ", report::display_name(model),
+                        n_rolling, n_rolling == 1 ? "point" : "points", of_model[shakedown]);
         if (of_model[cyclic_slip] > 0)
             text += fmt::format("{} end in cyclic slip, ", of_model[cyclic_slip]);
         text += fmt::format("{} ratchet, {} stay undecided.", of_model[ratcheting],

@@ -135,8 +135,8 @@ class ProjectedGradient {
                 const Vector2 next = {shift_[0] + step[0], shift_[1] + step[1]};
                 const Balance there = balance_at(point, next);
                 const double expected = 1e-4 * dot(step, balance.missing);
-                const double rounding = 1e-14 * balance.scale * norm(next);
-                if (there.potential <= balance.potential - expected + rounding) {
+                const double noise = 1e-14 * balance.scale * norm(next);
+                if (there.potential <= balance.potential - expected + noise) {
                     shift_ = next;
                     balance = there;
                     break;

@@ -17,7 +17,7 @@ using contact::Case;
 using contact::Relaxation;
 using Input = Case::RelaxationInput;
 
-const std::string section = "substrate.relaxation.";
+const std::string prefix = "substrate.relaxation.";
 
 void resolve_standard_solid(Input& input) {
     input.moduli = {*input.maxwell_modulus};
@@ -28,7 +28,7 @@ void resolve_standard_solid(Input& input) {
 // The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
 void resolve_dma(Case& c, const Document& document) {
     Input& input = c.relaxation_input;
-    const std::string key = section + "dma";
+    const std::string key = prefix + "dma";
     check_file_there(document, key, *input.dma, "name a table");
     told_at(document, key, [&] { c.dma_fit = contact::fit_prony(read_dma_table(*input.dma)); });
     for (const auto& [ratio, time] : c.dma_fit->relaxation.branches) {
@@ -41,13 +41,13 @@ void resolve_dma(Case& c, const Document& document) {
 void check_lists(const Input& input, const Document& document) {
     const std::size_t n = input.moduli.size();
     if (input.times.size() != n)
-        refuse(document, section + "times",
+        refuse(document, prefix + "times",
                "has " + std::to_string(input.times.size()) + " elements, but moduli has " +
                    std::to_string(n),
                "give one relaxation time for each modulus");
     for (auto it = input.times.begin(); it != input.times.end(); ++it)
         if (std::find(input.times.begin(), it, *it) != it)
-            refuse(document, section + "times", "the time " + rounded(*it) + " s stands twice",
+            refuse(document, prefix + "times", "the time " + rounded(*it) + " s stands twice",
                    "make one term of the two, with the sum of their moduli");
 }
 
@@ -81,7 +81,7 @@ void refuse_for_mdr(const std::string& model, contact::Unrelaxed stays, bool gro
         case contact::Unrelaxed::nothing:
             return;
         case contact::Unrelaxed::bulk:
-            refuse(document, section + "bulk",
+            refuse(document, prefix + "bulk",
                    "below poisson = 0.5 shear then relaxes without the bulk" + but,
                    "leave the model out, or say bulk = \"proportional\" if the bulk relaxes alike");
         case contact::Unrelaxed::below:
@@ -111,12 +111,12 @@ bool says(const Input& input, const Case& c) {
 void resolve_relaxation(Case& c, const Document& document) {
     if (!c.relaxation) return;
     Input& input = c.relaxation_input;
-    std::string key = section + "moduli";
+    std::string key = prefix + "moduli";
     if (input.maxwell_modulus) {
-        key = section + "eta";
+        key = prefix + "eta";
         resolve_standard_solid(input);
     } else if (input.dma) {
-        key = section + "dma";
+        key = prefix + "dma";
         resolve_dma(c, document);
     }
     check_lists(input, document);

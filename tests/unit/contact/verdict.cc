@@ -200,7 +200,9 @@ TEST(StillToCome, HoldsWhatComes) {
         for (const int n : {5, 8, 30}) {
             const auto said = check(geometric(.1, ratio), n, 4000);
             // .1 * .05^30 is below the noise.
-            if (ratio > .1) EXPECT_LT(said.error, .11 * said.value + 1e-11) << ratio << ' ' << n;
+            if (ratio > .1) {
+                EXPECT_LT(said.error, .11 * said.value + 1e-11) << ratio << ' ' << n;
+            }
         }
     for (const double power : {1.5, 2., 3.})
         for (const int n : {12, 40, 200})

@@ -125,17 +125,18 @@ TEST(OscillatingCylinder, ThesisTractionIsAnApproximation) {
     const auto tau = [&](double x) { return thesis_line_traction(x, w, c); };
     EXPECT_GT(std::abs(logarithm(tau, w, c, 0) - logarithm(tau, w, c, .9 * c)), 1e-4);
     double largest = 0;
-    over_grid([&](double w, double c) {
-        const double ratio = thesis_line_stick_force(w, c) / line_stick_force(w, c) - 1;
-        EXPECT_GE(ratio, -1e-9) << w << ' ' << c;
+    over_grid([&](double rolled, double stuck) {
+        const double ratio =
+            thesis_line_stick_force(rolled, stuck) / line_stick_force(rolled, stuck) - 1;
+        EXPECT_GE(ratio, -1e-9) << rolled << ' ' << stuck;
         largest = std::max(largest, ratio);
     });
     EXPECT_GT(largest, .009);
     EXPECT_LT(largest, .014);
     // It is exact in both limits.
     EXPECT_NEAR(thesis_line_stick_force(.3, 1e-7), line_shakedown_limit(.3), 1e-7);
-    for (const double c : {.2, .7})
-        EXPECT_NEAR(thesis_line_stick_force(0, c), line_stick_force(0, c), 1e-12);
+    for (const double stuck : {.2, .7})
+        EXPECT_NEAR(thesis_line_stick_force(0, stuck), line_stick_force(0, stuck), 1e-12);
 }
 
 TEST(OscillatingCylinder, WithoutRollingItIsCattaneos) {

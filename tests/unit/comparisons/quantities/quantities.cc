@@ -29,8 +29,9 @@ TEST(Quantities, SayWhatTheyAre) {
         EXPECT_TRUE(meaning.ends_with('.')) << key;
         EXPECT_GT(std::string(q->name).size(), 2u) << key;
         EXPECT_TRUE(unit.empty() || over.empty()) << key << ": a ratio has no unit";
-        if (!unit.empty())
+        if (!unit.empty()) {
             EXPECT_NE(ratio_key(*q), key) << unit << " is not what the key ends with";
+        }
         EXPECT_TRUE(q->of) << key;
     }
 }

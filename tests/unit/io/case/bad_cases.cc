@@ -58,9 +58,10 @@ TEST_P(BadCase, IsRefusedWithTheMessageItStates) {
     const std::size_t end = expected.find(gap);
     EXPECT_NE(message.find(expected.substr(0, end)), std::string::npos)
         << "expected: " << expected << "\n     got: " << message;
-    if (end != std::string::npos)
+    if (end != std::string::npos) {
         EXPECT_NE(message.find(expected.substr(end + gap.size())), std::string::npos)
             << "expected: " << expected << "\n     got: " << message;
+    }
     EXPECT_EQ(message.rfind(path + ':', 0), 0U) << "does not begin with the file: " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_NE(message.find("; "), std::string::npos) << "no remedy: " << message;
