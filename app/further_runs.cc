@@ -77,9 +77,9 @@ Case without_rolling(Case c) {
     return c;
 }
 
-/// The case as the study rolls it. What settles does so by turning points as well, in a fraction of
-/// the time; the shift per period of what ratchets is that of the run's own steps. Without rolling
-/// where that would take too long.
+/// The case as the study rolls it. A contact that shakes down does so by turning points as well, in
+/// a fraction of the time; the shift per period of what ratchets is that of the run's own steps.
+/// Without rolling where that would take too long.
 Case rolled(const Case& c, const History& history) {
     if (!c.rolling) return c;
     if (history.verdict.state != State::ratcheting && contact::turning_points_suffice(c)) {

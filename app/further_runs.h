@@ -22,9 +22,9 @@ void study_loading(const contact::Case& c, const contact::Model& model,
                    comparisons::LoadingStudy& study);
 
 /// Adds to `study` what the drive means for a relaxing case and, if `options` want studies, the
-/// comparison of `history`, that of the case's run with a model, with a run on the elastic twin of
+/// comparison of `history`, that of the case's run with a model, with an elastic reference run of
 /// the substrate. The first model that comes here then also looks for the slowest drive speed at
-/// which the twin errs by 1 % (find_speed_limit). Finite elements are too dear for either. Elastic
+/// which that errs by 1 % (find_speed_limit). Finite elements are too costly for either. Elastic
 /// cases add nothing.
 void study_relaxation(const contact::Case& c, const contact::History& history,
                       const RunOptions& options, const Say& say,

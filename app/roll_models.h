@@ -20,7 +20,7 @@ struct RollRuns {
     /// rolled over the half length a, infinite for the steady state.
     std::function<void(double way, const contact::Surface&)> show = {};
     bool show_all = false;
-    /// Called before the contact rolls anew from rest, on a larger grid than has proved too small:
+    /// Called before the contact rolls again from rest, on a larger grid than has proved too small:
     /// what was shown before is void.
     std::function<void()> begin_again = {};
 };

@@ -179,9 +179,10 @@ std::unique_ptr<GridCompliance> tabulated_compliance(InfluenceTable table, const
     check_spacing(table, name, h);
     const int n_x = positions(grid.n_x), n_y = positions(grid.n_y);
     if (table.n_x < n_x || table.n_y < n_y)
-        throw contact::InputError(fmt::format(
-            "{}: {} x {} positions, but contact and rolling path need {} x {}; write the file anew",
-            name, table.n_x, table.n_y, n_x, n_y));
+        throw contact::InputError(
+            fmt::format("{}: {} x {} positions, but contact and rolling path need {} x {}; write "
+                        "the file again",
+                        name, table.n_x, table.n_y, n_x, n_y));
     const auto shared = std::make_shared<const InfluenceTable>(std::move(table));
     return std::make_unique<GridCompliance>(
         [shared, h](double x, double y) {

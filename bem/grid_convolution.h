@@ -22,7 +22,7 @@ using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
 
 /// Convolution of fields on an n_x * n_y grid (x fastest) with kernels K(-x, -y) = K(x, y), which
 /// are real in Fourier space, or K(-x, -y) = -K(x, y), which are imaginary there. The transforms
-/// are pruned: rows that hold only zeros or that nobody reads are not transformed. Plans are
+/// are pruned: rows that hold only zeros or that are not read are not transformed. Plans are
 /// estimated, not measured, and work is split into fixed pieces, so results do not depend on timing
 /// or on the number of threads.
 ///

@@ -50,7 +50,7 @@ class Lines {
             if (!line_.empty() && line_[0] != '#') return line_;
         }
         ++number_;
-        refuse("the file ends here, but is not complete", "write it anew");
+        refuse("the file ends here, but is not complete", "write it again");
     }
 
     [[noreturn]] void refuse(const std::string& rule, const std::string& remedy) const {
@@ -136,7 +136,7 @@ void check_title(Lines& lines) {
     const int found = number<int>(line, lines);
     if (found != version)
         lines.refuse(fmt::format("version {} is not {}, the only one known", found, version),
-                     "write the file anew by tricontact influence");
+                     "write the file again by tricontact influence");
 }
 
 Nine values_at(int i, int j, Lines& lines) {
@@ -244,7 +244,7 @@ void check_spacing(const InfluenceTable& table, const std::string& path, double 
     if (std::abs(table.spacing / spacing - 1) > same_spacing)
         throw contact::InputError(fmt::format(
             "{}: coefficients of cells of {:.10g} m, but those of the case have {:.10g} m; set "
-            "bem.spacing to that of the file, or write the file anew",
+            "bem.spacing to that of the file, or write the file again",
             path, table.spacing, spacing));
 }
 

@@ -17,7 +17,7 @@ target_compile_features(tricontact_settings INTERFACE cxx_std_20)
 target_compile_options(tricontact_settings INTERFACE
     $<BUILD_INTERFACE:-Wall> $<BUILD_INTERFACE:-Wextra> $<BUILD_INTERFACE:-Wpedantic>
     $<BUILD_INTERFACE:-Wshadow>
-    # Same source, same bytes: no contraction into fused multiply-adds behind the reader's back.
+    # Same source, same bytes: no contraction into fused multiply-adds by the compiler's choice.
     $<BUILD_INTERFACE:-ffp-contract=off>)
 set_target_properties(tricontact_settings PROPERTIES EXPORT_NAME settings)
 install(TARGETS tricontact_settings EXPORT Tricontact)

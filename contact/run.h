@@ -19,8 +19,8 @@ using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>
 
 /// Presses, loads and rolls until the contact has settled (see Judge; with rolling.until =
 /// "settled": until it is known where it will stand or how fast it ratchets) or the last period. A
-/// contact that reaches the edge of its grid begins anew on a larger one. Throws NotConverged (also
-/// when a solution fails its audit) and InputError.
+/// contact that reaches the edge of its grid begins again on a larger one. Throws NotConverged
+/// (also when a solution fails its audit) and InputError.
 History run(const Case& c, Model& model, const Observer& observer = {});
 
 /// Rolls until the series of periods, and not the limit, decides whether increments of more than

@@ -33,7 +33,7 @@ class CondensedCompliance final : public contact::Compliance {
     std::optional<std::array<double, 3>> missing_reaction(
         std::span<const double> p, const contact::TangentialField& t) const override;
     double allowed_missing_reaction() const override;
-    /// Factorises the whole body anew when first asked for: as long as a condensation.
+    /// Factorises the whole body when first asked for: as long as a condensation.
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
 

@@ -45,8 +45,8 @@ bool is_old(const struct stat& status) {
     return std::time(nullptr) - status.st_mtime > day;
 }
 
-// Whether nobody writes it. Only who has the lock of a file removes it, so the lock is taken first,
-// and then the name has to lead to that file still.
+// Whether no process writes it. Only who has the lock of a file removes it, so the lock is taken
+// first, and then the name has to lead to that file still.
 bool is_left(int descriptor, const std::string& path) {
     const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
     if (!locked && errno == EWOULDBLOCK) return false;

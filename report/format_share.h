@@ -10,7 +10,7 @@ std::string p_value(double p);
 std::string p_number(double p);
 
 /// A part of a whole, or the size of a relative error, in percent: "2.3 %"; "below 0.001 %" where
-/// nobody would count the digits; an en dash where undefined.
+/// its digits would be hard to count; an en dash where undefined.
 std::string share(double part, int digits = 2);
 
 }  // namespace tricontact::report

@@ -85,7 +85,7 @@ addEventListener("load", async () => {
         background.style.color = panel;
         expect(drawing.style.background.replaceAll(" ", "") ===
                background.style.color.replaceAll(" ", ""), `${chart.id} is not in the page's colours`);
-        expect(chart.getAttribute("aria-label"), `${chart.id} says nothing to who cannot see it`);
+        expect(chart.getAttribute("aria-label"), `${chart.id} has no text for readers who cannot see it`);
     }
     for (const {name} of performance.getEntriesByType("resource"))
         expect(/^(data|blob):/.test(name), `asks for ${name}`);

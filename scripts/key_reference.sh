@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes the tables of keys in docs/case-file.md, docs/walking.md, docs/quantities.md and README.md anew, from
+# Writes the tables of keys in docs/case-file.md, docs/walking.md, docs/quantities.md and README.md again, from
 # the declarations of keys and results; whoever adds one runs it.
 # usage: key_reference.sh [PROGRAM]   (build/release/app/tricontact)
 set -euo pipefail

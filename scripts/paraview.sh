@@ -29,7 +29,7 @@ fi
 if [ -z "${DISPLAY:-}" ]; then
     command -v Xvfb >/dev/null || "$root/scripts/setup.sh" paraview >&2
     number=$(mktemp)
-    # Without -noreset it starts anew whenever its last window closes, and refuses the next one meanwhile.
+    # Without -noreset it starts again whenever its last window closes, and refuses the next one meanwhile.
     Xvfb -noreset -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$number" 2>/dev/null &
     display=$!
     trap 'kill $display; wait $display || true; rm -f "$number"' EXIT

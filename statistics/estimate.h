@@ -23,7 +23,7 @@ Estimate with_interval(double value, double standard_error, double factor);
 /// (thesis A.1.1-A.1.3; DIN 1319-3). Throws std::invalid_argument for fewer than two values.
 Estimate mean_of(const std::vector<double>& values, double confidence);
 
-/// Intervals of both exclude each other: only then is it said that they differ.
+/// Intervals of both do not overlap: only then is it said that they differ.
 bool differ(const Estimate& a, const Estimate& b);
 
 /// Half width of a two-sided interval in standard errors: Student's t at `confidence` in (0, 1).

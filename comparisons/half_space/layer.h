@@ -60,7 +60,7 @@ struct LayerComparison {
         apparent;  ///< from the exact values, by Hertz' theory of a round body
     std::vector<Model> models;
     /// Distance of the block's sides from its centre over its thickness, of all layers; empty:
-    /// wide enough, chosen by the program.
+    /// chosen by the program.
     std::optional<double> half_width, half_depth;
 };
 

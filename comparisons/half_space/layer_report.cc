@@ -86,7 +86,7 @@ std::string apparent_sentence(const Case& c, const LayerComparison& layer) {
 }
 
 std::string side_text(const char* name, std::optional<double> half, std::optional<double> length) {
-    if (!half) return fmt::format("its {} is chosen wide enough", name);
+    if (!half) return fmt::format("its {} is unbounded", name);
     return fmt::format("{} of {} puts the sides {} thicknesses from the centre", name,
                        report::given_quantity(*length, "m"), report::significant(*half, 3));
 }
@@ -103,7 +103,7 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     const double far = contact::far_sides(c);
     if (!layer.half_width && !layer.half_depth)
         return fmt::format(
-            "The block is chosen wide enough for its sides to be hardly felt ({} "
+            "The block is so wide that its sides are hardly felt ({} "
             "thicknesses to each side, or more); exact layer and half-space are "
             "infinitely wide.",
             far);

@@ -108,7 +108,7 @@ using Kind = RolledRun::Kind;
 
 constexpr double cells_per_radius = 8;
 constexpr int periods_to_settle = 60, periods_of_ratcheting = 10;
-constexpr int steps_per_quarter = 4;  // of ratcheting; what settles needs turning points only
+constexpr int steps_per_quarter = 4;  // of ratcheting; shakedown needs turning points only
 
 bool ratchets(Kind kind) {
     return kind != Kind::settling;

@@ -77,7 +77,7 @@ bool couples(const contact::Case& c, const std::string& model);
 bool is_uncoupled_half_space(const contact::Case& c, const std::string& model);
 
 /// Whether the static shift is that of elastic bodies: always, unless the substrate relaxes. Then
-/// the wait under F_T has to outlast its slowest branch, e^-7 = 1e-3 being left.
+/// the hold time under F_T has to outlast its slowest branch, e^-7 = 1e-3 being left.
 bool static_shift_is_relaxed(const contact::Case& c);
 
 /// What the closed form of the static shift is called: "Cattaneo and Mindlin".

@@ -38,14 +38,14 @@ struct RunValues {
 };
 RunValues run_values(const contact::History& history);
 
-/// What stands for a run where a single number has to: the increment if the elastic twin ratchets,
-/// else the shift after the last period.
+/// What stands for a run where a single number has to: the increment if the elastic reference run
+/// ratchets, else the shift after the last period.
 bool judged_by_increment(const RunValues& elastic);
 /// Its error, whatever the verdict of the relaxing run: elastic over relaxing, minus 1.
 std::optional<double> twin_error(const RunValues& elastic, const RunValues& relaxing);
 
-/// A relaxing case beside its elastic twin, by one model. Errors are those of the twin: elastic
-/// over relaxing, minus 1; empty where there is nothing to be compared.
+/// A relaxing case beside its elastic reference run, by one model. Errors are those of that run:
+/// elastic over relaxing, minus 1; empty where there is nothing to be compared.
 struct TwinComparison {
     std::string model;
     std::optional<DriveValues> drive;
@@ -64,7 +64,7 @@ struct TwinComparison {
     std::optional<double> limit_error() const;
 };
 
-/// The slowest drive at which the elastic twin errs by more than `limit`.
+/// The slowest drive at which the elastic reference run errs by more than `limit`.
 struct SpeedLimit {
     static constexpr double limit = 0.01;
     static constexpr double resolution = 0.05;  ///< relative, of `speed`
@@ -78,7 +78,7 @@ struct SpeedLimit {
     std::string why_none;  ///< if not found: why
 };
 
-/// |Error of the elastic twin| at a drive speed [m/s]; empty where undefined. May throw
+/// |Error of the elastic reference run| at a drive speed [m/s]; empty where undefined. May throw
 /// std::runtime_error: no solution.
 using ErrorAtSpeed = std::function<std::optional<double>(double speed)>;
 

@@ -85,7 +85,7 @@ struct Computed {
     bool has_bar() const { return error >= 0; }
 };
 
-/// Whether the bars exclude each other. False if one is not known: nothing can be said.
+/// Whether the bars do not overlap. False if one is not known: nothing can be said.
 bool differs(const Computed& a, const Computed& b);
 
 /// From values on finer and finer levels of resolution, sizes decreasing: `estimate_limit` from

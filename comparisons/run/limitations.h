@@ -7,7 +7,7 @@
 
 namespace tricontact::comparisons {
 
-/// What the models of a case leave out, a sentence each, so that nobody reads more into them.
+/// What the models of a case leave out, a sentence each, so that not more is read into them.
 std::vector<std::string> limitations(const contact::Case& c, const std::vector<Results>& results);
 
 /// Models for which a closed form of uncoupled, elastic half-spaces decides.

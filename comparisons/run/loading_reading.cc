@@ -35,7 +35,7 @@ std::string rolled_text(const LoadingVariant& v) {
                        instead(v.other->final_shift, v.run.final_shift, v.rolled_ratio()));
 }
 
-/// What another choice would do; empty where nobody computed it.
+/// What another choice would do; empty where it was not computed.
 std::string change_text(const std::vector<LoadingVariant>& variants, const std::string& key) {
     const auto v = std::find_if(variants.begin(), variants.end(),
                                 [&](const LoadingVariant& one) { return one.key == key; });

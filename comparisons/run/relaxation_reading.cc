@@ -72,7 +72,7 @@ std::string static_sentence(const Case& c, const RelaxationStudy& study) {
                                 report::display_name(twin.model));
     if (text.empty()) return {};
     return fmt::format(
-        "The static shift is a matter of the wait under F_T (load.hold = {}), not of the drive: "
+        "The static shift depends on the hold time under F_T (load.hold = {}), not on the drive: "
         "there "
         "the elastic substrate errs by {}.",
         report::given_quantity(c.load.hold, "s"), text);
@@ -100,7 +100,7 @@ std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
 
 std::string twin_sentence(const TwinComparison& twin) {
     const std::string name = report::display_name(twin.model);
-    if (!twin.elastic) return fmt::format("{}: no elastic twin: {}.", name, twin.why_none);
+    if (!twin.elastic) return fmt::format("{}: no elastic reference run: {}.", name, twin.why_none);
     if (!twin.elastic->state || !twin.final_error()) return {};
     if (const auto error = twin.increment_error())
         return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,

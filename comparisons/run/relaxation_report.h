@@ -16,10 +16,10 @@ namespace tricontact::comparisons {
 /// is worth, in plain sentences.
 std::vector<std::string> relaxation_sentences(const contact::Case& c, const RelaxationStudy& study);
 
-/// The answer of one model to the elastic twin in a sentence; empty if it has none.
+/// The difference of one model from its elastic reference run in a sentence; empty if it has none.
 std::string twin_sentence(const TwinComparison& twin);
 
-/// Drive values, Deborah numbers and errors of the elastic twin, a column per model.
+/// Drive values, Deborah numbers and errors of the elastic reference run, a column per model.
 report::DocumentTable relaxation_table(const contact::Case& c, const RelaxationStudy& study);
 
 /// G' and G'' over the frequency with drive and limit; beside a DMA table's points, if the case has

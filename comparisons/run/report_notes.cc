@@ -80,7 +80,8 @@ std::string layer_note(const Case& c) {
 
 std::string variants_note(const Case& c) {
     return std::string("Each row loads the case once more with one key changed.") +
-           (c.rolling ? " What settles is rolled by turning points until nothing moves, or 40 "
+           (c.rolling ? " Contacts that shake down are rolled by turning points until nothing "
+                        "moves, or 40 "
                         "periods, “this run” too, so that its value may differ from that of the "
                         "case's own steps and periods; what ratchets is rolled as the case has it."
                       : "");

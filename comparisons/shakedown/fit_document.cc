@@ -56,7 +56,7 @@ report::Document fit_document(const StudyFit& fit) {
     add(document,
         {.id = "models",
          .heading = "Models side by side",
-         .paragraphs = {"Two models differ where their numerical error bars exclude each other."},
+         .paragraphs = {"Two models differ where their numerical error bars do not overlap."},
          .tables = {difference_table(fit), point_difference_table(fit)}});
     return document;
 }

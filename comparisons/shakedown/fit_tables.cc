@@ -74,7 +74,7 @@ report::DocumentTable difference_table(const StudyFit& fit) {
         .title = "Models side by side",
         .note =
             "First over second, minus 1, each in its own units (a, U_max). Worst: of the "
-            "points where the bars exclude each other, else of all.",
+            "points where the bars do not overlap, else of all.",
         .columns =
             report::columns("quantity", "first", "second", "group", "median of magnitudes [%]:3",
                             "worst [%]:3", "points", "with error bars", "different beyond them")};

@@ -100,8 +100,8 @@ void add_thesis_mapping(std::vector<report::Verdict>& verdicts, const MappingGro
                      report::as_given(use->worst_tangential_ratio)) +
              (contradicted || compared
                   ? ""
-                  : "; without smaller numerical errors (levels of the study) nobody "
-                    "tells whether that is the κ")});
+                  : "; without smaller numerical errors (levels of the study) it "
+                    "is undecided whether that is the κ")});
 }
 
 void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& group, bool elastic) {

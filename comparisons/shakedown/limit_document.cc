@@ -69,7 +69,7 @@ report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
                                within ? ", within bisection and resolution" : "")};
 }
 
-/// What is only said where the intervals exclude each other.
+/// What is only said where the intervals do not overlap.
 void add_differences(const LimitStudy& study, std::vector<report::Verdict>& verdicts) {
     const auto& models = study.models;
     for (std::size_t i = 0; i < models.size(); ++i)
@@ -233,7 +233,7 @@ report::Document limit_document(const LimitStudy& study) {
         .title = study.title,
         .lead = fmt::format(
             "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? "
-            "Each model is rolled anew at one value after another.",
+            "Each model is computed from the start at one value after another.",
             symbols.varied, symbols.given, study.given),
         .settings = {{symbols.given, fmt::format("{:.6g}", study.given)},
                      {"rolling direction to the load",

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t least_points_of_constant = 3;
 constexpr std::size_t least_points_of_plane = 6;
-/// A shift missed by less is one that nobody measures.
+/// A shift missed by less is one below what can be measured.
 constexpr double negligible_miss = 1e-3;
 /// A point knows its kappa if its bar leaves this part of it open.
 constexpr double telling = 0.1;

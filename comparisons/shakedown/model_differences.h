@@ -25,10 +25,10 @@ struct ModelDifference {
     std::vector<PointDifference> points;  ///< not empty
 
     double median() const;  ///< of the magnitudes of the relative differences
-    /// Of the points where the bars exclude each other, else of all.
+    /// Of the points where the bars do not overlap, else of all.
     const PointDifference& worst() const;
     int n_with_bars() const;  ///< points where both models have a bar
-    int n_different() const;  ///< of these: the bars exclude each other
+    int n_different() const;  ///< of these: the bars do not overlap
 };
 
 /// Every pair of models, in the order of the points; each with its own w, f_T and U_max.

@@ -152,7 +152,7 @@ class ProjectedGradient {
         }
     }
 
-    /// The last move goes against the momentum: start the acceleration anew.
+    /// The last move goes against the momentum: start the acceleration again.
     bool uphill(const TangentialField& y, const TangentialField& t,
                 const TangentialField& last) const {
         double product = 0;

@@ -291,7 +291,8 @@ std::vector<std::string> remarks(const DmaFit& fit, double relaxed_modulus) {
 }
 
 std::optional<PronyDescent> descend(const DmaTable& table, const PronySeries& guess) {
-    // GSL's own handler ends the program; what matters comes back as a code. Nobody else uses GSL.
+    // GSL's own handler ends the program; what matters comes back as a code. No other code here
+    // uses GSL.
     [[maybe_unused]] static gsl_error_handler_t* const old = gsl_set_error_handler_off();
     Problem problem{table, bounds_of(table), guess.times.size()};
     const std::size_t n = problem.n_terms;

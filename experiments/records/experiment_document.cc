@@ -195,7 +195,7 @@ report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
                      "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values upright; "
                      "shakedown if the upper end of the {:.4g} % interval of the walk Du adds less "
                      "than {:.4g} % of the shift over the interval, else ratcheting if its lower "
-                     "end is positive, else nobody can tell.",
+                     "end is positive, else it is undecided.",
                      100 * verdict_confidence, 100 * negligible_walk),
                  "The thesis takes the sign of a parabola's curvature. Steady ratcheting has none: "
                  "the sign is then that of the noise, or of the transient before it."},

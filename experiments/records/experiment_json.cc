@@ -28,7 +28,7 @@ json repeated_json(const Repeated& r) {
             {"at_95_percent", estimate(r.at_95)}};
 }
 
-// An error of 0 is one that nobody stated.
+// An error of 0 is one that was not stated.
 json uncertain(const Estimate& u) {
     return {{"value", u.value},
             {"standard_error", u.standard_error > 0 ? json(u.standard_error) : json()}};

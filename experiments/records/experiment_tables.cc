@@ -20,7 +20,7 @@ std::string interval(const Estimate& e, double factor) {
            report::significant(factor * e.high, 3);
 }
 
-// An error of 0 is one that nobody stated.
+// An error of 0 is one that was not stated.
 report::Cell with_stated_error(const Estimate& u, double factor) {
     if (u.standard_error == 0) return factor * u.value;
     return report::WithError{factor * u.value, factor * u.standard_error};

@@ -86,7 +86,7 @@ void add_time(std::vector<CaseKey>& keys) {
     keys.push_back(
         {quantity_key(
              "load.hold", Dimension::time, from_zero(1e9), R"("60 s")",
-             "wait under F_N and F_T before the rolling begins",
+             "hold time under F_N and F_T before the rolling begins",
              {.reason = reason, .default_value = R"("0 s")", .needs = "substrate.relaxation"}),
          [](Case& c) { return c.relaxation ? Field(&c.load.hold) : Field(); }});
 }

@@ -83,7 +83,7 @@ class SequenceReading {
         fail(fmt::format("{}:{}:1", name_, line), subject, rule, remedy);
     }
 
-    /// The last case that begins anew; what stands ahead may be normal problems.
+    /// The last case that begins again; what stands ahead may be normal problems.
     void find_sequence() {
         std::size_t start = cases_.size();
         do --start;

@@ -54,7 +54,7 @@ struct Digit {
 constexpr std::string_view any = "0123456789";
 
 constexpr std::array<Digit, 6> first_word = {{
-    {'P', "02", "a case goes on from the one before or begins anew", "give 0 or 2"},
+    {'P', "02", "a case goes on from the one before or begins again", "give 0 or 2"},
     {'B', "0", "only the full normal problem is solved", "give 0"},
     {'T', "01", "only shifts in world-fixed coordinates are cases here",
      "give 0 or 1; what rolls on is computed by tricontact roll"},

@@ -56,7 +56,7 @@ class InputLines {
 /// The control digits of a case of CONTACT's module 3, as far as they say what the case is.
 struct CaseDigits {
     int line = 0;        ///< of the first of them
-    int previous = 0;    ///< P: 0 goes on from the case before, 2 begins anew
+    int previous = 0;    ///< P: 0 goes on from the case before, 2 begins again
     int tangential = 0;  ///< T: 0 none, 1 shift
     int normal = 0;      ///< N: 0 depth, 1 force
     int force = 0;       ///< F: which of x and y have a force, 0 to 2

@@ -26,7 +26,7 @@ void demand_positive(double value, const char* what, std::size_t back, const Inp
         lines.refuse(fmt::format("{} = {}", what, value), "must be positive", "correct it", back);
 }
 
-/// Reads one case after the other; what is not given anew is that of the case before.
+/// Reads one case after the other; what is not given again is that of the case before.
 class CaseReading {
   public:
     CaseReading(std::string text, const std::string& name) : lines_(std::move(text), name) {}

@@ -20,10 +20,10 @@ void make_output_folder(const std::string& path);
 std::string output_folder(const std::string& given, const std::string& input_file,
                           const std::string& suffix = {});
 
-/// Removes files of the folder, by names relative to it, of a folder among them ("plots/") the files
-/// of figures (one name with .svg, .png, .csv): what an earlier run left must not stand beside a new
-/// case as if it were its own. One that cannot be removed cannot be written either, which is said
-/// then.
+/// Removes files of the folder, by names relative to it, of a folder among them ("plots/") the
+/// files of figures (one name with .svg, .png, .csv): what an earlier run left must not stand
+/// beside a new case as if it were its own. One that cannot be removed cannot be written either,
+/// which is said then.
 void remove_old_results(const std::string& folder, const std::vector<std::string>& names);
 
 /// Up to n bytes from the beginning of a file; none if it cannot be read.
@@ -38,10 +38,10 @@ void check_replaceable(const std::string& path);
 
 /// Before anything is computed for a file that the user names: as check_replaceable; and where a
 /// file stands already it must begin as those that this program writes do, or be empty. Refuses
-/// also a folder that is missing or in which nobody may write.
+/// also a folder that is missing or in which writing is not allowed.
 void check_output_file(const std::string& path, std::string_view beginning);
 
-/// Refuses a folder that cannot be made, or in which nobody may write. Nothing is touched.
+/// Refuses a folder that cannot be made, or in which writing is not allowed. Nothing is touched.
 void check_output_place(const std::string& path);
 
 }  // namespace tricontact::io

@@ -17,7 +17,7 @@ inline constexpr const char* journal_name = "steps.journal";
 class JournalFile {
   public:
     /// Opens the file, or makes it. A journal with another key, or damaged from its first bytes on,
-    /// is begun anew; what follows the last whole entry is cut off. Throws std::system_error also
+    /// is begun again; what follows the last whole entry is cut off. Throws std::system_error also
     /// when another process has the file open, contact::InputError as refuse_other_file.
     JournalFile(const std::string& path, std::string_view key);
     ~JournalFile();

@@ -202,8 +202,9 @@ std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
     if (!row.step()) return {};
     const PointOutcome outcome = outcome_of(row);
     if (outcome.key != key || !is_whole(row))
-        fail(file_.path(), "point " + key, "its row is damaged",
-             "call `tricontact sweep` again, which removes such rows and computes the points anew");
+        fail(
+            file_.path(), "point " + key, "its row is damaged",
+            "call `tricontact sweep` again, which removes such rows and computes the points again");
     return outcome;
 }
 

@@ -97,11 +97,12 @@ Header read_header(Reading& file) {
 
 double value_of(const Header& header, const std::string& key, const std::string& name) {
     const auto entry = header.find(key);
-    if (entry == header.end()) fail(name, "", "the header lacks " + key, "export the surface anew");
+    if (entry == header.end())
+        fail(name, "", "the header lacks " + key, "export the surface again");
     const auto value = number_in(entry->second.value);
     if (!value || !(*value > 0) || !std::isfinite(*value))
         fail(entry->second.place, key + " = " + entry->second.value, "must be a positive number",
-             "export the surface anew");
+             "export the surface again");
     return *value;
 }
 
@@ -109,7 +110,7 @@ int count_of(const Header& header, const std::string& key, const std::string& na
     const double value = value_of(header, key, name);
     if (value < 2 || value > most_height_nodes || value != std::floor(value))
         fail(header.find(key)->second.place, key + " = " + header.find(key)->second.value,
-             "must be a whole number from 2 on", "export the surface anew");
+             "must be a whole number from 2 on", "export the surface again");
     return static_cast<int>(value);
 }
 
@@ -137,14 +138,14 @@ void read_heights(Reading& file, double unit, contact::HeightMap& map) {
             if (map.height.size() > n)
                 fail(file.place(), "",
                      "more heights than NumPoints x NumProfiles = " + std::to_string(n),
-                     "export the surface anew");
+                     "export the surface again");
         }
     }
     if (map.height.size() < n)
         fail(file.place(), "",
              "ends after " + std::to_string(map.height.size()) + " of " + std::to_string(n) +
                  " heights",
-             "export the surface anew");
+             "export the surface again");
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ write 'kind = "shakedown"' 'runs = ["run.csv"]'
 refused "the amplitude changes from 1 mm to 1.1 mm at 54 s"
 
 # 7. What the rig sets is a force: f_T has the errors of mu and F_N whether the case states F_T or
-#    its ratio, and no number is ± 0. Without [errors] nobody tells whether models differ.
+#    its ratio, and no number is ± 0. Without [errors] it is undecided whether models differ.
 json() { "$python" -c "import json; print(json.load(open('$1'))$2)"; }
 run=examples/records/synthetic/run_1.csv
 cp "$source_dir/$run" run.csv

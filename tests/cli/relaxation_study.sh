@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a run says about its relaxing substrate is what other runs find: the elastic twin, the drive
+# What a run says about its relaxing substrate is what other runs find: the elastic reference run, the drive
 # speed from which on relaxation matters, its scaling, the fit to a DMA table.
 # usage: relaxation_study.sh PROGRAM SOURCE_DIR
 source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
@@ -53,7 +53,7 @@ holds "$(value thesis final_shift_error) ^ 2 < 1e-4 ^ 2"
 run alone "$relaxing" --no-studies
 [ "$(value alone loss_tangent)" = "$(value relaxing loss_tangent)" ] || complain "no drive"
 [ "$(value alone final_shift_m)" = "$(value relaxing final_shift_m)" ] || complain "--no-studies"
-[ "$(value alone elastic_twin)" = null ] || complain "--no-studies runs the elastic twin"
+[ "$(value alone elastic_twin)" = null ] || complain "--no-studies runs the elastic reference run"
 
 # Without F_T nothing shifts, and nothing is compared.
 run unloaded "$relaxing" --set load.tangential_ratio=0

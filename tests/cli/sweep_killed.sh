@@ -59,7 +59,7 @@ sweep --output "$work/many" --jobs 7 --quiet 2>/dev/null
 same_table many "seven jobs instead of two"
 
 # 1. Twenty times kill -9; points found never get fewer. One that was done before it could be killed
-#    is begun anew.
+#    is begun again.
 RANDOM=20261121
 found=0
 kills=0

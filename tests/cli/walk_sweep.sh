@@ -33,7 +33,7 @@ grep -q 'href="map.html"' whole/report.html || complain "no link to the page of 
 # 2. Whatever the jobs, and after kill -9, the same bytes; a lot that ended is kept.
 "$program" sweep map.toml --output alone --jobs 1 --quiet || complain "one job"
 cmp -s whole/results.csv alone/results.csv || complain "one job, another table"
-for _ in 1 2 3 4 5; do  # one that ends before it can be killed is begun anew
+for _ in 1 2 3 4 5; do  # one that ends before it can be killed is begun again
     rm -rf killed
     "$program" sweep map.toml --output killed --jobs 1 --quiet &
     child=$!

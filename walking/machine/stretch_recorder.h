@@ -74,7 +74,7 @@ class StretchRecorder {
     std::int64_t steps() const { return sums_.steps; }
     /// Sums since the start or the last take.
     const StretchSums& sums() const { return sums_; }
-    /// The same, to start anew.
+    /// The same, to start again.
     StretchSums take();
 
   private:

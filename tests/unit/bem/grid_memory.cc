@@ -37,7 +37,7 @@ TEST(BemGridMemory, NeedIsPredicted) {
             const auto small = make_model(case_of("8", poisson), 1, Body::half_space);
             const contact::Case c = case_of("60", poisson);
             const double before = status("VmRSS:");
-            std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+            std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins again
             const auto model = make_model(c, 1, Body::half_space);
             contact::run(c, *model, {});
             const double taken = status("VmHWM:") - before;

@@ -131,7 +131,7 @@ TEST_F(InfluenceFile, RefusesWhatIsNoneOrNotWhole) {
     EXPECT_EQ(message("# a remark\n\n" + good.substr(good.find('\n') + 1)),
               "6: this is no file of influence coefficients; its first line has to be \"tricontact "
               "influence coefficients, version 1\"");
-    EXPECT_EQ(message(""), "1: the file ends here, but is not complete; write it anew");
+    EXPECT_EQ(message(""), "1: the file ends here, but is not complete; write it again");
 
     const auto with = [&](const std::string& old, const std::string& text) {
         std::string changed = good;
@@ -140,7 +140,7 @@ TEST_F(InfluenceFile, RefusesWhatIsNoneOrNotWhole) {
         return message(changed.replace(at, old.size(), text));
     };
     EXPECT_EQ(with("version 1", "version 2"),
-              "1: version 2 is not 1, the only one known; write the file anew by tricontact "
+              "1: version 2 is not 1, the only one known; write the file again by tricontact "
               "influence");
     EXPECT_EQ(with("m/Pa\n", "mm/MPa\n"), "5: the unit is not m/Pa; convert the coefficients");
     EXPECT_EQ(with("spacing_m 0.0002", "spacing_m -0.0002"),
@@ -163,7 +163,7 @@ TEST_F(InfluenceFile, RefusesWhatIsNoneOrNotWhole) {
               "11: position 0 1 where 1 0 is due; give every position once, i running fastest");
     EXPECT_EQ(with("\n0 0 3", "\n0 0 -3"),
               "10: a cell must follow its own traction: K_xx, K_yy, K_zz > 0; correct the signs");
-    EXPECT_EQ(with("end\n", ""), "14: the file ends here, but is not complete; write it anew");
+    EXPECT_EQ(with("end\n", ""), "14: the file ends here, but is not complete; write it again");
     EXPECT_EQ(message(good.substr(0, good.size() - 12)),
               "13: \"\" is no number; numbers look like 1.5e-12, with blanks between them");
     EXPECT_EQ(with("end\n", "0 2 3 0 0 0 2 0 0 0 4\n"),

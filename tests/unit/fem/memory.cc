@@ -39,7 +39,7 @@ TEST(FemMemory, NeedIsPredicted) {
         fem::return_freed_memory();
         const double before = status("VmRSS:");
         const double predicted = fem::predicted_bytes(problem);
-        std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+        std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins again
         fem::return_freed_memory();
         const auto layer = fem::condense(problem);
         const double taken = status("VmHWM:") - before;

@@ -220,7 +220,7 @@ TEST(LayerSentences, SayWhatIgnoringTheThicknessDoes) {
          // 5.2 (0.5069/0.3229)^1.5 and so on
          "E = 10.2 MPa from force and indentation, 5.71 MPa from the contact radius and "
          "6.36 MPa from U_max; the layer has 5.2 MPa",
-         "chosen wide enough"});
+         "so wide that its sides are hardly felt"});
 }
 
 TEST(LayerSentences, FiniteBlocksAreMeasuredInThicknesses) {
@@ -230,7 +230,7 @@ TEST(LayerSentences, FiniteBlocksAreMeasuredInThicknesses) {
     EXPECT_NEAR(layer.half_width.value(), 3.75, 1e-12);
     expect_parts(joined(layer_sentences(c, layer)),
                  {"width of 60 mm puts the sides 3.75 thicknesses from the centre",
-                  "its depth is chosen wide enough", "Less than 6 may be felt"});
+                  "its depth is unbounded", "Less than 6 may be felt"});
     c.layer.width = 0.2;
     c.layer.lower = {{2e-3, {1e7, 0.4}}};
     const LayerComparison wide = compare_with_layer(c, histories_of(rig())).value();

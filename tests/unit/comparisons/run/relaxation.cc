@@ -228,7 +228,7 @@ TEST(RelaxationReport, SaysWhetherTheSubstrateMayBeTakenAsElastic) {
                              "Up to a drive of 30.0 mm/s", "this case is 10.0 times faster",
                              "the settled shift would be 600.0 mm instead of 800.0 mm "
                              "(−25.0 %); both: shakedown",
-                             "BEM: no elastic twin: no end.", "load.hold = 60 s"})
+                             "BEM: no elastic reference run: no end.", "load.hold = 60 s"})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\nin: " << text;
     EXPECT_EQ(text.find("dma"), std::string::npos);
 

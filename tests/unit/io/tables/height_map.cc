@@ -187,12 +187,12 @@ TEST(SdfFile, RefusesWhatIsIncomplete) {
     EXPECT_EQ(said("aISO-1.0\nNumPoints = 3\n"),
               "a.sdf: the header does not end; close it with a line *");
     EXPECT_EQ(said("aISO-1.0\nNumPoints = 3\n*\n"),
-              "a.sdf: the header lacks NumProfiles; export the surface anew");
+              "a.sdf: the header lacks NumProfiles; export the surface again");
     EXPECT_EQ(
         said("aISO-1.0\nNumPoints = 2.5\n*\n"),
-        "a.sdf:2: NumPoints = 2.5: must be a whole number from 2 on; export the surface anew");
+        "a.sdf:2: NumPoints = 2.5: must be a whole number from 2 on; export the surface again");
     EXPECT_EQ(said("aISO-1.0\nNumPoints = 2\nNumProfiles = 2\nXscale = -1\n*\n"),
-              "a.sdf:4: Xscale = -1: must be a positive number; export the surface anew");
+              "a.sdf:4: Xscale = -1: must be a positive number; export the surface again");
     EXPECT_EQ(
         said(sdf_header + "1 2 3\n4 BAD 6\n*\n"),
         "a.sdf:14: \"BAD\": is no finite number: missing values are not filled in; interpolate "
@@ -201,9 +201,9 @@ TEST(SdfFile, RefusesWhatIsIncomplete) {
               "a.sdf:14: 1e-320: leaves the range of double precision in its unit; correct the "
               "number or the unit");
     EXPECT_EQ(said(sdf_header + "1 2 3\n4 5\n*\n"),
-              "a.sdf:15: ends after 5 of 6 heights; export the surface anew");
+              "a.sdf:15: ends after 5 of 6 heights; export the surface again");
     EXPECT_EQ(said(sdf_header + "1 2 3\n4 5 6 7\n*\n"),
-              "a.sdf:14: more heights than NumPoints x NumProfiles = 6; export the surface anew");
+              "a.sdf:14: more heights than NumPoints x NumProfiles = 6; export the surface again");
 }
 
 TEST(HeightMapFile, IsKnownByItsName) {
