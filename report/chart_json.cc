@@ -1,10 +1,10 @@
 #include "report/chart_json.h"
 
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "report/format.h"
+#include "report/json_number.h"
 #include "report/plot_style.h"
 
 namespace tricontact::report {
@@ -12,40 +12,6 @@ namespace tricontact::report {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-/// null where empty.
-template <class T>
-json optional(const std::optional<T>& value) {
-    return value ? json(*value) : json();
-}
-
-json axis(const FigureAxis& content) {
-    return {{"label", chart_label(content.label)},
-            {"logarithmic", content.logarithmic},
-            {"low", optional(content.low)},
-            {"high", optional(content.high)}};
-}
-
-json curve(const Curve& content, std::optional<int> style, int dash, bool named) {
-    constexpr const char* kinds[] = {"line", "points", "line_and_points"};
-    return {{"name", chart_label(content.name)},
-            {"x", content.x},
-            {"y", content.y},
-            {"x_error", content.x_error},
-            {"y_error", content.y_error},
-            {"kind", kinds[static_cast<int>(content.kind)]},
-            {"named", named},
-            {"dash", dash},
-            {"style", optional(style)}};
-}
-
-json band(const Band& content, std::optional<int> style) {
-    return {{"name", chart_label(content.name)},
-            {"x", content.x},
-            {"low", content.low},
-            {"high", content.high},
-            {"style", optional(style)}};
-}
 
 /// The rows of a grid of values.
 template <class T>
@@ -56,68 +22,86 @@ json rows(const std::vector<T>& values, std::size_t n_x) {
     return result;
 }
 
-json map(const ContourMap& content) {
-    return {{"label", chart_label(content.label)},
-            {"x", content.x},
-            {"y", content.y},
-            {"rows", rows(content.values, content.x.size())},
-            {"levels", content.levels}};
-}
-
-json kinds(const std::vector<Kind>& content) {
+json curves_json(const std::vector<Curve>& curves, const FigureStyles& styles) {
+    constexpr const char* kinds[] = {"line", "points", "line_and_points"};
     json result = json::array();
-    for (const Kind& each : content) result.push_back({{"name", each.name}, {"shade", each.shade}});
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        result.push_back({{"name", chart_label(curves[i].name)},
+                          {"x", curves[i].x},
+                          {"y", curves[i].y},
+                          {"x_error", curves[i].x_error},
+                          {"y_error", curves[i].y_error},
+                          {"kind", kinds[static_cast<int>(curves[i].kind)]},
+                          {"named", static_cast<bool>(styles.named[i])},
+                          {"dash", styles.dashes[i]},
+                          {"style", styles.curves[i]}});
     return result;
 }
 
-json strips(const std::vector<Strip>& content) {
+json bands_json(const std::vector<Band>& bands, const FigureStyles& styles) {
     json result = json::array();
-    for (const Strip& strip : content) {
-        json stretches = json::array();
-        for (const Strip::Stretch& each : strip.stretches)
-            stretches.push_back({each.kind, each.begin, each.end});
-        result.push_back({{"name", chart_label(strip.name)}, {"stretches", stretches}});
-    }
-    return result;
-}
-
-json curves(const std::vector<Curve>& content, const FigureStyles& styles) {
-    json result = json::array();
-    for (std::size_t i = 0; i < content.size(); ++i)
-        result.push_back(curve(content[i], styles.curves[i], styles.dashes[i], styles.named[i]));
-    return result;
-}
-
-json panels(const std::vector<Panel>& content) {
-    json result = json::array();
-    for (const Panel& each : content)
-        result.push_back({{"title", chart_label(each.title)},
-                          {"x", each.x},
-                          {"y", each.y},
-                          {"rows", rows(each.kinds, each.x.size())},
-                          {"curves", curves(each.curves, styles_of({.curves = each.curves}))}});
-    return result;
-}
-
-json figure(const Figure& content) {
-    const FigureStyles styles = styles_of(content);
-    json result{{"id", content.id},
-                {"title", chart_label(content.title)},
-                {"x", axis(content.x)},
-                {"y", axis(content.y)},
-                {"curves", curves(content.curves, styles)},
-                {"bands", json::array()},
-                {"map", content.map ? map(*content.map) : json()},
-                {"kinds", kinds(content.kinds)},
-                {"strips", strips(content.strips)},
-                {"panels", panels(content.panels)},
-                {"equal_scales", content.equal_scales}};
-    for (std::size_t i = 0; i < content.bands.size(); ++i)
-        result["bands"].push_back(band(content.bands[i], styles.bands[i]));
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        result.push_back({{"name", chart_label(bands[i].name)},
+                          {"x", bands[i].x},
+                          {"low", bands[i].low},
+                          {"high", bands[i].high},
+                          {"style", styles.bands[i]}});
     return result;
 }
 
 }  // namespace
+
+// What the library writes lists and optional values by.
+
+static void to_json(json& out, const FigureAxis& axis) {
+    out = {{"label", chart_label(axis.label)},
+           {"logarithmic", axis.logarithmic},
+           {"low", axis.low},
+           {"high", axis.high}};
+}
+
+static void to_json(json& out, const ContourMap& map) {
+    out = {{"label", chart_label(map.label)},
+           {"x", map.x},
+           {"y", map.y},
+           {"rows", rows(map.values, map.x.size())},
+           {"levels", map.levels}};
+}
+
+static void to_json(json& out, const Kind& kind) {
+    out = {{"name", kind.name}, {"shade", kind.shade}};
+}
+
+static void to_json(json& out, const Strip::Stretch& stretch) {
+    out = json::array({stretch.kind, stretch.begin, stretch.end});
+}
+
+static void to_json(json& out, const Strip& strip) {
+    out = {{"name", chart_label(strip.name)}, {"stretches", strip.stretches}};
+}
+
+static void to_json(json& out, const Panel& panel) {
+    out = {{"title", chart_label(panel.title)},
+           {"x", panel.x},
+           {"y", panel.y},
+           {"rows", rows(panel.kinds, panel.x.size())},
+           {"curves", curves_json(panel.curves, styles_of({.curves = panel.curves}))}};
+}
+
+static void to_json(json& out, const Figure& figure) {
+    const FigureStyles styles = styles_of(figure);
+    out = {{"id", figure.id},
+           {"title", chart_label(figure.title)},
+           {"x", figure.x},
+           {"y", figure.y},
+           {"curves", curves_json(figure.curves, styles)},
+           {"bands", bands_json(figure.bands, styles)},
+           {"map", figure.map},
+           {"kinds", figure.kinds},
+           {"strips", figure.strips},
+           {"panels", figure.panels},
+           {"equal_scales", figure.equal_scales}};
+}
 
 std::string chart_label(const std::string& text) {
     std::string html = typeset(text);
@@ -128,9 +112,8 @@ std::string chart_label(const std::string& text) {
 }
 
 json chart_json(const std::vector<Figure>& figures) {
-    json result{{"colours", json::array()}, {"figures", json::array()}};
+    json result{{"colours", json::array()}, {"figures", figures}};
     for (std::size_t i = 0; i < n_model_colours; ++i) result["colours"].push_back(model_colour(i));
-    for (const Figure& each : figures) result["figures"].push_back(figure(each));
     return result;
 }
 

@@ -22,9 +22,9 @@ struct Link {
 /// Words, a number (NaN: undefined), a count, a number with its error, or a file.
 using Cell = std::variant<std::string, double, int, WithError, Link>;
 
-/// Empty: undefined.
-inline Cell number_cell(std::optional<double> value) {
-    return value.value_or(std::numeric_limits<double>::quiet_NaN());
+/// Over a unit; empty: undefined.
+inline Cell number_cell(std::optional<double> value, double unit = 1) {
+    return value.value_or(std::numeric_limits<double>::quiet_NaN()) / unit;
 }
 
 /// A table that readers can sort by any column.

@@ -22,7 +22,7 @@ bool is_word_letter(char c) {
 /// Ids become names of files and targets of links.
 void check_id(const std::string& kind, const std::string& id, std::set<std::string>& known) {
     const std::string owner = fmt::format("{} '{}'", kind, id);
-    if (id.empty() || !std::all_of(id.begin(), id.end(), is_word_letter))
+    if (id.empty() || !std::ranges::all_of(id, is_word_letter))
         refuse(owner, "an id consists of letters, digits, hyphens and underscores");
     if (!known.insert(id).second) refuse(owner, "the id occurs twice");
 }

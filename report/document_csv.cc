@@ -57,12 +57,10 @@ std::vector<Column> columns_of(const Figure& figure) {
 
 std::string map_csv(const Figure& figure) {
     const ContourMap& map = *figure.map;
-    std::string text =
-        csv_line({csv_field(figure.x.label), csv_field(figure.y.label), csv_field(map.label)});
+    std::string text = csv_row(figure.x.label, figure.y.label, map.label);
     auto value = map.values.begin();
     for (const double y : map.y)
-        for (const double x : map.x)
-            text += csv_line({csv_field(x), csv_field(y), csv_field(*value++)});
+        for (const double x : map.x) text += csv_row(x, y, *value++);
     return text;
 }
 
@@ -70,9 +68,19 @@ std::string strips_csv(const Figure& figure) {
     std::string text = csv_line({"strip", "kind", "begin", "end"});
     for (const Strip& strip : figure.strips)
         for (const auto& [kind, begin, end] : strip.stretches)
-            text += csv_line({csv_field(strip.name), csv_field(figure.kinds[kind].name),
-                              csv_field(begin), csv_field(end)});
+            text += csv_row(strip.name, figure.kinds[kind].name, begin, end);
     return text;
+}
+
+std::string field(const Link& link) {
+    return csv_field(link.path);
+}
+std::string field(const WithError& measured) {
+    return csv_field(measured.value);
+}
+template <class Value>
+std::string field(const Value& value) {
+    return csv_field(value);
 }
 
 /// As a matrix: x along the first line, then y and the kinds of its cells.
@@ -118,21 +126,9 @@ std::string table_csv(const DocumentTable& table) {
     for (const auto& row : table.rows) {
         fields.clear();
         for (std::size_t i = 0; i < n_columns; ++i) {
-            std::string error;
-            if (const auto* words = std::get_if<std::string>(&row[i])) {
-                fields.push_back(csv_field(*words));
-            } else if (const auto* number = std::get_if<double>(&row[i])) {
-                fields.push_back(csv_field(*number));
-            } else if (const auto* count = std::get_if<int>(&row[i])) {
-                fields.push_back(std::to_string(*count));
-            } else if (const auto* link = std::get_if<Link>(&row[i])) {
-                fields.push_back(csv_field(link->path));
-            } else {
-                const auto& measured = std::get<WithError>(row[i]);
-                fields.push_back(csv_field(measured.value));
-                error = csv_field(measured.error);
-            }
-            if (with_errors[i]) fields.push_back(error);
+            fields.push_back(std::visit([](const auto& value) { return field(value); }, row[i]));
+            const auto* measured = std::get_if<WithError>(&row[i]);
+            if (with_errors[i]) fields.push_back(measured ? csv_field(measured->error) : "");
         }
         text += csv_line(fields);
     }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <initializer_list>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
@@ -19,30 +20,26 @@ namespace {
 
 using kainjow::mustache::data;
 
+data object(std::initializer_list<std::pair<const char*, data>> members) {
+    data result{data::type::object};
+    for (const auto& [name, value] : members) result.set(name, value);
+    return result;
+}
+
 /// Class and word of a verdict's standing: colour is never the only difference.
 std::pair<std::string, std::string> words_of(Verdict::Standing standing) {
-    switch (standing) {
-        case Verdict::Standing::holds:
-            return {"holds", "holds"};
-        case Verdict::Standing::fails:
-            return {"fails", "fails"};
-        case Verdict::Standing::cannot_tell:
-            return {"cannot_tell", "cannot tell"};
-        case Verdict::Standing::finding:
-            break;
-    }
-    return {"finding", "finding"};
+    constexpr const char* words[] = {"holds", "fails", "cannot tell", "finding"};
+    const std::string word = words[static_cast<int>(standing)];
+    return {word == "cannot tell" ? "cannot_tell" : word, word};
 }
 
 data verdicts(const std::vector<Verdict>& list) {
     data result{data::type::list};
     for (const Verdict& verdict : list) {
         const auto [name, word] = words_of(verdict.standing);
-        data item{data::type::object};
-        item.set("class", name);
-        item.set("standing", verdict.word.empty() ? word : verdict.word);
-        item.set("sentence", typeset(verdict.sentence));
-        result << item;
+        result << object({{"class", name},
+                          {"standing", verdict.word.empty() ? word : verdict.word},
+                          {"sentence", typeset(verdict.sentence)}});
     }
     return result;
 }
@@ -90,31 +87,28 @@ std::string number_text(double number, const ColumnStyle& style) {
 }
 
 data cell(const Cell& content, const ColumnStyle& style) {
-    data result{data::type::object};
     const auto* words = std::get_if<std::string>(&content);
-    result.set("has_words", is_text(content));
-    result.set("is_words", style.words);
-    result.set("is_heading", words && style.first);
-    std::string value;
+    std::string text, value;
     if (words) {
-        result.set("text", typeset(*words));
+        text = typeset(*words);
     } else if (const auto* link = std::get_if<Link>(&content)) {
-        result.set("text",
-                   R"(<a href=")" + escaped(link->path) + R"(">)" + escaped(link->text) + "</a>");
+        text = R"(<a href=")" + escaped(link->path) + R"(">)" + escaped(link->text) + "</a>";
     } else if (const auto* number = std::get_if<double>(&content)) {
         value = csv_field(*number);
-        result.set("text", number_text(*number, style));
+        text = number_text(*number, style);
     } else if (const auto* count = std::get_if<int>(&content)) {
-        value = std::to_string(*count);
-        result.set("text", value);
+        text = value = std::to_string(*count);
     } else {
         const auto& measured = std::get<WithError>(content);
         value = csv_field(measured.value);
-        result.set("text", with_error(measured.value, measured.error, style.digits));
+        text = with_error(measured.value, measured.error, style.digits);
     }
-    result.set("has_value", !value.empty());
-    result.set("value", value);
-    return result;
+    return object({{"has_words", is_text(content)},
+                   {"is_words", style.words},
+                   {"is_heading", words && style.first},
+                   {"text", text},
+                   {"has_value", !value.empty()},
+                   {"value", value}});
 }
 
 data table(const DocumentTable& content) {
@@ -122,10 +116,8 @@ data table(const DocumentTable& content) {
     std::vector<ColumnStyle> styles;
     for (std::size_t i = 0; i < content.columns.size(); ++i) {
         styles.push_back(style_of(content, i));
-        data column{data::type::object};
-        column.set("text", typeset(content.columns[i].heading));
-        column.set("is_words", styles[i].words);
-        columns << column;
+        columns << object(
+            {{"text", typeset(content.columns[i].heading)}, {"is_words", styles[i].words}});
     }
     data rows{data::type::list};
     for (const std::vector<Cell>& row : content.rows) {
@@ -133,30 +125,26 @@ data table(const DocumentTable& content) {
         for (std::size_t i = 0; i < row.size(); ++i) cells << cell(row[i], styles[i]);
         rows << data{"cells", cells};
     }
-    data result{data::type::object};
-    result.set("id", content.id);
-    result.set("title", typeset(content.title));
-    result.set("title_text", content.title);
-    result.set("note", typeset(content.note));
-    result.set("folded", content.folded);
-    result.set("columns", columns);
-    result.set("rows", rows);
-    result.set("csv", base64(table_csv(content)));
-    return result;
+    return object({{"id", content.id},
+                   {"title", typeset(content.title)},
+                   {"title_text", content.title},
+                   {"note", typeset(content.note)},
+                   {"folded", content.folded},
+                   {"columns", columns},
+                   {"rows", rows},
+                   {"csv", base64(table_csv(content))}});
 }
 
 data figure_data(const Figure& content, const std::string& plots) {
-    data result{data::type::object};
-    result.set("id", content.id);
-    result.set("title", typeset(content.title));
-    result.set("title_text", content.title);
-    result.set("caption", typeset(content.caption));
-    result.set("caption_text", content.caption);
-    result.set("wide", content.panels.size() > 2);
-    result.set("files", plots.empty() ? "" : plots + "/" + content.id);
-    result.set("has_files", !plots.empty());
-    result.set("csv", plots.empty() ? base64(figure_csv(content)) : "");
-    return result;
+    return object({{"id", content.id},
+                   {"title", typeset(content.title)},
+                   {"title_text", content.title},
+                   {"caption", typeset(content.caption)},
+                   {"caption_text", content.caption},
+                   {"wide", content.panels.size() > 2},
+                   {"files", plots.empty() ? "" : plots + "/" + content.id},
+                   {"has_files", !plots.empty()},
+                   {"csv", plots.empty() ? base64(figure_csv(content)) : ""}});
 }
 
 data section(const DocumentSection& content, const std::string& plots) {
@@ -164,14 +152,12 @@ data section(const DocumentSection& content, const std::string& plots) {
     for (const std::string& text : content.paragraphs) paragraphs << data{"text", typeset(text)};
     for (const Figure& each : content.figures) figures << figure_data(each, plots);
     for (const DocumentTable& each : content.tables) tables << table(each);
-    data result{data::type::object};
-    result.set("id", content.id);
-    result.set("heading", typeset(content.heading));
-    result.set("paragraphs", paragraphs);
-    result.set("section_has_figures", !content.figures.empty());
-    result.set("figures", figures);
-    result.set("tables", tables);
-    return result;
+    return object({{"id", content.id},
+                   {"heading", typeset(content.heading)},
+                   {"paragraphs", paragraphs},
+                   {"section_has_figures", !content.figures.empty()},
+                   {"figures", figures},
+                   {"tables", tables}});
 }
 
 /// The figures' data and the scripts that draw them.
@@ -187,18 +173,10 @@ void set_scripts(const Document& document, data& page) {
 
 void set_origin(const Document& document, data& page) {
     data settings{data::type::list}, files{data::type::list};
-    for (const auto& [name, value] : document.settings) {
-        data item{data::type::object};
-        item.set("name", typeset(name));
-        item.set("value", typeset(value));
-        settings << item;
-    }
-    for (const auto& [text, path] : document.files) {
-        data item{data::type::object};
-        item.set("text", text);
-        item.set("path", path);
-        files << item;
-    }
+    for (const auto& [name, value] : document.settings)
+        settings << object({{"name", typeset(name)}, {"value", typeset(value)}});
+    for (const auto& [text, path] : document.files)
+        files << object({{"text", text}, {"path", path}});
     page.set("has_settings", !document.settings.empty());
     page.set("settings", settings);
     page.set("has_files", !document.files.empty());
@@ -217,17 +195,16 @@ std::string document_html(const Document& document) {
     check_document(document);
     data sections{data::type::list};
     for (const DocumentSection& each : document.sections) sections << section(each, document.plots);
-    data page{data::type::object};
-    page.set("style", std::string(page_style) + document_style);
-    page.set("version", document.version);
-    page.set("kind", document.kind);
-    page.set("title", document.title);
-    page.set("title_html", typeset(document.title));
-    page.set("has_lead", !document.lead.empty());
-    page.set("lead", typeset(document.lead));
-    page.set("has_verdicts", !document.verdicts.empty());
-    page.set("verdicts", verdicts(document.verdicts));
-    page.set("sections", sections);
+    data page = object({{"style", std::string(page_style) + document_style},
+                        {"version", document.version},
+                        {"kind", document.kind},
+                        {"title", document.title},
+                        {"title_html", typeset(document.title)},
+                        {"has_lead", !document.lead.empty()},
+                        {"lead", typeset(document.lead)},
+                        {"has_verdicts", !document.verdicts.empty()},
+                        {"verdicts", verdicts(document.verdicts)},
+                        {"sections", sections}});
     set_origin(document, page);
     set_scripts(document, page);
     kainjow::mustache::mustache engine{document_template};

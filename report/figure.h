@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -28,6 +29,14 @@ struct Curve {
     void sample(double low, double high, int n, const F& function) {
         for (int i = 0; i <= n; ++i) {
             const double at = low + (high - low) * i / n;
+            add(at, function(at));
+        }
+    }
+    /// The same at equal ratios.
+    template <class F>
+    void sample_decades(double low, double high, int n, const F& function) {
+        for (int i = 0; i <= n; ++i) {
+            const double at = low * std::pow(high / low, static_cast<double>(i) / n);
             add(at, function(at));
         }
     }

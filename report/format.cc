@@ -6,23 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "contact/number_text.h"
-
 namespace tricontact::report {
-
-namespace {
-
-constexpr const char* undefined = "–";
-
-}  // namespace
-
-std::string significant(std::optional<double> value, int digits) {
-    return contact::significant(value, digits);
-}
-
-std::string with_error(double value, double error, int digits) {
-    return contact::with_error(value, error, digits);
-}
 
 std::string as_given(double value) {
     std::string text = significant(value, 6);
@@ -35,7 +19,7 @@ std::string as_given(double value) {
 }
 
 std::string percent(std::optional<double> ratio) {
-    if (!ratio || !std::isfinite(*ratio)) return undefined;
+    if (!ratio || !std::isfinite(*ratio)) return significant({});
     const double value = 100 * (*ratio - 1);
     const int decimals = std::abs(value) < 0.995 ? 2 : (std::abs(value) < 99.95 ? 1 : 0);
     const std::string text = fmt::format("{:+.{}f}", value, decimals);
@@ -44,13 +28,13 @@ std::string percent(std::optional<double> ratio) {
     return (text.front() == '-' ? "−" : "+") + text.substr(1) + " %";
 }
 
+std::string apart(double ratio, const std::string& more, const std::string& less) {
+    return significant(100 * std::abs(ratio - 1), 3) + " % " + (ratio < 1 ? less : more);
+}
+
 Unit fitting_unit(double magnitude, const std::string& base) {
     const contact::UnitPrefix prefix = contact::fitting_prefix(magnitude);
     return {prefix.factor, prefix.symbol + base};
-}
-
-std::string quantity(double value, const std::string& base, int digits) {
-    return contact::quantity(value, base, digits);
 }
 
 std::string given_quantity(double value, const std::string& base) {

@@ -4,17 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "contact/number_text.h"
+
 namespace tricontact::report {
 
-/// A number for people: `digits` significant digits with trailing zeros kept, a true minus sign,
-/// powers of ten beyond 1e5 and below 1e-3 ("1.20·10⁻⁷"); an en dash where undefined.
-std::string significant(std::optional<double> value, int digits = 4);
-
-/// Value and half width of its interval as the Particle Data Group rounds them: the error to two
-/// digits where its leading three lie in 100 ... 354, else to one, the value to the same decimal
-/// ("0.83 ± 0.12", "(1.234 ± 0.005)·10⁻⁷"). Beside an error below 1e-7 of it, or an undefined
-/// one, the value has `digits` significant digits.
-std::string with_error(double value, double error, int digits = 4);
+using contact::quantity;
+using contact::significant;
+using contact::with_error;
 
 /// A given number for people: at most six significant digits, no trailing zeros.
 std::string as_given(double value);
@@ -27,6 +23,9 @@ std::string typeset(const std::string& sentence);
 /// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.
 std::string percent(std::optional<double> ratio);
 
+/// By how much a ratio is off 1: "3.19 % larger".
+std::string apart(double ratio, const std::string& more, const std::string& less);
+
 /// An SI unit with the prefix that keeps a magnitude between 1 and 1000.
 struct Unit {
     double factor = 1;  ///< SI value / number
@@ -34,10 +33,7 @@ struct Unit {
 };
 Unit fitting_unit(double magnitude, const std::string& base);
 
-/// Number and unit: "4.52 mm".
-std::string quantity(double value, const std::string& base, int digits = 4);
-
-/// The same for a given number, without trailing zeros: "8 mm".
+/// A given number and its unit, without trailing zeros: "8 mm".
 std::string given_quantity(double value, const std::string& base);
 
 /// "mdr" -> "MDR", "bem-layer" -> "BEM layer".

@@ -80,53 +80,47 @@ struct Parts {
     int n_blocks_ = 0;
 };
 
-/// `flat`: columns of a curve on the ground of `splot`.
-void add_curve(const Curve& curve, std::optional<int> style, int dash, bool named, bool flat,
-               Parts& parts) {
-    if (curve.x.empty()) return;
-    const std::string block = parts.add_data({curve.x, curve.y});
-    const std::string colour =
-        style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
-    constexpr const char* kinds[] = {"lines", "points", "linespoints"};
-    std::string plot =
-        fmt::format("{} using {} with {} linecolor rgb '{}'", block, flat ? "1:2:(0)" : "1:2",
-                    kinds[static_cast<int>(curve.kind)], colour);
-    if (curve.kind != Curve::Kind::points)
-        plot += fmt::format(" linewidth 1.5 dashtype {}", dash + 1);
-    if (curve.kind != Curve::Kind::line)
-        plot += fmt::format(" pointtype {} pointsize 0.7",
-                            model_marker(static_cast<std::size_t>(style.value_or(0))));
-    parts.plots.push_back(plot + (named ? " title " + quoted(curve.name) : " notitle"));
-    const auto add_errors = [&](const std::vector<double>& errors, char axis) {
-        if (!errors.empty() && !flat)
-            parts.plots.push_back(fmt::format(
-                "{} using 1:2:3 with {}errorbars pointtype 0 linewidth 1 linecolor rgb '{}' "
-                "notitle",
-                parts.add_data({curve.x, curve.y, errors}), axis, colour));
-    };
-    add_errors(curve.x_error, 'x');
-    add_errors(curve.y_error, 'y');
+std::string colour_of(std::optional<int> style) {
+    return style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
 }
 
+/// `flat`: on the ground of `splot`, without error bars.
 void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
                 bool with_key, Parts& parts) {
-    for (std::size_t i = 0; i < curves.size(); ++i)
-        add_curve(curves[i], styles.curves[i], styles.dashes[i], with_key && styles.named[i], flat,
-                  parts);
+    constexpr const char* kinds[] = {"lines", "points", "linespoints"};
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const Curve& curve = curves[i];
+        if (curve.x.empty()) continue;
+        const std::string colour = colour_of(styles.curves[i]);
+        std::string plot = fmt::format("{} using {} with {} linecolor rgb '{}'",
+                                       parts.add_data({curve.x, curve.y}), flat ? "1:2:(0)" : "1:2",
+                                       kinds[static_cast<int>(curve.kind)], colour);
+        if (curve.kind != Curve::Kind::points)
+            plot += fmt::format(" linewidth 1.5 dashtype {}", styles.dashes[i] + 1);
+        if (curve.kind != Curve::Kind::line)
+            plot +=
+                fmt::format(" pointtype {} pointsize 0.7",
+                            model_marker(static_cast<std::size_t>(styles.curves[i].value_or(0))));
+        const bool named = with_key && styles.named[i];
+        parts.plots.push_back(plot + (named ? " title " + quoted(curve.name) : " notitle"));
+        for (const auto& [errors, axis] : {std::pair(&curve.x_error, 'x'), {&curve.y_error, 'y'}})
+            if (!errors->empty() && !flat)
+                parts.plots.push_back(fmt::format(
+                    "{} using 1:2:3 with {}errorbars pointtype 0 linewidth 1 linecolor rgb '{}' "
+                    "notitle",
+                    parts.add_data({curve.x, curve.y, *errors}), axis, colour));
+    }
 }
 
 void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
     for (std::size_t i = 0; i < figure.bands.size(); ++i) {
         const Band& band = figure.bands[i];
-        const std::string colour = styles.bands[i]
-                                       ? model_colour(static_cast<std::size_t>(*styles.bands[i]))
-                                       : theory_colour;
         const bool alone = std::ranges::none_of(
             figure.curves, [&](const Curve& curve) { return curve.name == band.name; });
         parts.plots.push_back(fmt::format(
             "{} using 1:2:3 with filledcurves fillstyle transparent solid 0.25 noborder fillcolor "
             "rgb '{}' {}",
-            parts.add_data({band.x, band.low, band.high}), colour,
+            parts.add_data({band.x, band.low, band.high}), colour_of(styles.bands[i]),
             alone && !band.name.empty() ? "title " + quoted(band.name) : "notitle"));
     }
 }

@@ -50,8 +50,8 @@ std::string with_greek(const std::string& text) {
         const char after = end < text.size() ? text[end] : ' ';
         const bool alone = !is_alphanumeric(before) && before != '_' && before != '.' &&
                            !std::isdigit(static_cast<unsigned char>(after));
-        const auto* found = std::find_if(letters.begin(), letters.end(),
-                                         [&](const auto& letter) { return letter.first == word; });
+        const auto* found =
+            std::ranges::find_if(letters, [&](const auto& letter) { return letter.first == word; });
         result += alone && found != letters.end() ? std::string(found->second) : word;
         if (end < text.size()) result += text[end];
         begin = end + 1;
