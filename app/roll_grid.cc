@@ -104,7 +104,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     recorder.add_curve(free ? recorder.run.history.steady.creepage.longitudinal : 0,
                        drive_sign(c) * sliding_creepage(c), [&](double creepage) {
                            problem.drive.creepage[0] = creepage;
-                           return rolling::run(*substrate, problem).steady;
+                           return rolling::steady_rolling(*substrate, problem).state;
                        });
     return std::move(recorder.run);
 }

@@ -49,6 +49,34 @@ CreepTheory carter(double unit) {
          [=](double f) { return unit * theory::carter_creepage_ratio(f); }});
 }
 
+bool rolls_freely(const Case& c) {
+    return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
+           !c.tractive_rolling->longitudinal_creepage;
+}
+
+/// A parabola along x.
+bool is_parabolic(Case::Shape shape) {
+    return shape == Case::Shape::paraboloid || shape == Case::Shape::sphere ||
+           shape == Case::Shape::ellipsoid || shape == Case::Shape::cylinder ||
+           shape == Case::Shape::roller;
+}
+
+double hunter_ratio(const Case& c) {
+    const auto& [ratio, time] = c.relaxation->branches.front();
+    const double force = contact::half_space_scales(c).normal_force / c.indenter.length;
+    const theory::HunterRolling rolling{c.materials().effective_modulus(), c.indenter.radius, ratio,
+                                        c.tractive_rolling->speed * time};
+    return theory::hunter_contact(rolling, force).lead / c.indenter.radius;
+}
+
+double mdr_ratio(const Case& c) {
+    const theory::FoundationRolling bed =
+        theory::mdr_foundation(*c.relaxation, c.tractive_rolling->speed,
+                               c.materials().effective_modulus(), c.indenter.radius);
+    const double force = contact::half_space_scales(c).normal_force;
+    return theory::foundation_contact_under(bed, force).lead / bed.radius;
+}
+
 }  // namespace
 
 double creepage_unit(const Case& c) {
@@ -95,16 +123,7 @@ double thesis_creep_ratio(const Case& c) {
     return theory::vermeulen_johnson_coefficient(nu) / theory::mdr_coefficient(nu);
 }
 
-namespace {
-
-bool rolls_freely(const contact::Case& c) {
-    return c.load.tangential_force.value_or(0) == 0 && c.load.tangential_ratio.value_or(0) == 0 &&
-           !c.tractive_rolling->longitudinal_creepage;
-}
-
-}  // namespace
-
-std::vector<FreeCreepage> free_creepages(const contact::Case& c) {
+std::vector<FreeCreepage> free_creepages(const Case& c) {
     const double beta = c.materials().dundurs_beta();
     if (!c.is_line_contact() || !rolls_freely(c) || !comparisons::couples(c, "bem") || c.relaxation)
         return {};
@@ -114,35 +133,6 @@ std::vector<FreeCreepage> free_creepages(const contact::Case& c) {
             {"Bentall and Johnson, all slips", "bentall_johnson_smooth",
              slope * theory::smooth_free_creepage(beta)}};
 }
-
-namespace {
-
-using contact::Case;
-
-/// A parabola along x.
-bool is_parabolic(Case::Shape shape) {
-    return shape == Case::Shape::paraboloid || shape == Case::Shape::sphere ||
-           shape == Case::Shape::ellipsoid || shape == Case::Shape::cylinder ||
-           shape == Case::Shape::roller;
-}
-
-double hunter_ratio(const Case& c) {
-    const auto& [ratio, time] = c.relaxation->branches.front();
-    const double force = contact::half_space_scales(c).normal_force / c.indenter.length;
-    const theory::HunterRolling rolling{c.materials().effective_modulus(), c.indenter.radius, ratio,
-                                        c.tractive_rolling->speed * time};
-    return theory::hunter_contact(rolling, force).lead / c.indenter.radius;
-}
-
-double mdr_ratio(const Case& c) {
-    const theory::FoundationRolling bed =
-        theory::mdr_foundation(*c.relaxation, c.tractive_rolling->speed,
-                               c.materials().effective_modulus(), c.indenter.radius);
-    const double force = contact::half_space_scales(c).normal_force;
-    return theory::foundation_contact_under(bed, force).lead / bed.radius;
-}
-
-}  // namespace
 
 std::vector<ResistanceTheory> resistance_theories(const Case& c) {
     if (!c.relaxation || !is_parabolic(c.indenter.shape)) return {};

@@ -15,18 +15,6 @@ using contact::Vector2;
 
 constexpr double tolerance = 1e-8;  // of the linear system, far below what the cells cost
 
-/// Slip by a unit of each creepage.
-Vector2 unit_slip(int creepage, double x, double y) {
-    switch (creepage) {
-        case 0:
-            return {1, 0};
-        case 1:
-            return {0, 1};
-        default:
-            return {-y, x};
-    }
-}
-
 }  // namespace
 
 LinearCreep linear_creep(const contact::Compliance& compliance,
@@ -44,9 +32,9 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
     for (int c = 0; c < 3; ++c) {
         TangentialField slip(points.size());
         for (const std::size_t i : active) {
-            const Vector2 s = unit_slip(c, points.x[i] + ahead, points.y[i]);
-            slip.x[i] = s[0];
-            slip.y[i] = s[1];
+            const Vector2 by_unit[] = {{1, 0}, {0, 1}, {-points.y[i], points.x[i] + ahead}};
+            slip.x[i] = by_unit[c][0];
+            slip.y[i] = by_unit[c][1];
         }
         const SteadySystem::Result result = system.solve(slip, {}, tolerance);
         if (!(result.residual <= tolerance))

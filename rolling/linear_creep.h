@@ -15,8 +15,7 @@ using LinearCreep = std::array<std::array<double, 3>, 3>;
 /// The contact are the points under pressure [Pa], centre at the origin of a grid whose edge they
 /// do not reach; normal and tangential contact uncoupled. Traction is singular at the trailing
 /// edge: creepages along and across are of the first order in the cell (see contact::spin_point for
-/// spin). Throws contact::InputError for points that form no grid,
-/// contact::NotConverged.
+/// spin). Throws contact::InputError for points that form no grid, contact::NotConverged.
 LinearCreep linear_creep(const contact::Compliance& compliance,
                          const std::vector<double>& pressure);
 

@@ -15,8 +15,8 @@ contact::Vector2 half_extent(const contact::Surface& s) {
                 ++per_row[j];
                 ++per_column[i];
             }
-    return {*std::max_element(per_row.begin(), per_row.end()) * s.spacing[0] / 2,
-            *std::max_element(per_column.begin(), per_column.end()) * s.spacing[1] / 2};
+    return {*std::ranges::max_element(per_row) * s.spacing[0] / 2,
+            *std::ranges::max_element(per_column) * s.spacing[1] / 2};
 }
 
 }  // namespace

@@ -44,7 +44,6 @@ struct RollingProblem {
     Drive drive;
     bool coupling = true;     ///< of normal and tangential contact
     double tolerance = 1e-7;  ///< on RollingState::residual
-    double distance = 0;      ///< rolled from rest [m]; 0: the steady state only
     double speed = 0;         ///< of rolling [m/s], which only a relaxing substrate feels; 0: slow
 };
 
@@ -70,16 +69,14 @@ struct RollingState {
     /// leans forward and resists.
     double pressure_lead = 0;
     int iterations = 0;   ///< applications of the compliance
-    double residual = 0;  ///< see contact::TangentialSolver; steady: SteadySolver [-]
+    double residual = 0;  ///< see contact::TangentialSolver; steady: solve_steady [-]
 };
 
 /// What was computed of one problem.
 struct RollingHistory {
     std::vector<RollingState> transient;  ///< from rest, a state per rolled cell; first: at rest
     RollingState steady;
-    contact::Surface
-        surface;           ///< of the steady state; slip [-] and dissipation [Pa] per rolled way
-    contact::Audit audit;  ///< checks of all solutions
+    contact::Surface surface;  ///< then; slip [-] and dissipation [Pa] per rolled way
 };
 
 /// What follows from the fields of a grid under a body: forces, moments, areas, extent and

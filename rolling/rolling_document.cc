@@ -25,7 +25,7 @@ std::string driven_by(const Case& c, const RollingRun& run) {
     return fmt::format("driven by F_x = {} μ F_N", report::significant(f, 3));
 }
 
-report::Verdict steady_verdict(const RollingReport& report, const RollingRun& run) {
+std::string steady_sentence(const RollingReport& report, const RollingRun& run) {
     const Case& c = report.c;
     const auto& s = run.history.steady;
     std::string text = fmt::format("{}, {}: ", report::display_name(run.model), driven_by(c, run));
@@ -37,65 +37,57 @@ report::Verdict steady_verdict(const RollingReport& report, const RollingRun& ru
                         report::significant(100 * s.stick_area / s.contact_area, 3));
     if (const auto way = steady_after(report, run))
         text += fmt::format("; within 1 % of it after {} a", report::significant(*way, 3));
-    return {.standing = report::Verdict::Standing::finding, .sentence = text + "."};
+    return text + ".";
 }
 
-std::optional<report::Verdict> energy_verdict(const RollingReport& report) {
+// Empty where there is nothing to say.
+
+std::string energy_sentence(const RollingReport& report) {
     double worst = -1;
     for (const RollingRun& run : report.runs)
         if (const auto error = energy_error(run.history.steady, report.c.friction_coefficient))
             worst = std::max(worst, *error);
-    if (worst < 0) return std::nullopt;
-    return report::Verdict{
-        .standing = report::Verdict::Standing::finding,
-        .sentence =
-            fmt::format("What friction{} differs from what creepage, spin and resistance work by "
-                        "{} of it.",
-                        report.c.relaxation ? " and material dissipate" : " dissipates",
-                        report::significant(worst, 2))};
+    if (worst < 0) return {};
+    return fmt::format(
+        "What friction{} differs from what creepage, spin and resistance work by {} of it.",
+        report.c.relaxation ? " and material dissipate" : " dissipates",
+        report::significant(worst, 2));
 }
 
 /// MDR's creep over that of three dimensions beside what closed forms have for it.
-std::optional<report::Verdict> ratio_verdict(const RollingReport& report) {
+std::string ratio_sentence(const RollingReport& report) {
     const RollingRun* mdr = run_of(report, "mdr");
     const RollingRun* bem = run_of(report, "bem");
-    if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c))
-        return std::nullopt;
-    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient) > 0)) return std::nullopt;
+    if (!mdr || !bem || by_creepage(report.c) || !has_thesis_creep_ratio(report.c)) return {};
+    if (!(force_ratio(bem->history.steady, report.c.friction_coefficient) > 0)) return {};
     const double measured =
         mdr->history.steady.creepage.longitudinal / bem->history.steady.creepage.longitudinal;
-    if (!std::isfinite(measured)) return std::nullopt;
-    return report::Verdict{
-        .standing = report::Verdict::Standing::finding,
-        .sentence = fmt::format(
-            "MDR creeps {} times as much as BEM; by the closed forms it is {} (2.2.31).",
-            report::significant(measured, 3),
-            report::significant(thesis_creep_ratio(report.c), 3))};
+    if (!std::isfinite(measured)) return {};
+    return fmt::format("MDR creeps {} times as much as BEM; by the closed forms it is {} (2.2.31).",
+                       report::significant(measured, 3),
+                       report::significant(thesis_creep_ratio(report.c), 3));
 }
 
 /// Of each model what the relaxing substrate resists.
-std::optional<report::Verdict> resistance_verdict(const RollingReport& report,
-                                                  const RollingRun& run) {
-    if (!report.c.relaxation) return std::nullopt;
+std::string resistance_sentence(const RollingReport& report, const RollingRun& run) {
+    if (!report.c.relaxation) return {};
     const auto& s = run.history.steady;
-    return report::Verdict{
-        .standing = report::Verdict::Standing::finding,
-        .sentence = fmt::format("{}: the relaxing substrate resists with {} F_N.",
-                                report::display_name(run.model),
-                                report::significant(s.resistance / s.normal_force, 4))};
+    return fmt::format("{}: the relaxing substrate resists with {} F_N.",
+                       report::display_name(run.model),
+                       report::significant(s.resistance / s.normal_force, 4));
 }
 
 /// Dissimilar cylinders without a force, beside both bounds.
-std::optional<report::Verdict> free_verdict(const RollingReport& report, const RollingRun& run) {
+std::string free_sentence(const RollingReport& report, const RollingRun& run) {
     const auto bounds = free_creepages(report.c);
-    if (bounds.empty()) return std::nullopt;
+    if (bounds.empty()) return {};
     const double unit = creepage_unit(report.c);
     std::string text = fmt::format(
         "{} creeps under its normal load alone, ξ = {} units", report::display_name(run.model),
         report::significant(run.history.steady.creepage.longitudinal / unit, 4));
     for (const FreeCreepage& bound : bounds)
         text += fmt::format("; {}: {}", bound.name, report::significant(bound.creepage / unit, 4));
-    return report::Verdict{.standing = report::Verdict::Standing::finding, .sentence = text + "."};
+    return text + ".";
 }
 
 Settings settings_of(const Case& c) {
@@ -132,13 +124,18 @@ report::Document rolling_document(const RollingReport& report) {
         .files = report.files,
         .command = report.command,
         .version = report.version};
+    const auto add = [&](const std::string& sentence) {
+        if (!sentence.empty()) document.verdicts.push_back({.sentence = sentence});
+    };
     for (const RollingRun& run : report.runs) {
-        document.verdicts.push_back(steady_verdict(report, run));
-        for (const auto& verdict : {resistance_verdict(report, run), free_verdict(report, run)})
-            if (verdict) document.verdicts.push_back(*verdict);
+        add(steady_sentence(report, run));
+        add(resistance_sentence(report, run));
+        add(free_sentence(report, run));
     }
-    if (auto verdict = ratio_verdict(report)) document.verdicts.push_back(std::move(*verdict));
-    if (auto verdict = energy_verdict(report)) document.verdicts.push_back(std::move(*verdict));
+    add(ratio_sentence(report));
+    add(energy_sentence(report));
+    for (report::DocumentSection& section : document.sections)
+        std::erase_if(section.tables, [](const auto& table) { return table.rows.empty(); });
     std::erase_if(document.sections, [](const report::DocumentSection& section) {
         return section.tables.empty() &&
                std::ranges::all_of(section.figures, [](const report::Figure& figure) {

@@ -1,5 +1,3 @@
-#include <array>
-
 #include "comparisons/quantities/quantities.h"
 #include "report/csv.h"
 #include "report/json_number.h"
@@ -11,78 +9,75 @@ namespace tricontact::rolling {
 
 namespace {
 
-struct Column {
-    const char* name;
-    double (*value)(const RollingState&);
-};
+using Json = nlohmann::ordered_json;
 
-const std::array<Column, 19> columns{{
-    {"longitudinal_creepage", [](const RollingState& s) { return s.creepage.longitudinal; }},
-    {"lateral_creepage", [](const RollingState& s) { return s.creepage.lateral; }},
-    {"spin_per_m", [](const RollingState& s) { return s.creepage.spin; }},
-    {"tangential_force_x_N", [](const RollingState& s) { return s.force[0]; }},
-    {"tangential_force_y_N", [](const RollingState& s) { return s.force[1]; }},
-    {"spin_moment_Nm", [](const RollingState& s) { return s.spin_moment; }},
+/// What a state has in the files, in their order.
+struct Column {
+    enum class In { both, history, summary };
+
+    const char* name;
+    Json (*value)(const RollingState&, double friction_coefficient);
+    In in = In::both;
+};
+using In = Column::In;
+
+const Column columns[] = {
+    {"longitudinal_creepage", [](auto& s, double) -> Json { return s.creepage.longitudinal; }},
+    {"lateral_creepage", [](auto& s, double) -> Json { return s.creepage.lateral; }},
+    {"spin_per_m", [](auto& s, double) -> Json { return s.creepage.spin; }},
+    {"tangential_force_N", [](auto& s, double) { return report::numbers(s.force); }, In::summary},
+    {"tangential_force_x_N", [](auto& s, double) -> Json { return s.force[0]; }, In::history},
+    {"tangential_force_y_N", [](auto& s, double) -> Json { return s.force[1]; }, In::history},
+    {"force_ratio", [](auto& s, double mu) -> Json { return force_ratio(s, mu); }, In::summary},
+    {"spin_moment_Nm", [](auto& s, double) -> Json { return s.spin_moment; }},
     {comparisons::quantities::normal_force.key,
-     [](const RollingState& s) { return s.normal_force; }},
-    {comparisons::quantities::indentation.key, [](const RollingState& s) { return s.indentation; }},
-    {"half_length_m", [](const RollingState& s) { return s.half_length; }},
-    {"half_width_m", [](const RollingState& s) { return s.half_width; }},
+     [](auto& s, double) -> Json { return s.normal_force; }},
+    {comparisons::quantities::indentation.key,
+     [](auto& s, double) -> Json { return s.indentation; }},
+    {"half_length_m", [](auto& s, double) -> Json { return s.half_length; }},
+    {"half_width_m", [](auto& s, double) -> Json { return s.half_width; }},
     {comparisons::quantities::peak_pressure.key,
-     [](const RollingState& s) { return s.peak_pressure; }},
-    {"contact_area_m2", [](const RollingState& s) { return s.contact_area; }},
-    {"stick_area_m2", [](const RollingState& s) { return s.stick_area; }},
-    {"slip_area_m2", [](const RollingState& s) { return s.slip_area; }},
-    {"dissipation_J_per_m", [](const RollingState& s) { return s.dissipation; }},
-    {"material_dissipation_J_per_m", [](const RollingState& s) { return s.material_dissipation; }},
-    {"resistance_N", [](const RollingState& s) { return s.resistance; }},
-    {"pressure_lead_m", [](const RollingState& s) { return s.pressure_lead; }},
-    {"residual", [](const RollingState& s) { return s.residual; }},
-}};
+     [](auto& s, double) -> Json { return s.peak_pressure; }},
+    {"contact_area_m2", [](auto& s, double) -> Json { return s.contact_area; }},
+    {"stick_area_m2", [](auto& s, double) -> Json { return s.stick_area; }, In::history},
+    {"slip_area_m2", [](auto& s, double) -> Json { return s.slip_area; }, In::history},
+    {"stick_share", [](auto& s, double) -> Json { return s.stick_area / s.contact_area; },
+     In::summary},
+    {"dissipation_J_per_m", [](auto& s, double) -> Json { return s.dissipation; }},
+    {"material_dissipation_J_per_m",
+     [](auto& s, double) -> Json { return s.material_dissipation; }},
+    {"resistance_N", [](auto& s, double) -> Json { return s.resistance; }},
+    {"energy_error", [](auto& s, double mu) -> Json { return energy_error(s, mu); }, In::summary},
+    {"pressure_lead_m", [](auto& s, double) -> Json { return s.pressure_lead; }},
+    {"iterations", [](auto& s, double) -> Json { return s.iterations; }, In::summary},
+    {"residual", [](auto& s, double) -> Json { return s.residual; }}};
 
 std::string row(const std::string& first, const RollingState& state) {
     std::vector<std::string> fields{first};
-    for (const Column& column : columns) fields.push_back(report::csv_field(column.value(state)));
+    for (const Column& column : columns)
+        if (column.in != In::summary)
+            fields.push_back(report::csv_field(column.value(state, 0).get<double>()));
     return report::csv_line(fields);
 }
 
-using Json = nlohmann::ordered_json;
-
-Json steady_json(const RollingState& s, double friction_coefficient) {
-    return {{"longitudinal_creepage", report::number(s.creepage.longitudinal)},
-            {"lateral_creepage", report::number(s.creepage.lateral)},
-            {"spin_per_m", report::number(s.creepage.spin)},
-            {"tangential_force_N", report::numbers(s.force)},
-            {"force_ratio", report::number(force_ratio(s, friction_coefficient))},
-            {"spin_moment_Nm", report::number(s.spin_moment)},
-            {comparisons::quantities::normal_force.key, report::number(s.normal_force)},
-            {comparisons::quantities::indentation.key, report::number(s.indentation)},
-            {"half_length_m", report::number(s.half_length)},
-            {"half_width_m", report::number(s.half_width)},
-            {comparisons::quantities::peak_pressure.key, report::number(s.peak_pressure)},
-            {"contact_area_m2", report::number(s.contact_area)},
-            {"stick_share", report::number(s.stick_area / s.contact_area)},
-            {"dissipation_J_per_m", report::number(s.dissipation)},
-            {"material_dissipation_J_per_m", report::number(s.material_dissipation)},
-            {"resistance_N", report::number(s.resistance)},
-            {"energy_error", report::number(energy_error(s, friction_coefficient))},
-            {"pressure_lead_m", report::number(s.pressure_lead)},
-            {"iterations", s.iterations},
-            {"residual", report::number(s.residual)}};
+Json steady_json(const RollingState& state, double friction_coefficient) {
+    Json json = Json::object();
+    for (const Column& column : columns)
+        if (column.in != In::history) json[column.name] = column.value(state, friction_coefficient);
+    return json;
 }
 
 Json run_json(const RollingReport& report, const RollingRun& run) {
     const double mu = report.c.friction_coefficient;
-    Json json{{"model", run.model},
-              {"steady", steady_json(run.history.steady, mu)},
-              {"rolled_steps", run.history.transient.size() - 1},
-              {"steady_after", report::number(steady_after(report, run))},
-              {"creep_curve", Json::array()}};
-    for (const RollingState& s : run.creep_curve)
-        json["creep_curve"].push_back(
-            {{"longitudinal_creepage", report::number(s.creepage.longitudinal)},
-             {"force_ratio", report::number(force_ratio(s, mu))}});
-    return json;
+    const auto point = [&](const RollingState& s) -> Json {
+        return {{"longitudinal_creepage", s.creepage.longitudinal},
+                {"force_ratio", force_ratio(s, mu)}};
+    };
+    return {{"model", run.model},
+            {"steady", steady_json(run.history.steady, mu)},
+            {"rolled_steps", run.history.transient.size() - 1},
+            {"steady_after", steady_after(report, run)},
+            {"creep_curve", report::list_of(run.creep_curve, point)}};
 }
 
 /// Creepage that each theory gives at the force of the case, or the force at its creepage.
@@ -95,35 +90,28 @@ Json theories_json(const RollingReport& report) {
     for (const CreepTheory& theory : creep_theories(report.c)) {
         Json one{{"theory", theory.key}};
         if (by_creepage(report.c))
-            one["force_ratio"] = report::number(theory.force_ratio(xi));
+            one["force_ratio"] = theory.force_ratio(xi);
         else
-            one["longitudinal_creepage"] =
-                std::abs(f) < 1 ? report::number(theory.creepage(f)) : Json();
+            one["longitudinal_creepage"] = std::abs(f) < 1 ? Json(theory.creepage(f)) : Json();
         json.push_back(std::move(one));
     }
     return json;
 }
 
-Json free_creepages_json(const RollingReport& report) {
-    Json json = Json::array();
-    for (const FreeCreepage& one : free_creepages(report.c))
-        json.push_back(
-            {{"theory", one.key}, {"longitudinal_creepage", report::number(one.creepage)}});
-    return json;
+Json creepage_json(const FreeCreepage& one) {
+    return {{"theory", one.key}, {"longitudinal_creepage", one.creepage}};
 }
 
-Json resistances_json(const RollingReport& report) {
-    Json json = Json::array();
-    for (const ResistanceTheory& one : resistance_theories(report.c))
-        json.push_back({{"theory", one.key}, {"resistance_ratio", report::number(one.ratio)}});
-    return json;
+Json resistance_json(const ResistanceTheory& one) {
+    return {{"theory", one.key}, {"resistance_ratio", one.ratio}};
 }
 
 }  // namespace
 
 std::string history_csv(const RollingRun& run) {
     std::vector<std::string> names{"distance_m"};
-    for (const Column& column : columns) names.emplace_back(column.name);
+    for (const Column& column : columns)
+        if (column.in != In::summary) names.emplace_back(column.name);
     std::string text = report::csv_line(names);
     for (const RollingState& state : run.history.transient)
         text += row(report::csv_field(state.distance), state);
@@ -138,31 +126,27 @@ std::string creep_csv(const RollingReport& report) {
         if (!first && !run.creep_curve.empty()) first = &run.creep_curve;
         for (const RollingState& s : run.creep_curve) {
             const double limit = report.c.friction_coefficient * s.normal_force;
-            text += report::csv_line({run.model, report::csv_field(s.creepage.longitudinal),
-                                      report::csv_field(s.force[0] / limit),
-                                      report::csv_field(s.force[1] / limit),
-                                      report::csv_field(s.stick_area / s.contact_area),
-                                      report::csv_field(s.dissipation)});
+            text +=
+                report::csv_row(run.model, s.creepage.longitudinal, s.force[0] / limit,
+                                s.force[1] / limit, s.stick_area / s.contact_area, s.dissipation);
         }
     }
     if (!first) return text;
     for (const CreepTheory& theory : creep_theories(report.c))
         for (const RollingState& s : *first)
-            text += report::csv_line(
-                {theory.key, report::csv_field(s.creepage.longitudinal),
-                 report::csv_field(theory.force_ratio(s.creepage.longitudinal)), "", "", ""});
+            text += report::csv_row(theory.key, s.creepage.longitudinal,
+                                    theory.force_ratio(s.creepage.longitudinal), "", "", "");
     return text;
 }
 
 Json rolling_json(const RollingReport& report) {
-    Json models = Json::array();
-    for (const RollingRun& run : report.runs) models.push_back(run_json(report, run));
-    return {{"creepage_unit", report::number(creepage_unit(report.c))},
-            {"models", std::move(models)},
+    const auto model = [&](const RollingRun& run) { return run_json(report, run); };
+    return {{"creepage_unit", creepage_unit(report.c)},
+            {"models", report::list_of(report.runs, model)},
             {"theories", theories_json(report)},
-            {"free_creepages", free_creepages_json(report)},
-            {"resistances", resistances_json(report)},
-            {"thesis_creep_ratio", report::number(thesis_creep_ratio(report.c))}};
+            {"free_creepages", report::list_of(free_creepages(report.c), creepage_json)},
+            {"resistances", report::list_of(resistance_theories(report.c), resistance_json)},
+            {"thesis_creep_ratio", thesis_creep_ratio(report.c)}};
 }
 
 }  // namespace tricontact::rolling

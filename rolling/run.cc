@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/error.h"
 #include "contact/special_values.h"
@@ -77,7 +76,7 @@ contact::LoadStep TransientRolling::step() const {
 
 RollingState TransientRolling::press() {
     contact::LoadStep press = step();
-    press.duration = std::numeric_limits<double>::infinity();
+    press.duration = contact::infinity;
     const contact::StepRecord pressed = model_.advance(press);
     shift_ = pressed.shift;  // of the forces at rest: no creepage
     return record(pressed);
@@ -85,8 +84,7 @@ RollingState TransientRolling::press() {
 
 RollingState TransientRolling::roll() {
     contact::LoadStep next = step();
-    next.duration =
-        problem_.speed > 0 ? cell_ / problem_.speed : std::numeric_limits<double>::infinity();
+    next.duration = problem_.speed > 0 ? cell_ / problem_.speed : contact::infinity;
     for (int d = 0; d < 2; ++d)
         if (problem_.drive.creepage[d])
             next.tangential[d].value += *problem_.drive.creepage[d] * cell_;
@@ -128,29 +126,14 @@ SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingSt
         states.push_back(rolling.roll());
     }
     SteadyRolling steady{states.back(), rolling.surface(), rolling.audit()};
-    steady.state.distance = std::numeric_limits<double>::infinity();
+    steady.state.distance = contact::infinity;
     return steady;
 }
 
-RollingHistory run(const contact::Substrate& substrate, const RollingProblem& problem) {
-    RollingHistory history;
-    const auto keep = [&](SteadyRolling steady) {
-        history.steady = steady.state;
-        history.surface = std::move(steady.surface);
-        history.audit = std::move(steady.audit);
-    };
-    if (!substrate.relaxes()) {
-        keep(steady_rolling(substrate.compliance(), problem));
-        if (!(problem.distance > 0)) return history;
-    }
+SteadyRolling steady_rolling(const contact::Substrate& substrate, const RollingProblem& problem) {
+    if (!substrate.relaxes()) return steady_rolling(substrate.compliance(), problem);
     TransientRolling rolling(substrate, problem);
-    history.transient = {rolling.press()};
-    const int n = static_cast<int>(std::lround(problem.distance / rolling.cell()));
-    for (int i = 0; i < n; ++i) history.transient.push_back(rolling.roll());
-    if (substrate.relaxes()) keep(roll_until_steady(rolling, history.transient));
-    for (const contact::Audit::Check& check : rolling.audit().checks())
-        history.audit.record(check.name, check.worst, check.allowed);
-    return history;
+    return roll_until_steady(rolling, {rolling.press()});
 }
 
 }  // namespace tricontact::rolling

@@ -33,7 +33,6 @@ class StaggeredIteration {
           drive_(problem.drive),
           coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
           normal_solver_(compliance, 0.1 * problem.tolerance),
-          steady_solver_(compliance, problem.tolerance),
           none_(points_.size()) {
         steady_.traction = TangentialField(points_.size());
         coupling_.place({{}, {}, none_});
@@ -143,7 +142,7 @@ class StaggeredIteration {
             coupling_.update_displacement(normal_.pressure, steady_.traction);
         if (drive_.force_ratio)
             drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
-        steady_solver_.solve({bound_, by_pressure(), drive_}, steady_);
+        solve_steady(compliance_, {bound_, by_pressure(), drive_}, problem_.tolerance, steady_);
         iterations_ += steady_.iterations;
     }
 
@@ -179,7 +178,6 @@ class StaggeredIteration {
     Drive drive_;  // its forces are those of the present F_N
     contact::Coupling coupling_;
     contact::NormalSolver normal_solver_;
-    SteadySolver steady_solver_;
     const TangentialField none_;
     contact::NormalSolution normal_;
     std::vector<double> bound_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/special_values.h"
+#include "report/columns.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
@@ -23,19 +24,10 @@ report::DocumentTable steady_table(const RollingReport& report) {
             "cells. Energy: what friction and a relaxing material dissipate less what creepage, "
             "spin and resistance work, over that work at the friction limit.",
             report::significant(unit, 4)),
-        .columns = {{"model"},
-                    {"ξ [unit]"},
-                    {"η [unit]"},
-                    {"F_x/(μ F_N)"},
-                    {"F_y/(μ F_N)"},
-                    {"M_z/(μ F_N a)"},
-                    {"a [mm]"},
-                    {"b [mm]"},
-                    {"p_0 [MPa]"},
-                    {"stick [share of area]", 3},
-                    {"dissipation [J/m]"},
-                    {"energy [-]", 2},
-                    {"residual [-]", 2}}};
+        .columns = report::columns("model", "ξ [unit]", "η [unit]", "F_x/(μ F_N)", "F_y/(μ F_N)",
+                                   "M_z/(μ F_N a)", "a [mm]", "b [mm]", "p_0 [MPa]",
+                                   "stick [share of area]:3", "dissipation [J/m]", "energy [-]:2",
+                                   "residual [-]:2")};
     for (const RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
         const double limit = mu * s.normal_force;
@@ -49,6 +41,11 @@ report::DocumentTable steady_table(const RollingReport& report) {
     return table;
 }
 
+void add_model_columns(const RollingReport& report, report::DocumentTable& table) {
+    for (const RollingRun& run : report.runs)
+        table.columns.push_back({"over that of " + report::display_name(run.model)});
+}
+
 /// What closed forms say beside the first model.
 report::DocumentTable theory_table(const RollingReport& report) {
     const double mu = report.c.friction_coefficient, unit = creepage_unit(report.c);
@@ -59,8 +56,7 @@ report::DocumentTable theory_table(const RollingReport& report) {
         .note = "On the half-space, whatever the case's layer. Sources: docs/rolling.md.",
         .columns = {{"theory"}, {forces ? "F_x/(μ F_N)" : "ξ [unit]"}}};
     if (!straight(report.c)) return table;
-    for (const RollingRun& run : report.runs)
-        table.columns.push_back({"over that of " + report::display_name(run.model)});
+    add_model_columns(report, table);
     const auto& first = report.runs.front().history.steady;
     for (const CreepTheory& theory : creep_theories(report.c)) {
         const double f = force_ratio(first, mu), xi = first.creepage.longitudinal;
@@ -83,13 +79,9 @@ report::DocumentTable model_table(const RollingReport& report) {
         .note =
             "The pressure leans forward and resists, W per rolled way; the lead is its moment "
             "about the body's lowest point over F_N, undefined for springs, which have no "
-            "pressure. The material dissipates what resistance and friction's traction work "
-            "on it.",
-        .columns = {{"model"},
-                    {"resistance W [N]"},
-                    {"W/F_N"},
-                    {"lead/a"},
-                    {"dissipation of the material [J/m]"}}};
+            "pressure. The material dissipates what resistance and friction's traction work on it.",
+        .columns = report::columns("model", "resistance W [N]", "W/F_N", "lead/a",
+                                   "dissipation of the material [J/m]")};
     for (const RollingRun& run : report.runs) {
         const auto& s = run.history.steady;
         table.rows.push_back({report::display_name(run.model), s.resistance,
@@ -108,8 +100,7 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
             "every substrate that relaxes as one; the others are on the half-space. Sources: "
             "docs/rolling.md.",
         .columns = {{"theory"}, {"W/F_N"}}};
-    for (const RollingRun& run : report.runs)
-        table.columns.push_back({"over that of " + report::display_name(run.model)});
+    add_model_columns(report, table);
     for (const ResistanceTheory& theory : resistance_theories(report.c)) {
         std::vector<report::Cell> row{theory.name, theory.ratio};
         for (const RollingRun& run : report.runs) {
@@ -152,13 +143,11 @@ report::Figure creep_figure(const RollingReport& report) {
     }
     if (across) return figure;
     for (const CreepTheory& theory : creep_theories(report.c)) {
-        report::Curve curve{
-            .name = theory.name, .theory = true, .colour = static_cast<int>(figure.curves.size())};
-        for (int i = 0; i <= curve_points; ++i) {
-            const double creepage = farthest * i / curve_points;
-            curve.add(creepage, theory.force_ratio(creepage * unit));
-        }
-        figure.curves.push_back(std::move(curve));
+        const int colour = static_cast<int>(figure.curves.size());
+        figure.curves
+            .emplace_back(report::Curve{.name = theory.name, .theory = true, .colour = colour})
+            .sample(0, farthest, curve_points,
+                    [&](double creepage) { return theory.force_ratio(creepage * unit); });
     }
     return figure;
 }
@@ -198,29 +187,24 @@ report::DocumentTable ratio_table(const RollingReport& report) {
 }  // namespace
 
 report::DocumentSection steady_section(const RollingReport& report) {
-    report::DocumentSection section{
-        .id = "steady_section", .heading = "Steady rolling", .tables = {steady_table(report)}};
-    report::DocumentTable theories = theory_table(report);
-    if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
-    return section;
+    return {.id = "steady_section",
+            .heading = "Steady rolling",
+            .tables = {steady_table(report), theory_table(report)}};
 }
 
 report::DocumentSection resistance_section(const RollingReport& report) {
     report::DocumentSection section{.id = "resistance_section",
                                     .heading = "Resistance of the relaxing substrate"};
-    if (!report.c.relaxation) return section;
-    section.tables.push_back(model_table(report));
-    report::DocumentTable theories = resistance_theory_table(report);
-    if (!theories.rows.empty()) section.tables.push_back(std::move(theories));
+    if (report.c.relaxation)
+        section.tables = {model_table(report), resistance_theory_table(report)};
     return section;
 }
 
 report::DocumentSection creep_section(const RollingReport& report) {
-    report::DocumentSection section{
-        .id = "creep_section", .heading = "Force and creepage", .figures = {creep_figure(report)}};
-    report::DocumentTable ratios = ratio_table(report);
-    if (!ratios.rows.empty()) section.tables.push_back(std::move(ratios));
-    return section;
+    return {.id = "creep_section",
+            .heading = "Force and creepage",
+            .figures = {creep_figure(report)},
+            .tables = {ratio_table(report)}};
 }
 
 }  // namespace tricontact::rolling

@@ -61,7 +61,7 @@ class Newton {
             "steady rolling: residual {:.2e} (tolerance {:.1e}), force residual {:.2e} after {} "
             "Newton steps; {} points in contact, {} slipping; creepage {:.3e}, {:.3e}",
             solution_.residual, tolerance_, solution_.force_residual, most_steps, active_.size(),
-            std::count(slipping_.begin(), slipping_.end(), 1), solution_.creepage.longitudinal,
+            std::ranges::count(slipping_, 1), solution_.creepage.longitudinal,
             solution_.creepage.lateral));
     }
 
@@ -229,77 +229,55 @@ class Newton {
 
 /// Where all cells slip, in a direction that pressure gives them, the force hardly follows the
 /// creepage and Newton's steps lead nowhere: the force along x is bracketed, which grows with the
-/// creepage, until Newton's method arrives from there.
-class Bracketing {
-  public:
-    Bracketing(const contact::Compliance& compliance, const SteadyProblem& problem,
-               double tolerance, SteadySolution& solution)
-        : compliance_(compliance),
-          problem_(problem),
-          tolerance_(tolerance),
-          solution_(solution),
-          drive_(problem.drive),
-          at_creepage_{problem.bound, problem.displacement, drive_} {}
-
-    /// `unit`: a creepage of its size [-].
-    void run(double unit) {
-        double low = -unit, high = unit;
-        while (missing_force(low) < 0) low = 2 * low;
-        while (missing_force(high) > 0) high = 2 * high;
-        while (!arrives()) {
-            const double middle = std::midpoint(low, high);
-            if (middle <= low || middle >= high)
-                throw contact::NotConverged(
-                    fmt::format("steady rolling: no creepage has the force {:.6g} N: {:.6g} N are "
-                                "missing at {:.15g}, beyond it next to there",
-                                problem_.drive.force[0], missing_force(low), low));
-            (missing_force(middle) > 0 ? low : high) = middle;
-        }
-    }
-
-  private:
-    double missing_force(double creepage) {
-        drive_.creepage[0] = creepage;
-        Newton(compliance_, at_creepage_, tolerance_, solution_).run();
-        double missing = problem_.drive.force[0];
-        for (std::size_t i = 0; i < problem_.bound.size(); ++i)
-            missing -= compliance_.points().area[i] * solution_.traction.x[i];
+/// creepage, until Newton's method arrives from there. `unit`: a creepage of its size [-].
+void bracket(const contact::Compliance& compliance, const SteadyProblem& problem, double tolerance,
+             double unit, SteadySolution& solution) {
+    Drive drive = problem.drive;  // creepage along x in place of the force
+    const SteadyProblem at_creepage{problem.bound, problem.displacement, drive};
+    const auto missing_force = [&](double creepage) {
+        drive.creepage[0] = creepage;
+        Newton(compliance, at_creepage, tolerance, solution).run();
+        double missing = problem.drive.force[0];
+        for (std::size_t i = 0; i < problem.bound.size(); ++i)
+            missing -= compliance.points().area[i] * solution.traction.x[i];
         return missing;
-    }
-
-    bool arrives() {
-        SteadySolution guess = solution_;
+    };
+    const auto arrives = [&] {
+        SteadySolution guess = solution;
         try {
-            Newton(compliance_, problem_, tolerance_, guess).run(careful_steps);
+            Newton(compliance, problem, tolerance, guess).run(careful_steps);
         } catch (const contact::NotConverged&) {
             return false;
         }
-        solution_ = std::move(guess);
+        solution = std::move(guess);
         return true;
+    };
+    double low = -unit, high = unit;
+    while (missing_force(low) < 0) low = 2 * low;
+    while (missing_force(high) > 0) high = 2 * high;
+    while (!arrives()) {
+        const double middle = std::midpoint(low, high);
+        if (middle <= low || middle >= high)
+            throw contact::NotConverged(
+                fmt::format("steady rolling: no creepage has the force {:.6g} N: {:.6g} N are "
+                            "missing at {:.15g}, beyond it next to there",
+                            problem.drive.force[0], missing_force(low), low));
+        (missing_force(middle) > 0 ? low : high) = middle;
     }
-
-    const contact::Compliance& compliance_;
-    const SteadyProblem& problem_;
-    const double tolerance_;
-    SteadySolution& solution_;
-    Drive drive_;  // creepage along x in place of the force
-    const SteadyProblem at_creepage_;
-};
+}
 
 }  // namespace
 
-SteadySolver::SteadySolver(const contact::Compliance& compliance, double tolerance)
-    : compliance_(compliance), tolerance_(tolerance) {}
-
-void SteadySolver::solve(const SteadyProblem& problem, SteadySolution& solution) const {
+void solve_steady(const contact::Compliance& compliance, const SteadyProblem& problem,
+                  double tolerance, SteadySolution& solution) {
     const SteadySolution start = solution;
-    Newton newton(compliance_, problem, tolerance_, solution);
+    Newton newton(compliance, problem, tolerance, solution);
     try {
         newton.run();
     } catch (const contact::NotConverged&) {
         if (problem.drive.creepage[0]) throw;
         solution = start;
-        Bracketing(compliance_, problem, tolerance_, solution).run(newton.sliding_creepage());
+        bracket(compliance, problem, tolerance, newton.sliding_creepage(), solution);
     }
 }
 

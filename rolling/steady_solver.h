@@ -91,7 +91,7 @@ struct SteadySolution {
     contact::TangentialField slip;          ///< s [-], 0 outside the contact
     Creepage creepage;
     int iterations = 0;         ///< applications of the compliance
-    double residual = 0;        ///< see SteadySolver
+    double residual = 0;        ///< see solve_steady
     double force_residual = 0;  ///< |sum t A - F| / sum bound A, worst force-controlled direction
 };
 
@@ -101,18 +101,10 @@ struct SteadySolution {
 ///
 /// Residual: largest |t - P(t + s/alpha)| over the mean bound, P the projection onto the friction
 /// disc, alpha the slip over the traction of a single cell.
-class SteadySolver {
-  public:
-    /// The points of `compliance` form a grid, which the contact does not reach the edge of.
-    SteadySolver(const contact::Compliance& compliance, double tolerance);
-
-    /// Updates `solution`, whose traction and creepage are the start (may be zero; clipped).
-    /// Throws NotConverged; InputError when the force exceeds what friction carries.
-    void solve(const SteadyProblem& problem, SteadySolution& solution) const;
-
-  private:
-    const contact::Compliance& compliance_;
-    double tolerance_;
-};
+/// The points of `compliance` form a grid, which the contact does not reach the edge of. Updates
+/// `solution`, whose traction and creepage are the start (may be zero; clipped). Throws
+/// NotConverged; InputError when the force exceeds what friction carries.
+void solve_steady(const contact::Compliance& compliance, const SteadyProblem& problem,
+                  double tolerance, SteadySolution& solution);
 
 }  // namespace tricontact::rolling

@@ -8,7 +8,25 @@ namespace tricontact::rolling {
 
 namespace {
 
+using Eigen::VectorXd;
+
 constexpr int max_iterations = 400;
+
+/// x components of the active points, then their y components.
+VectorXd gathered(const contact::TangentialField& f, const std::vector<std::size_t>& active) {
+    VectorXd v(2 * active.size());
+    v << VectorXd::Map(f.x.data(), f.size())(active), VectorXd::Map(f.y.data(), f.size())(active);
+    return v;
+}
+
+/// The same back on the points, 0 elsewhere.
+contact::TangentialField scattered(const VectorXd& v, const std::vector<std::size_t>& active,
+                                   std::size_t n_points) {
+    contact::TangentialField f(n_points);
+    VectorXd::Map(f.x.data(), n_points)(active) = v.head(active.size());
+    VectorXd::Map(f.y.data(), n_points)(active) = v.segment(active.size(), active.size());
+    return f;
+}
 
 }  // namespace
 
@@ -41,26 +59,25 @@ void SteadySystem::set_zones(std::vector<std::uint8_t> slipping,
     curvature_ = std::move(curvature);
     const Eigen::Index m = active_.size();
     Eigen::Matrix2d force = Eigen::Matrix2d::Identity();
-    all_stick_ = std::count(slipping_.begin(), slipping_.end(), 0) == m;
+    all_stick_ = std::ranges::count(slipping_, 0) == m;
     for (int d = 0; d < 2; ++d) {
-        Eigen::VectorXd along = Eigen::VectorXd::Zero(2 * m);
+        VectorXd along = VectorXd::Zero(2 * m);
         along.segment(d * m, m).setOnes();
         answer_[d] = without_balance(projected(along));
     }
+    relief_ = relief;
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
         for (int e = 0; e < 2; ++e) force(d, e) = force_controlled_[e] ? total(answer_[e])[d] : 0;
+        force(d, d) += relief_;
     }
-    relief_ = relief;
-    for (int d = 0; d < 2; ++d)
-        if (force_controlled_[d]) force(d, d) += relief_;
     force_inverse_ = force.inverse();
 }
 
 /// Of two components per active point those along which tractions may change.
-Eigen::VectorXd SteadySystem::projected(const Eigen::VectorXd& f) const {
+VectorXd SteadySystem::projected(const VectorXd& f) const {
     const Eigen::Index m = active_.size();
-    Eigen::VectorXd p = f.head(2 * m);
+    VectorXd p = f.head(2 * m);
     for (Eigen::Index k = 0; k < m; ++k) {
         if (!slipping_[k]) continue;
         const double along = tangent_[k][0] * f[k] + tangent_[k][1] * f[m + k];
@@ -71,26 +88,16 @@ Eigen::VectorXd SteadySystem::projected(const Eigen::VectorXd& f) const {
 }
 
 /// M z.
-Eigen::VectorXd SteadySystem::sliding(const Eigen::VectorXd& z) const {
-    const Eigen::Index m = active_.size();
-    contact::TangentialField t(compliance_.points().size()), u(t.size());
-    for (Eigen::Index k = 0; k < m; ++k) {
-        t.x[active_[k]] = z[k];
-        t.y[active_[k]] = z[m + k];
-    }
-    compliance_.tangential(t, u);
-    const contact::TangentialField gradient = forward_gradient(compliance_.points(), active_, u);
-    Eigen::VectorXd s(2 * m);
-    for (Eigen::Index k = 0; k < m; ++k) {
-        s[k] = -gradient.x[active_[k]];
-        s[m + k] = -gradient.y[active_[k]];
-    }
-    return s;
+VectorXd SteadySystem::sliding(const VectorXd& z) const {
+    const contact::ContactPoints& points = compliance_.points();
+    contact::TangentialField u(points.size());
+    compliance_.tangential(scattered(z, active_, points.size()), u);
+    return -gathered(forward_gradient(points, active_, u), active_);
 }
 
 /// Creepage that the total force of z would be on cells by themselves [-]: what makes the force
 /// balance comparable with the other equations.
-Eigen::Vector2d SteadySystem::total(const Eigen::VectorXd& z) const {
+Eigen::Vector2d SteadySystem::total(const VectorXd& z) const {
     const Eigen::Index m = active_.size();
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
     for (Eigen::Index k = 0; k < m; ++k)
@@ -98,12 +105,12 @@ Eigen::Vector2d SteadySystem::total(const Eigen::VectorXd& z) const {
     return force * (local_ / area_);
 }
 
-Eigen::VectorXd SteadySystem::product(const Eigen::VectorXd& z) const {
+VectorXd SteadySystem::product(const VectorXd& z) const {
     const Eigen::Index m = active_.size();
-    const Eigen::VectorXd admissible = projected(z);
-    Eigen::VectorXd r = sliding(admissible);
+    const VectorXd admissible = projected(z);
+    VectorXd r = sliding(admissible);
     for (int d = 0; d < 2; ++d) r.segment(d * m, m).array() -= z[2 * m + d];
-    Eigen::VectorXd all(size());
+    VectorXd all(size());
     all.head(2 * m) = projected(r);
     // Directions that are held have equations of their own: they stay at zero.
     for (Eigen::Index k = 0; k < 2 * m; ++k)
@@ -116,7 +123,7 @@ Eigen::VectorXd SteadySystem::product(const Eigen::VectorXd& z) const {
 
 /// The inverse of M by what it is made of: displacements by summing slip up from the leading edge,
 /// as if nothing moved ahead of it, and tractions from those.
-Eigen::VectorXd SteadySystem::unrolled(const Eigen::VectorXd& r) const {
+VectorXd SteadySystem::unrolled(const VectorXd& r) const {
     const Eigen::Index m = active_.size();
     const contact::ContactPoints& points = compliance_.points();
     contact::TangentialField u(points.size()), t(points.size());
@@ -126,27 +133,22 @@ Eigen::VectorXd SteadySystem::unrolled(const Eigen::VectorXd& r) const {
         u.y[i] = u.y[i + 1] + points.spacing[0] * r[m + k];
     }
     compliance_.precondition_tangential(u, t);
-    Eigen::VectorXd z(2 * m);
-    for (Eigen::Index k = 0; k < m; ++k) {
-        z[k] = t.x[active_[k]];
-        z[m + k] = t.y[active_[k]];
-    }
-    return z;
+    return gathered(t, active_);
 }
 
 /// An approximate inverse but for the force balance. Once points slip, cells by themselves need
 /// fewer iterations.
-Eigen::VectorXd SteadySystem::without_balance(const Eigen::VectorXd& r) const {
+VectorXd SteadySystem::without_balance(const VectorXd& r) const {
     if (all_stick_) return unrolled(r);
     const Eigen::Index m = active_.size();
-    Eigen::VectorXd z(2 * m);
+    VectorXd z(2 * m);
     for (Eigen::Index k = 0; k < 2 * m; ++k) z[k] = r[k] / (local_ + curvature_[k % m]);
     return z;
 }
 
-Eigen::VectorXd SteadySystem::preconditioned(const Eigen::VectorXd& r) const {
+VectorXd SteadySystem::preconditioned(const VectorXd& r) const {
     const Eigen::Index m = active_.size();
-    Eigen::VectorXd z(size());
+    VectorXd z(size());
     z.head(2 * m) = without_balance(r);
     const Eigen::Vector2d force = total(projected(z));
     Eigen::Vector2d missing = r.tail(2);
@@ -160,29 +162,19 @@ Eigen::VectorXd SteadySystem::preconditioned(const Eigen::VectorXd& r) const {
 SteadySystem::Result SteadySystem::solve(const contact::TangentialField& r,
                                          const contact::Vector2& c, double tolerance) const {
     const Eigen::Index m = active_.size();
-    Eigen::VectorXd right_hand_side(size());
-    for (Eigen::Index k = 0; k < m; ++k) {
-        right_hand_side[k] = r.x[active_[k]];
-        right_hand_side[m + k] = r.y[active_[k]];
-    }
-    right_hand_side.head(2 * m) = projected(right_hand_side);
+    VectorXd right_hand_side(size());
+    right_hand_side.head(2 * m) = projected(gathered(r, active_));
     for (int d = 0; d < 2; ++d)
         right_hand_side[2 * m + d] = force_controlled_[d] ? c[d] * local_ / area_ : 0;
 
-    const GmresResult found = gmres([&](const Eigen::VectorXd& x) { return product(x); },
-                                    [&](const Eigen::VectorXd& x) { return preconditioned(x); },
+    const GmresResult found = gmres([&](const VectorXd& x) { return product(x); },
+                                    [&](const VectorXd& x) { return preconditioned(x); },
                                     right_hand_side, tolerance, max_iterations);
-    const Eigen::VectorXd& solution = found.x;
-    const Eigen::VectorXd z = projected(solution);
-    Result result{contact::TangentialField(compliance_.points().size()),
+    Result result{scattered(projected(found.x), active_, compliance_.points().size()),
                   {},
                   found.iterations,
                   found.residual};
-    for (Eigen::Index k = 0; k < m; ++k) {
-        result.z.x[active_[k]] = z[k];
-        result.z.y[active_[k]] = z[m + k];
-    }
-    for (int d = 0; d < 2; ++d) result.creepage[d] = force_controlled_[d] ? solution[2 * m + d] : 0;
+    for (int d = 0; d < 2; ++d) result.creepage[d] = force_controlled_[d] ? found.x[2 * m + d] : 0;
     return result;
 }
 

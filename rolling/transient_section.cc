@@ -51,11 +51,9 @@ report::Figure way_figure(const RollingReport& report) {
     for (const RollingRun& run : report.runs) {
         const double a = run.history.steady.half_length;
         report::Curve curve{.name = report::display_name(run.model)};
-        for (const RollingState& s : run.history.transient) {
-            curve.x.push_back(s.distance / a);
+        for (const RollingState& s : run.history.transient)
             // At rest nothing is rolled yet: no creepage.
-            curve.y.push_back(s.distance > 0 || forces ? value(s) : contact::undefined);
-        }
+            curve.add(s.distance / a, s.distance > 0 || forces ? value(s) : contact::undefined);
         const double end = curve.x.empty() ? 0 : curve.x.back();
         figure.curves.push_back(std::move(curve));
         figure.curves.push_back({.name = report::display_name(run.model),
@@ -72,29 +70,20 @@ std::string line_name(const CentreLine& line, double half_length) {
     return fmt::format("after {} a", report::significant(line.distance / half_length, 2));
 }
 
-report::Curve theory_curve(const std::string& name, double (*traction)(double, double), double f) {
-    report::Curve curve{.name = name, .theory = true};
-    for (int i = 0; i <= theory_points; ++i) {
-        const double x = 2. * i / theory_points - 1;
-        curve.add(x, traction(x, f));
-    }
-    return curve;
-}
-
 /// The closed forms of rest and of steady rolling, where there are.
 void add_theories(const RollingReport& report, const RollingRun& run, report::Figure& figure) {
     const double f = force_ratio(run.history.steady, report.c.friction_coefficient);
     if (!straight(report.c) || by_creepage(report.c) || !(f > 0 && f < 1)) return;
     if (creep_theories(report.c).empty()) return;
+    const auto add = [&](const std::string& name, const auto& traction) {
+        figure.curves.emplace_back(report::Curve{.name = name, .theory = true})
+            .sample(-1, 1, theory_points, traction);
+    };
     if (report.c.is_line_contact())
-        figure.curves.push_back(theory_curve("Carter", theory::carter_traction, f));
+        add("Carter", [f](double x) { return theory::carter_traction(x, f); });
     else if (run.model != "mdr")
-        figure.curves.push_back(theory_curve(
-            "Cattaneo and Mindlin",
-            [](double x, double ratio) {
-                return theory::cattaneo_mindlin_traction(std::abs(x), ratio);
-            },
-            f));
+        add("Cattaneo and Mindlin",
+            [f](double x) { return theory::cattaneo_mindlin_traction(std::abs(x), f); });
 }
 
 report::Figure line_figure(const RollingReport& report, const RollingRun& run) {
@@ -149,8 +138,7 @@ report::Curve zone(const Surface& s, double a, ContactState state, const std::st
                    int colour) {
     report::Curve curve{.name = name, .kind = report::Curve::Kind::points, .colour = colour};
     visit_cells(s, stride(s, most_points), [&](std::size_t i, double x, double y) {
-        if (s.contact_state[i] != state) return;
-        curve.add(x / a, y / a);
+        if (s.contact_state[i] == state) curve.add(x / a, y / a);
     });
     return curve;
 }
@@ -160,13 +148,12 @@ report::Curve slip_strokes(const Surface& s, double a) {
     double largest = 0;
     for (std::size_t i = 0; i < s.size(); ++i)
         largest = std::fmax(largest, std::hypot(s.slip_x[i], s.slip_y[i]));
-    report::Curve curve{.name = "slip", .colour = 2};
+    report::Curve curve{.name = "direction of slip", .colour = 2};
     if (largest == 0) return curve;
     visit_cells(s, stride(s, most_arrows), [&](std::size_t i, double x, double y) {
         if (s.contact_state[i] != ContactState::slip) return;
-        for (const double end : {0., arrow_length / largest}) {
+        for (const double end : {0., arrow_length / largest})
             curve.add(x / a + end * s.slip_x[i], y / a + end * s.slip_y[i]);
-        }
         curve.add(contact::undefined, contact::undefined);
     });
     return curve;
@@ -186,7 +173,6 @@ report::Figure zone_figure(const RollingRun& run) {
         .y = {"y/a [-]"},
         .curves = {zone(s, a, ContactState::stick, "stick", 0),
                    zone(s, a, ContactState::slip, "slip", 1), slip_strokes(s, a)}};
-    figure.curves.back().name = "direction of slip";
     std::erase_if(figure.curves, [](const report::Curve& curve) { return curve.x.empty(); });
     return figure;
 }

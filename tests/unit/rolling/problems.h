@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -8,7 +10,7 @@
 #include "bem/grid_compliance.h"
 #include "contact/bodies/cylinder.h"
 #include "contact/bodies/indenter.h"
-#include "rolling/rolling_contact.h"
+#include "rolling/run.h"
 
 namespace tricontact::rolling_test {
 
@@ -83,5 +85,17 @@ struct Rig {
         return problem;
     }
 };
+
+/// States of every cell rolled over a distance [m] from rest, all of whose checks have passed.
+inline std::vector<rolling::RollingState> rolled_from_rest(const contact::Substrate& substrate,
+                                                           const rolling::RollingProblem& problem,
+                                                           double distance) {
+    rolling::TransientRolling rolling(substrate, problem);
+    std::vector<rolling::RollingState> states{rolling.press()};
+    for (auto n = std::lround(distance / rolling.cell()); n > 0; --n)
+        states.push_back(rolling.roll());
+    EXPECT_TRUE(rolling.audit().passed());
+    return states;
+}
 
 }  // namespace tricontact::rolling_test

@@ -217,7 +217,7 @@ TEST(TractiveReport, ClosedFormsDoNotStandBesideSpin) {
     RollingReport report = report_of(.5);
     report.c.tractive_rolling->spin = 3;
     EXPECT_TRUE(rolling_json(report).at("theories").empty());
-    EXPECT_EQ(steady_section(report).tables.size(), 1U);
+    EXPECT_TRUE(steady_section(report).tables.at(1).rows.empty());
     const report::DocumentSection creep = creep_section(report);
     for (const report::Curve& curve : creep.figures.at(0).curves) EXPECT_FALSE(curve.theory);
 }

@@ -72,17 +72,18 @@ TEST(TransientRolling, HasTheForceRatioOfEachStateUnderADepth) {
                       rig.half_length * rig.half_length / rig.radius};
     problem.drive.force_ratio = .56;
     problem.tolerance = 1e-7;
-    problem.distance = 5 * rig.cell();
-    const auto history = rolling::run(contact::ElasticSubstrate(rig.sphere_grid()), problem);
-    EXPECT_TRUE(history.audit.passed());
-    ASSERT_EQ(history.transient.size(), 6U);
-    double least = history.steady.normal_force, most = least;
-    for (const rolling::RollingState& state : history.transient) {
+    const contact::ElasticSubstrate substrate(rig.sphere_grid());
+    const auto states = rolling_test::rolled_from_rest(substrate, problem, 5 * rig.cell());
+    ASSERT_EQ(states.size(), 6U);
+    const auto steady = rolling::steady_rolling(substrate, problem);
+    EXPECT_TRUE(steady.audit.passed());
+    double least = steady.state.normal_force, most = least;
+    for (const rolling::RollingState& state : states) {
         EXPECT_NEAR(state.force[0] / (rig.friction * state.normal_force), .56, 1e-9);
         least = std::min(least, state.normal_force);
         most = std::max(most, state.normal_force);
     }
-    EXPECT_NEAR(history.steady.force[0] / (rig.friction * history.steady.normal_force), .56, 1e-9);
+    EXPECT_NEAR(steady.state.force[0] / (rig.friction * steady.state.normal_force), .56, 1e-9);
     EXPECT_GT(most / least, 1 + 1e-4);  // there is something to follow
 }
 

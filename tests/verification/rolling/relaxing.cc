@@ -62,7 +62,7 @@ rolling::RollingState roll(const Rig& rig, std::shared_ptr<const contact::Compli
     problem.speed = speed;
     problem.tolerance = 1e-7;
     const contact::RelaxingSubstrate substrate(std::move(relaxed), {{{ratio, relaxation_time}}});
-    return rolling::run(substrate, problem).steady;
+    return rolling::steady_rolling(substrate, problem).state;
 }
 
 // The surface is taken for relaxed and level where it enters the grid: the farther ahead, the more
@@ -139,7 +139,7 @@ TEST(RollingRelaxing, SlowRollingOfASphereResistsLikeAViscousForce) {
         problem.tolerance = 1e-7;
         const contact::Relaxation relaxation{{{ratio, relaxation_time}}};
         const contact::RelaxingSubstrate substrate(rig.sphere_grid(), relaxation);
-        const auto state = rolling::run(substrate, problem).steady;
+        const auto state = rolling::steady_rolling(substrate, problem).state;
         error.push_back(state.resistance / state.normal_force /
                             theory::slow_resistance_ratio(relaxation, problem.speed, rig.radius) -
                         1);
