@@ -16,8 +16,9 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::LoadingOutcome;
 using comparisons::LoadingVariant;
+using comparisons::run_values;
+using comparisons::RunValues;
 using contact::Case;
 using contact::History;
 using contact::State;
@@ -92,17 +93,6 @@ Case rolled(const Case& c, const History& history) {
     return history.steps.size() <= most_steps ? c : without_rolling(c);
 }
 
-LoadingOutcome outcome_of(const History& history) {
-    LoadingOutcome result{.static_shift = history.static_shift};
-    const auto& shift = history.shift_per_period;
-    if (shift.empty()) return result;
-    result.state = history.verdict.state;
-    result.final_shift = shift.back();
-    result.increment =
-        shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift);
-    return result;
-}
-
 /// One loading after another with one key changed.
 class Variants {
   public:
@@ -123,21 +113,21 @@ class Variants {
   private:
     struct Base {
         Case rolled;
-        LoadingOutcome run;  ///< with the case's own choices
+        RunValues run;  ///< with the case's own choices
     };
 
     /// What the variants are compared with: rolled like them, so rolled once more unless the run
     /// itself was.
-    LoadingOutcome as_the_run(const Case& c, const History& history) {
+    RunValues as_the_run(const Case& c, const History& history) {
         const Case& as = rolled_.rolled;
         if (!as.rolling) return static_.run;
         const bool longer = as.rolling->periods > c.rolling->periods;
         const bool same_steps = as.rolling->steps == c.rolling->steps;
         if (same_steps && !(longer && history.verdict.state == State::undecided))
-            return outcome_of(history);
+            return run_values(history);
         say_(fmt::format("{}: loading once more, rolled by turning points", name_));
         try {
-            return outcome_of(contact::run(as, *model_.sibling(as.contact)));
+            return run_values(contact::run(as, *model_.sibling(as.contact)));
         } catch (const std::runtime_error&) {  // then there is nothing to compare with
             rolled_.rolled = static_.rolled;
             return static_.run;
@@ -153,7 +143,7 @@ class Variants {
         flip(c, variant);
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
         try {
-            variant.other = outcome_of(contact::run(c, *model_.sibling(c.contact)));
+            variant.other = run_values(contact::run(c, *model_.sibling(c.contact)));
         } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
             variant.why_none = error.what();
         }
@@ -195,7 +185,6 @@ double frictionless_stiffness(const Case& c, const contact::Model& model) {
     return stiffness_at_last(pressed);
 }
 
-using comparisons::RunValues;
 using comparisons::SpeedLimit;
 using comparisons::TwinComparison;
 
@@ -204,7 +193,7 @@ constexpr double no_load = 1e-9;  // of F_T over mu F_N: rounding
 RunValues run_once(const Case& c, const std::string& model, int n_threads) {
     const auto silent = [](const std::string&) {};
     const auto made = make_model(model, c, n_threads, silent);
-    return comparisons::run_values(contact::run(c, *made));
+    return run_values(contact::run(c, *made));
 }
 
 void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
@@ -255,7 +244,7 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     TwinComparison comparison;
     comparison.model = history.model;
     comparison.drive = comparisons::drive_values(c, history.amplitude);
-    comparison.relaxing = comparisons::run_values(history);
+    comparison.relaxing = run_values(history);
     if (!options.studies)
         comparison.why_none = "skipped (--no-studies)";
     else if (std::abs(comparisons::tangential_ratio(history)) < no_load)

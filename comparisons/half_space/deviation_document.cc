@@ -14,16 +14,16 @@ namespace {
 
 using theory::LayerBase;
 
-report::Cell percent_cell(const RolledRatio* ratio, bool computed) {
-    if (!ratio) return contact::undefined;
-    if (!computed) return 100 * (ratio->value - 1);
-    return report::WithError{100 * (ratio->value - 1), 100 * ratio->error};
+report::Cell percent_cell(const RolledRatio& ratio) {
+    return report::WithError{100 * (ratio.value - 1), 100 * ratio.error};
 }
 
-void add_needed(std::vector<report::Cell>& row, const NeededThicknesses* needed, double thinnest) {
+std::vector<report::Cell> with_needed(std::vector<report::Cell> row,
+                                      const NeededThicknesses* needed, double thinnest) {
     for (std::size_t i = 0; i < deviation_tolerances.size(); ++i)
         row.push_back(needed ? report::Cell(needed_text(needed->at(i), thinnest))
                              : report::Cell(contact::undefined));
+    return row;
 }
 
 report::DocumentTable here_table(const HalfSpaceDeviation& deviation) {
@@ -36,14 +36,13 @@ report::DocumentTable here_table(const HalfSpaceDeviation& deviation) {
             "with the interval of their numerical error.",
         .columns =
             report::columns("quantity", "symbol", "by", "deviation [%]:3", "1 %", "2 %", "5 %")};
-    for (const DeviationRow& r : rows_here(deviation)) {
-        std::vector<report::Cell> row{
-            std::string(r.quantity->name), std::string(r.quantity->symbol),
-            std::string(r.computed ? "boundary elements" : "exact theory"),
-            percent_cell(r.ratio ? &*r.ratio : nullptr, r.computed)};
-        add_needed(row, r.needed ? &*r.needed : nullptr, thinnest_of(deviation, r));
-        table.rows.push_back(row);
-    }
+    for (const DeviationRow& r : rows_here(deviation))
+        table.rows.push_back(with_needed({r.quantity->name, r.quantity->symbol,
+                                          r.computed ? "boundary elements" : "exact theory",
+                                          !r.ratio     ? report::Cell(contact::undefined)
+                                          : r.computed ? percent_cell(*r.ratio)
+                                                       : report::Cell(100 * (r.ratio->value - 1))},
+                                         r.needed, r.thinnest));
     return table;
 }
 
@@ -57,26 +56,21 @@ report::DocumentTable needed_table(const HalfSpaceDeviation& deviation) {
             "over D_c/b between computed layers and the half-space, interval in brackets.",
         .columns = report::columns("quantity", "base", "nu", "coupling", "1 %", "2 %", "5 %")};
     for (const ExactCurve& curve : deviation.curves)
-        for (const Quantity* q : exact_quantities()) {
-            const auto* needed = found(curve.needed, q);
-            if (!needed) continue;
-            const bool any = curve.base == LayerBase::frictionless;
-            std::vector<report::Cell> row{
-                std::string(q->symbol), std::string(name_of(curve.base)),
-                any ? report::Cell("any") : report::Cell(curve.poisson),
-                std::string(q == &quantities::coupled_tangential_stiffness ? "yes" : "no")};
-            add_needed(row, needed, curve.thickness_ratios.front());
-            table.rows.push_back(row);
-        }
+        for (const Quantity* q : exact_quantities())
+            if (const auto* needed = found(curve.needed, q))
+                table.rows.push_back(with_needed(
+                    {q->symbol, name_of(curve.base),
+                     curve.base == LayerBase::frictionless ? report::Cell("any")
+                                                           : report::Cell(curve.poisson),
+                     q == &quantities::coupled_tangential_stiffness ? "yes" : "no"},
+                    needed, curve.thickness_ratios.front()));
     for (const RolledCurve& curve : deviation.rolled)
-        for (const Quantity* q : rolled_quantities()) {
-            const auto* needed = found(curve.needed, q);
-            if (!needed) continue;
-            std::vector<report::Cell> row{std::string(q->symbol) + ", computed", "bonded",
-                                          curve.poisson, std::string(curve.coupled ? "yes" : "no")};
-            add_needed(row, needed, curve.points.front().body.thickness_ratio);
-            table.rows.push_back(row);
-        }
+        for (const Quantity* q : rolled_quantities())
+            if (const auto* needed = found(curve.needed, q))
+                table.rows.push_back(with_needed({std::string(q->symbol) + ", computed", "bonded",
+                                                  curve.poisson, curve.coupled ? "yes" : "no"},
+                                                 needed,
+                                                 curve.points.front().body.thickness_ratio));
     return table;
 }
 
@@ -92,13 +86,13 @@ report::DocumentTable rolled_table(const HalfSpaceDeviation& deviation) {
     for (const Quantity* q : rolled_quantities()) table.columns.push_back({q->symbol, 3});
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points) {
-            std::vector<report::Cell> row{
-                point.body.thickness_ratio, curve.poisson,
-                std::string(curve.coupled ? "yes" : "no"),
-                std::string(point.state ? contact::name_of(*point.state) : "")};
-            for (const Quantity* q : rolled_quantities())
-                row.push_back(percent_cell(found(point.ratios, q), true));
-            table.rows.push_back(row);
+            auto& row = table.rows.emplace_back(std::vector<report::Cell>{
+                point.body.thickness_ratio, curve.poisson, curve.coupled ? "yes" : "no",
+                point.state ? contact::name_of(*point.state) : ""});
+            for (const Quantity* q : rolled_quantities()) {
+                const RolledRatio* ratio = found(point.ratios, q);
+                row.push_back(ratio ? percent_cell(*ratio) : report::Cell(contact::undefined));
+            }
         }
     return table;
 }
@@ -115,17 +109,15 @@ report::DocumentSection rolled_section(const HalfSpaceDeviation& deviation) {
                 : "Nothing was computed: the runs were left out.");
         return section;
     }
-    section.paragraphs.push_back(
+    section.paragraphs = {
         "Boundary elements of the layer (bem-layer) over those of the half-space (bem), each at "
-        "the "
-        "same F_N, f_T and w = W/a of its own contact radius a, pressed as the case says. Shifts "
-        "are compared in metres (capital letters) and over each body's own U_max (small letters): "
-        "what U_max explains drops out of the latter.");
-    section.paragraphs.push_back(fmt::format(
+        "the same F_N, f_T and w = W/a of its own contact radius a, pressed as the case says. "
+        "Shifts are compared in metres (capital letters) and over each body's own U_max (small "
+        "letters): what U_max explains drops out of the latter.",
         "Each value was computed with 8, 11 and 16 cells in Hertz' contact radius; the finest is "
         "given, the error is the largest distance of the others from it. Shifts per period are "
         "those of the tenth period in four steps per quarter; their error also has twice what half "
-        "steps change on the coarsest grid."));
+        "steps change on the coarsest grid."};
     section.figures = rolled_figures(deviation);
     section.tables.push_back(rolled_table(deviation));
     return section;
@@ -138,13 +130,11 @@ report::DocumentSection method_section(const HalfSpaceDeviation& deviation) {
         "over it. E* is the same for all Poisson's ratios, and so is D_c. The indenter is rigid.",
         "a, d, p0, U_max and dF_N/dd: exact frictionless contact on the layer (a Fredholm equation "
         "in one dimension, solved to 1e-10). k_t is the slope dF_T/dU as F_T sets in and "
-        "everything "
-        "sticks, without and with the coupling of normal and tangential contact. The limits are "
-        "those of uncoupled contact, 1 - ∫_0^W q dx / ∫_0^a q dx with the line load q, which is "
-        "exact.",
+        "everything sticks, without and with the coupling of normal and tangential contact. The "
+        "limits are those of uncoupled contact, 1 - ∫_0^W q dx / ∫_0^a q dx with the line load q, "
+        "which is exact.",
         "On a frictionless base the normal compliance over that of the half-space does not depend "
-        "on "
-        "Poisson's ratio: one curve holds for all.",
+        "on Poisson's ratio: one curve holds for all.",
         "On thick layers the ground takes away the same displacement everywhere: the shape of the "
         "pressure stays. So d, U_max and the stiffnesses deviate by the first power of D_c/b, the "
         "contact radius and p0 by the third, the limits at equal w by the fifth: the contact looks "
@@ -180,29 +170,27 @@ std::vector<std::pair<std::string, std::string>> settings(const HalfSpaceDeviati
 }  // namespace
 
 report::Document deviation_document(const HalfSpaceDeviation& deviation) {
-    report::Document document{
+    return {
         .kind = "Half-space deviation",
         .title = deviation.c.title.empty() ? "Layer and half-space" : deviation.c.title,
         .lead =
-            "How wrong is it to take this layer for a half-space, and how thick "
-            "would it have to be?",
+            "How wrong is it to take this layer for a half-space, and how thick would it have "
+            "to be?",
         .verdicts = deviation_verdicts(deviation),
-        .settings = settings(deviation)};
-    report::DocumentSection layer{.id = "this_layer", .heading = "This layer"};
-    layer.tables.push_back(here_table(deviation));
-    layer.figures = thickness_figures(deviation);
-    report::DocumentSection maps{.id = "maps",
-                                 .heading = "Any layer: thickness and Poisson's ratio"};
-    maps.figures = map_figures(deviation);
-    for (report::Figure& figure : material_figures(deviation))
-        maps.figures.push_back(std::move(figure));
-    report::DocumentSection needed{.id = "needed_thickness",
-                                   .heading = "How thick is thick enough?"};
-    needed.tables.push_back(needed_table(deviation));
-    document.sections = {layer, rolled_section(deviation), maps, needed, method_section(deviation)};
-    document.files = {{"all ratios (CSV)", "deviation.csv"},
-                      {"everything (JSON)", "deviation.json"}};
-    return document;
+        .settings = settings(deviation),
+        .sections = {{.id = "this_layer",
+                      .heading = "This layer",
+                      .figures = thickness_figures(deviation),
+                      .tables = {here_table(deviation)}},
+                     rolled_section(deviation),
+                     {.id = "maps",
+                      .heading = "Any layer: thickness and Poisson's ratio",
+                      .figures = map_figures(deviation)},
+                     {.id = "needed_thickness",
+                      .heading = "How thick is thick enough?",
+                      .tables = {needed_table(deviation)}},
+                     method_section(deviation)},
+        .files = {{"all ratios (CSV)", "deviation.csv"}, {"everything (JSON)", "deviation.json"}}};
 }
 
 }  // namespace tricontact::comparisons

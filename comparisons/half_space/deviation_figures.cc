@@ -30,9 +30,8 @@ report::Curve exact_line(const ExactCurve& curve, const Quantity* q, const std::
     report::Curve line{.name = name};
     for (std::size_t i = 0; i < curve.ratios.size(); ++i) {
         const double* ratio = found(curve.ratios[i], q);
-        if (!ratio) continue;
-        line.x.push_back(curve.thickness_ratios[i]);
-        line.y.push_back(percent ? 100 * std::abs(*ratio - 1) : *ratio);
+        if (ratio)
+            line.add(curve.thickness_ratios[i], percent ? 100 * std::abs(*ratio - 1) : *ratio);
     }
     return line;
 }
@@ -58,8 +57,8 @@ report::Curve computed_line(const RolledCurve& curve, const Quantity* q, const s
     for (const RolledDeviation& point : curve.points) {
         const RolledRatio* ratio = found(point.ratios, q);
         if (!ratio || (percent && std::abs(ratio->value - 1) <= ratio->error)) continue;
-        line.x.push_back(point.body.thickness_ratio);
-        line.y.push_back(percent ? 100 * std::abs(ratio->value - 1) : ratio->value);
+        line.add(point.body.thickness_ratio,
+                 percent ? 100 * std::abs(ratio->value - 1) : ratio->value);
         line.y_error.push_back(percent ? 100 * ratio->error : ratio->error);
     }
     return line;
@@ -69,8 +68,40 @@ bool is_own(const HalfSpaceDeviation& deviation, const RolledCurve& curve) {
     return curve.poisson == deviation.c.substrate.poisson;
 }
 
+report::Figure material_figure(const HalfSpaceDeviation& deviation, const Quantity* q) {
+    report::Figure figure = over_thickness(
+        fmt::format("materials_{}", ratio_key(*q)),
+        fmt::format("{} by Poisson's ratio and base", q->symbol),
+        fmt::format("Exact {} of the layer over that of the half-space of the same material under "
+                    "the same force; bonded base where nothing else is said.",
+                    q->name),
+        {fmt::format("{} over half-space [-]", q->symbol)});
+    for (const ExactCurve& curve : deviation.curves)
+        if (curve.ratios.front().contains(q))
+            figure.curves.push_back(exact_line(curve, q, of_curve(curve), false));
+    figure.curves.push_back(here(deviation, 0, 1));
+    return figure;
+}
+
 /// Levels of a map [%], beyond which its colours do not reach.
 const std::vector<double> map_levels{-60, -40, -20, -10, -5, -2, -1, 1, 2, 5, 10, 20, 40, 60};
+
+report::Figure map_figure(const HalfSpaceDeviation& deviation, const Quantity* q) {
+    const ExactMap& map = deviation.map;
+    report::Figure figure = over_thickness(
+        fmt::format("map_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
+        "Layer over half-space minus 1 in percent, exact, bonded base, same force.",
+        {"Poisson ratio nu [-]"});
+    figure.map = {"deviation [%]", map.thickness_ratios, map.poissons, {}, map_levels};
+    for (const ExactRatios& ratios : map.ratios)
+        figure.map->values.push_back(100 * (ratios.at(q) - 1));
+    if (deviation.base == LayerBase::bonded && deviation.c.substrate.poisson >= 0)
+        figure.curves.push_back({.name = "this layer",
+                                 .x = {deviation.thickness_ratio},
+                                 .y = {deviation.c.substrate.poisson},
+                                 .kind = report::Curve::Kind::points});
+    return figure;
+}
 
 }  // namespace
 
@@ -114,71 +145,34 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
     return {ratios, percents};
 }
 
-std::vector<report::Figure> material_figures(const HalfSpaceDeviation& deviation) {
-    std::vector<report::Figure> figures;
-    for (const Quantity* q : {&quantities::indentation, &quantities::unit_shift}) {
-        report::Figure figure = over_thickness(
-            fmt::format("materials_{}", ratio_key(*q)),
-            fmt::format("{} by Poisson's ratio and base", q->symbol),
-            fmt::format("Exact {} of the layer over that of the half-space of the same material "
-                        "under the same force; bonded base where nothing else is said.",
-                        q->name),
-            {fmt::format("{} over half-space [-]", q->symbol)});
-        for (const ExactCurve& curve : deviation.curves)
-            if (curve.ratios.front().contains(q))
-                figure.curves.push_back(exact_line(curve, q, of_curve(curve), false));
-        figure.curves.push_back(here(deviation, 0, 1));
-        figures.push_back(figure);
-    }
-    return figures;
-}
-
 std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
-    const ExactMap& map = deviation.map;
-    for (const Quantity* q : exact_quantities()) {
-        if (!map.ratios.front().contains(q)) continue;
-        report::ContourMap contours{
-            .label = "deviation [%]", .x = map.thickness_ratios, .y = map.poissons, .values = {}};
-        for (const ExactRatios& ratios : map.ratios)
-            contours.values.push_back(100 * (ratios.at(q) - 1));
-        contours.levels = map_levels;
-        report::Figure figure = over_thickness(
-            fmt::format("map_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
-            "Layer over half-space minus 1 in percent, exact, bonded base, same force.",
-            {"Poisson ratio nu [-]"});
-        figure.map = std::move(contours);
-        if (deviation.base == LayerBase::bonded && deviation.c.substrate.poisson >= 0)
-            figure.curves.push_back({.name = "this layer",
-                                     .x = {deviation.thickness_ratio},
-                                     .y = {deviation.c.substrate.poisson},
-                                     .kind = report::Curve::Kind::points});
-        figures.push_back(figure);
-    }
+    for (const Quantity* q : exact_quantities())
+        if (deviation.map.ratios.front().contains(q)) figures.push_back(map_figure(deviation, q));
+    for (const Quantity* q : {&quantities::indentation, &quantities::unit_shift})
+        figures.push_back(material_figure(deviation, q));
     return figures;
 }
 
 std::vector<report::Figure> rolled_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
     for (const Quantity* q : rolled_quantities()) {
+        const bool unrolled =
+            q == &quantities::static_shift || q == &quantities::static_shift_ratio;
+        const double w =
+            is_of_ratcheting(q) ? deviation.amplitudes.ratcheting : deviation.amplitudes.settling;
         report::Figure figure = over_thickness(
             fmt::format("computed_{}", ratio_key(*q)), fmt::format("{}: {}", q->symbol, q->name),
             fmt::format("Boundary elements of the bonded layer over those of the half-space, "
                         "coupled where nothing else is said, f_T = {}, {}; bars: numerical error.",
                         report::significant(deviation.contact.tangential_ratio, 3),
-                        q == &quantities::static_shift || q == &quantities::static_shift_ratio
-                            ? "before rolling"
-                        : !is_of_ratcheting(q)
-                            ? "w = " + report::significant(deviation.amplitudes.settling, 3)
-                            : "w = " + report::significant(deviation.amplitudes.ratcheting, 3)),
+                        unrolled ? "before rolling" : "w = " + report::significant(w, 3)),
             {fmt::format("{} over half-space [-]", q->symbol)});
         for (const RolledCurve& curve : deviation.rolled) {
             if (!curve.coupled && !is_own(deviation, curve)) continue;
-            report::Curve line =
-                computed_line(curve, q,
-                              fmt::format("nu = {}{}", report::as_given(curve.poisson),
-                                          curve.coupled ? "" : ", uncoupled"),
-                              false);
+            const std::string name = fmt::format("nu = {}{}", report::as_given(curve.poisson),
+                                                 curve.coupled ? "" : ", uncoupled");
+            const report::Curve line = computed_line(curve, q, name, false);
             if (!line.x.empty()) figure.curves.push_back(line);
         }
         if (!figure.curves.empty()) figures.push_back(figure);

@@ -16,23 +16,13 @@ namespace {
 using json = nlohmann::ordered_json;
 using theory::LayerBase;
 
-/// What the ratios of one body belong to.
-struct Body {
-    const char* part;
-    LayerBase base;
-    double poisson, thickness_ratio;
-    std::string coupled;
-};
-
-std::string row(const Body& body, const Quantity& q, double ratio, double error) {
-    return report::csv_row(std::string(body.part), std::string(name_of(body.base)), body.poisson,
-                           body.coupled, body.thickness_ratio, ratio_key(q), ratio, error);
-}
-
-std::string rows(const Body& body, const ExactRatios& ratios) {
+std::string exact_rows(const char* part, LayerBase base, double poisson, double thickness_ratio,
+                       const ExactRatios& ratios) {
     std::string text;
     for (const Quantity* q : exact_quantities())
-        if (const double* ratio = found(ratios, q)) text += row(body, *q, *ratio, 0);
+        if (const double* ratio = found(ratios, q))
+            text += report::csv_row(part, name_of(base), poisson, "", thickness_ratio,
+                                    ratio_key(*q), *ratio, 0.);
     return text;
 }
 
@@ -100,20 +90,21 @@ std::string deviation_csv(const HalfSpaceDeviation& deviation) {
         {"part", "base", "poisson", "coupled", "thickness_ratio", "quantity", "ratio", "error"});
     for (const ExactCurve& curve : deviation.curves)
         for (std::size_t i = 0; i < curve.ratios.size(); ++i)
-            text += rows({"exact", curve.base, curve.poisson, curve.thickness_ratios[i], ""},
-                         curve.ratios[i]);
+            text += exact_rows("exact", curve.base, curve.poisson, curve.thickness_ratios[i],
+                               curve.ratios[i]);
     const ExactMap& map = deviation.map;
     for (std::size_t i = 0; i < map.ratios.size(); ++i)
-        text += rows({"exact map", LayerBase::bonded, map.poissons[i / map.thickness_ratios.size()],
-                      map.thickness_ratios[i % map.thickness_ratios.size()], ""},
-                     map.ratios[i]);
+        text += exact_rows("exact map", LayerBase::bonded,
+                           map.poissons[i / map.thickness_ratios.size()],
+                           map.thickness_ratios[i % map.thickness_ratios.size()], map.ratios[i]);
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points)
             for (const Quantity* q : rolled_quantities())
                 if (const RolledRatio* ratio = found(point.ratios, q))
-                    text += row({"computed", LayerBase::bonded, curve.poisson,
-                                 point.body.thickness_ratio, curve.coupled ? "true" : "false"},
-                                *q, ratio->value, ratio->error);
+                    text += report::csv_row("computed", name_of(LayerBase::bonded), curve.poisson,
+                                            curve.coupled ? "true" : "false",
+                                            point.body.thickness_ratio, ratio_key(*q), ratio->value,
+                                            ratio->error);
     return text;
 }
 

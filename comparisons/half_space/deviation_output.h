@@ -14,8 +14,9 @@ struct DeviationRow {
     const Quantity* quantity = nullptr;
     bool computed = false;             ///< by boundary elements, else exact
     std::optional<RolledRatio> ratio;  ///< layer over half-space
-    /// On layers of its material and base; empty where unknown.
-    std::optional<NeededThicknesses> needed;
+    /// On layers of its material and base; null where unknown.
+    const NeededThicknesses* needed = nullptr;
+    double thinnest = 0;  ///< of these, over D_c
 };
 
 /// All quantities that are defined for the case, exact ones first.
@@ -23,8 +24,6 @@ std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation);
 
 /// "37.6", "12.1 (11.2 to 14.0)", "below 0.1": the thinnest layer that was looked at.
 std::string needed_text(const NeededThickness& needed, double thinnest);
-/// That of a quantity's row.
-double thinnest_of(const HalfSpaceDeviation& deviation, const DeviationRow& row);
 
 const char* name_of(theory::LayerBase base);
 
@@ -50,10 +49,8 @@ report::Document deviation_document(const HalfSpaceDeviation& deviation);
 /// on logarithmic axes beside what boundary elements computed.
 std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviation);
 
-/// One quantity over the thickness for several nu and both bases.
-std::vector<report::Figure> material_figures(const HalfSpaceDeviation& deviation);
-
-/// Deviation of bonded layers over thickness and nu, one map per quantity.
+/// Deviation of bonded layers over thickness and nu, one map per quantity; two of them over the
+/// thickness for several nu and both bases.
 std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation);
 
 /// Computed ratios over the thickness with their errors, one figure per quantity.

@@ -16,24 +16,10 @@ using Standing = report::Verdict::Standing;
 /// Of a deviation from which on a half-space is said to fail.
 constexpr double tolerable = .05;
 
-std::string below(double ratio) {
-    return fmt::format("{} % {}", report::significant(100 * std::abs(ratio - 1), 3),
-                       ratio < 1 ? "below" : "above");
-}
-
-std::string higher(double ratio) {
-    return fmt::format("{} % too {}", report::significant(100 * std::abs(ratio - 1), 3),
-                       ratio > 1 ? "high" : "low");
-}
-
-double largest_exact(const HalfSpaceDeviation& deviation) {
-    double largest = 0;
-    for (const auto& [q, ratio] : deviation.here) largest = std::max(largest, std::abs(ratio - 1));
-    return largest;
-}
-
 report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
-    const auto beside = [&](const Quantity& q) { return below(deviation.here.at(&q)); };
+    const auto beside = [&](const Quantity& q) {
+        return report::apart(deviation.here.at(&q), "above", "below");
+    };
     std::string text = fmt::format(
         "The layer is {} widths of Hertz' contact thick ({}, {} base, nu = {}): on it the "
         "indentation is {} that of a half-space under the same force, the contact radius {}, the "
@@ -45,19 +31,23 @@ report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
         beside(quantities::normal_stiffness));
     if (deviation.base == theory::LayerBase::bonded)
         text += fmt::format(", U_max {}", beside(quantities::unit_shift));
-    return {largest_exact(deviation) > tolerable ? Standing::fails : Standing::holds, text + "."};
+    const bool fails = std::ranges::any_of(
+        deviation.here, [](const auto& one) { return std::abs(one.second - 1) > tolerable; });
+    return {fails ? Standing::fails : Standing::holds, text + "."};
 }
 
 report::Verdict modulus_verdict(const HalfSpaceDeviation& deviation) {
     const double young = deviation.c.substrate.young;
     const ApparentModuli& apparent = deviation.apparent;
+    const auto off = [&](double modulus) {
+        return report::apart(modulus / young, "too high", "too low");
+    };
     std::string text = fmt::format(
         "Identified by Hertz' theory, E would be {} from force and indentation, {} from the "
-        "contact "
-        "radius",
-        higher(apparent.from_indentation / young), higher(apparent.from_contact_radius / young));
+        "contact radius",
+        off(apparent.from_indentation), off(apparent.from_contact_radius));
     if (apparent.from_unit_shift)
-        text += fmt::format(", {} from U_max", higher(*apparent.from_unit_shift / young));
+        text += fmt::format(", {} from U_max", off(*apparent.from_unit_shift));
     return {Standing::finding, text + "."};
 }
 
@@ -65,8 +55,7 @@ std::optional<report::Verdict> needed_verdict(const HalfSpaceDeviation& deviatio
     std::vector<std::string> parts;
     for (const DeviationRow& row : rows_here(deviation)) {
         if (row.computed || !row.needed) continue;
-        parts.push_back(fmt::format("{} in {}",
-                                    needed_text(row.needed->front(), thinnest_of(deviation, row)),
+        parts.push_back(fmt::format("{} in {}", needed_text(row.needed->front(), row.thinnest),
                                     row.quantity->symbol));
     }
     if (parts.empty()) return {};
@@ -124,7 +113,7 @@ std::string deviation_text(const HalfSpaceDeviation& deviation) {
         std::vector<std::string> needed;
         if (row.needed)
             for (const NeededThickness& n : *row.needed)
-                needed.push_back(needed_text(n, thinnest_of(deviation, row)));
+                needed.push_back(needed_text(n, row.thinnest));
         text += fmt::format(
             "{:<34}{:>10}{:>11}   {}\n",
             fmt::format("{} ({})", ratio_key(*row.quantity), row.quantity->symbol),
@@ -135,41 +124,27 @@ std::string deviation_text(const HalfSpaceDeviation& deviation) {
     return text;
 }
 
-namespace {
-
-const RolledCurve* curve_here(const HalfSpaceDeviation& deviation) {
-    const auto found = std::find_if(deviation.rolled.begin(), deviation.rolled.end(),
-                                    [&](const RolledCurve& curve) {
-                                        return curve.poisson == deviation.c.substrate.poisson &&
-                                               curve.coupled == deviation.c.contact.coupling;
-                                    });
-    return found == deviation.rolled.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation) {
-    const auto copied = [](const auto* value) {
-        return value ? std::optional(*value) : std::nullopt;
-    };
     std::vector<DeviationRow> rows;
+    const ExactCurve& exact = deviation.curves.front();
     for (const Quantity* q : exact_quantities())
         if (const double* ratio = found(deviation.here, q))
-            rows.push_back({q, false, RolledRatio{*ratio, 0},
-                            copied(found(deviation.curves.front().needed, q))});
+            rows.push_back({q, false, RolledRatio{*ratio, 0}, found(exact.needed, q),
+                            exact.thickness_ratios.front()});
+    const auto curve = std::ranges::find_if(deviation.rolled, [&](const RolledCurve& one) {
+        return one.poisson == deviation.c.substrate.poisson &&
+               one.coupled == deviation.c.contact.coupling;
+    });
     const RolledDeviation* computed = rolled_here(deviation);
     if (!computed) return rows;
     for (const Quantity* q : rolled_quantities()) {
         const auto* ratio = found(computed->ratios, q);
-        const auto* needed = found(curve_here(deviation)->needed, q);
-        if (ratio || needed) rows.push_back({q, true, copied(ratio), copied(needed)});
+        const auto* needed = found(curve->needed, q);
+        if (ratio || needed)
+            rows.push_back({q, true, ratio ? std::optional(*ratio) : std::nullopt, needed,
+                            curve->points.front().body.thickness_ratio});
     }
     return rows;
-}
-
-double thinnest_of(const HalfSpaceDeviation& deviation, const DeviationRow& row) {
-    if (!row.computed) return deviation.curves.front().thickness_ratios.front();
-    return curve_here(deviation)->points.front().body.thickness_ratio;
 }
 
 std::string needed_text(const NeededThickness& needed, double thinnest) {

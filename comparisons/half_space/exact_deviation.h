@@ -31,9 +31,8 @@ struct DeviationContact {
                                theory::LayerBase base) const;
 };
 
-/// A quantity on the layer over that on the half-space of the same material under the same
-/// indenter and force. Undefined: without hold (frictionless base), without
-/// rolling.
+/// A quantity on the layer over that on the half-space of the same material under the same indenter
+/// and force. Undefined: without hold (frictionless base), without rolling.
 using ExactRatios = ByQuantity<double>;
 
 /// Layers of one material on one kind of base, of any thickness. Exact: 1e-8, sticking contact at

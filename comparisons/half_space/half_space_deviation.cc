@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "contact/error.h"
 
@@ -25,25 +26,21 @@ std::vector<double> decades(int from, int to) {
     return values;
 }
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw contact::InputError(what);
-}
-
 void check(const Case& c) {
     if (!contact::is_hertz_round(c))
-        refuse(
+        throw contact::InputError(
             "indenter.shape: deviations are those from Hertz' contact; take a paraboloid or a "
             "sphere");
     if (!c.layer.thickness)
-        refuse(
+        throw contact::InputError(
             "substrate.thickness is missing: without it the substrate is a half-space; give the "
             "thickness, --set \"substrate.thickness=8 mm\"");
     if (c.relaxation)
-        refuse(
+        throw contact::InputError(
             "substrate.relaxation: deviations are those of an elastic layer; describe the relaxed "
             "one, without this section");
     if (c.load.normal_amplitude_ratio != 0 || c.load.tangential_amplitude_ratio != 0)
-        refuse(
+        throw contact::InputError(
             "load: deviations are those under constant loads; set normal_amplitude_ratio and "
             "tangential_amplitude_ratio to 0");
 }
@@ -55,8 +52,9 @@ NeededThicknesses needed_on(const ExactDeviation& exact, const Quantity* q,
         points.push_back({curve.thickness_ratios[i], curve.ratios[i].at(q)});
     const auto ratio = [&](double thickness) { return *exact.ratio(q, thickness); };
     NeededThicknesses result;
-    for (std::size_t i = 0; i < result.size(); ++i)
-        result.at(i) = needed_thickness(points, ratio, deviation_tolerances.at(i));
+    std::ranges::transform(deviation_tolerances, result.begin(), [&](double tolerance) {
+        return needed_thickness(points, ratio, tolerance);
+    });
     return result;
 }
 
@@ -65,7 +63,6 @@ ExactCurve curve_of(const DeviationContact& contact, double poisson, LayerBase b
     // To 1000 D_c, where no deviation is above a tenth of a percent.
     ExactCurve curve{.poisson = poisson,
                      .base = base,
-                     .coupled = coupled,
                      .thickness_ratios = decades(-1, 3),
                      .ratios = {},
                      .needed = {}};
@@ -94,7 +91,7 @@ std::vector<RatioPoint> known_points(const RolledCurve& curve, const Quantity* q
         if (!ratio) break;
         points.push_back({p->body.thickness_ratio, ratio->value, ratio->error});
     }
-    std::reverse(points.begin(), points.end());
+    std::ranges::reverse(points);
     return points;
 }
 
@@ -102,9 +99,9 @@ void add_needed(RolledCurve& curve) {
     for (const Quantity* q : rolled_quantities()) {
         const auto points = known_points(curve, q);
         if (points.size() < 3) continue;
-        NeededThicknesses& needed = curve.needed[q];
-        for (std::size_t i = 0; i < needed.size(); ++i)
-            needed.at(i) = needed_thickness(points, deviation_tolerances.at(i));
+        std::ranges::transform(
+            deviation_tolerances, curve.needed[q].begin(),
+            [&](double tolerance) { return needed_thickness(points, tolerance); });
     }
 }
 
@@ -113,7 +110,7 @@ void add_needed(RolledCurve& curve) {
 DeviationContact deviation_contact(const Case& c) {
     check(c);
     const auto layer = compare_with_layer(c, {});
-    if (!layer->exact) refuse(layer->why_not);
+    if (!layer->exact) throw contact::InputError(layer->why_not);
     const double modulus = c.substrate.young / (1 - c.substrate.poisson * c.substrate.poisson);
     DeviationContact contact{
         .indenter = c.make_axisymmetric_indenter(),
@@ -125,7 +122,8 @@ DeviationContact deviation_contact(const Case& c) {
     contact.tangential_ratio = c.load.tangential_force ? *c.load.tangential_force / limit
                                                        : c.load.tangential_ratio.value_or(0);
     if (!(contact.tangential_ratio < 1))
-        refuse("load.tangential_force: reaches the friction limit mu F_N; reduce it");
+        throw contact::InputError(
+            "load.tangential_force: reaches the friction limit mu F_N; reduce it");
     if (c.rolling) {
         const double radius = layer->exact->contact_radius;
         const bool model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
@@ -135,7 +133,8 @@ DeviationContact deviation_contact(const Case& c) {
             radius;
     }
     if (contact.amplitude_ratio >= 1)
-        refuse("rolling: w = W/a is at least 1: nothing stays in contact; reduce the amplitude");
+        throw contact::InputError(
+            "rolling: w = W/a is at least 1: nothing stays in contact; reduce the amplitude");
     return contact;
 }
 
@@ -155,7 +154,7 @@ HalfSpaceDeviation exact_deviation(const Case& c) {
             return curve.base == base &&
                    (curve.poisson == poisson || base == LayerBase::frictionless);
         };
-        if (std::none_of(result.curves.begin(), result.curves.end(), same))
+        if (std::ranges::none_of(result.curves, same))
             result.curves.push_back(curve_of(result.contact, poisson, base, first));
     };
     add(c.substrate.poisson, result.base);
@@ -172,18 +171,14 @@ std::vector<RolledBody> rolled_bodies(const HalfSpaceDeviation& deviation) {
     if (deviation.base == LayerBase::frictionless || deviation.contact.tangential_ratio == 0)
         return {};
     const double own = deviation.c.substrate.poisson;
-    std::vector<double> poissons{rolled_poissons.begin(), rolled_poissons.end()};
-    if (std::find(poissons.begin(), poissons.end(), own) == poissons.end()) poissons.push_back(own);
-    std::sort(poissons.begin(), poissons.end());
+    std::set<double> poissons(rolled_poissons.begin(), rolled_poissons.end());
+    poissons.insert(own);
     std::vector<RolledBody> bodies;
     for (const double poisson : poissons)
         for (const bool coupled : {true, false}) {
-            std::vector<double> thicknesses{rolled_thickness_ratios.begin(),
-                                            rolled_thickness_ratios.end()};
-            if (poisson == own) thicknesses.push_back(deviation.thickness_ratio);
-            std::sort(thicknesses.begin(), thicknesses.end());
-            thicknesses.erase(std::unique(thicknesses.begin(), thicknesses.end()),
-                              thicknesses.end());
+            std::set<double> thicknesses(rolled_thickness_ratios.begin(),
+                                         rolled_thickness_ratios.end());
+            if (poisson == own) thicknesses.insert(deviation.thickness_ratio);
             for (const double thickness : thicknesses)
                 bodies.push_back({thickness, poisson, coupled});
             bodies.push_back({.poisson = poisson, .coupled = coupled});
@@ -193,21 +188,16 @@ std::vector<RolledBody> rolled_bodies(const HalfSpaceDeviation& deviation) {
 
 void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& deviation) {
     for (const RolledDeviation& point : rolled_deviations(results)) {
-        auto& curves = deviation.rolled;
-        const auto mine = std::find_if(curves.begin(), curves.end(), [&](const RolledCurve& curve) {
+        auto mine = std::ranges::find_if(deviation.rolled, [&](const RolledCurve& curve) {
             return curve.poisson == point.body.poisson && curve.coupled == point.body.coupled;
         });
-        RolledCurve& curve = mine != curves.end()
-                                 ? *mine
-                                 : curves.emplace_back(RolledCurve{.poisson = point.body.poisson,
-                                                                   .coupled = point.body.coupled,
-                                                                   .points = {},
-                                                                   .needed = {}});
-        curve.points.push_back(point);
+        if (mine == deviation.rolled.end())
+            mine = deviation.rolled.insert(mine, {point.body.poisson, point.body.coupled, {}, {}});
+        mine->points.push_back(point);
     }
     for (RolledCurve& curve : deviation.rolled) add_needed(curve);
-    deviation.n_failed_runs = static_cast<std::size_t>(std::count_if(
-        results.begin(), results.end(), [](const RolledResult& result) { return !result.values; }));
+    deviation.n_failed_runs = static_cast<std::size_t>(
+        std::ranges::count_if(results, [](const RolledResult& one) { return !one.values; }));
 }
 
 const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation) {

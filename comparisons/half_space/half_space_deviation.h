@@ -23,7 +23,6 @@ using NeededThicknesses = std::array<NeededThickness, deviation_tolerances.size(
 struct ExactCurve {
     double poisson = 0;
     theory::LayerBase base = theory::LayerBase::bonded;
-    bool coupled = false;                  ///< with the coupled stiffness
     std::vector<double> thickness_ratios;  ///< increasing
     std::vector<ExactRatios> ratios;
     ByQuantity<NeededThicknesses> needed;

@@ -45,7 +45,6 @@ struct ApparentModuli {
 struct LayerComparison {
     struct Model {
         std::string name;
-        bool half_space = false;  ///< does not see the thickness
         PressedValues values;
     };
     double thickness = 0;        ///< b of the upper layer [m]
@@ -90,11 +89,5 @@ nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison&
 /// or why_no_exact_theory() has a reason. Throws contact::InputError out of the theory's range,
 /// contact::NotConverged.
 std::optional<theory::LineContact> exact_line_contact(const contact::Case& c);
-
-/// Its numbers over the cylinder's length; the shift of full sliding is left out.
-PressedValues line_pressed_values(const contact::Case& c, const theory::LineContact& line);
-
-/// dF_N/dd [N/m] of a cylinder on the half-space at the half width a [m]: pi E* L/(2 ln(2 L/a)).
-double line_stiffness(const contact::Case& c, double half_width);
 
 }  // namespace tricontact::comparisons

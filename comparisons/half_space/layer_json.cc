@@ -39,7 +39,7 @@ json apparent_json(const std::optional<ApparentModuli>& apparent) {
 json models_json(const LayerComparison& layer) {
     json result = json::object();
     for (const auto& model : layer.models)
-        result[model.name] = {{"ignores_thickness", model.half_space},
+        result[model.name] = {{"ignores_thickness", is_half_space(model.name)},
                               {"values", values_json(model.values)},
                               {"over_exact", difference_json(model.values, layer.exact)}};
     return result;

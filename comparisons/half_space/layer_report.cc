@@ -16,9 +16,7 @@ using contact::Case;
 
 /// "3.19 % larger"
 std::string larger(double ratio) {
-    if (ratio == 1) return "equal";
-    return fmt::format("{} % {}", report::significant(100 * std::abs(ratio - 1), 3),
-                       ratio > 1 ? "larger" : "smaller");
+    return ratio == 1 ? "equal" : report::apart(ratio, "larger", "smaller");
 }
 
 std::string ground_phrase(const Case::Layer& layer) {
@@ -49,7 +47,7 @@ std::string thickness_sentence(const Case& c, const LayerComparison& layer) {
 std::string half_space_sentence(const Case& c, const LayerComparison& layer) {
     std::vector<std::string> models;
     for (const auto& model : layer.models)
-        if (model.half_space) models.push_back(model.name);
+        if (is_half_space(model.name)) models.push_back(model.name);
     std::string text =
         models.empty()
             ? "A half-space model would ignore the thickness."
@@ -92,20 +90,17 @@ std::string side_text(const char* name, std::optional<double> half, std::optiona
 }
 
 std::string width_sentence(const Case& c, const LayerComparison& layer) {
-    if (std::none_of(layer.models.begin(), layer.models.end(),
-                     [](const auto& model) { return model.name == "fem"; }))
+    if (std::ranges::none_of(layer.models, [](const auto& model) { return model.name == "fem"; }))
         return {};  // the others' layer is infinitely wide
     if (c.fem.mesh)
         return fmt::format(
-            "The block is that of {}; exact layer and half-space are infinitely "
-            "wide.",
+            "The block is that of {}; exact layer and half-space are infinitely wide.",
             *c.fem.mesh);
     const double far = contact::far_sides(c);
     if (!layer.half_width && !layer.half_depth)
         return fmt::format(
-            "The block is so wide that its sides are hardly felt ({} "
-            "thicknesses to each side, or more); exact layer and half-space are "
-            "infinitely wide.",
+            "The block is so wide that its sides are hardly felt ({} thicknesses to each side, or "
+            "more); exact layer and half-space are infinitely wide.",
             far);
     std::string text = fmt::format("The block is finite: {}, {}.",
                                    side_text("width", layer.half_width, c.layer.width),
@@ -118,19 +113,6 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     return text;
 }
 
-}  // namespace
-
-std::vector<std::string> layer_sentences(const Case& c, const LayerComparison& layer) {
-    std::vector<std::string> result{thickness_sentence(c, layer), half_space_sentence(c, layer)};
-    for (const std::string& text : {apparent_sentence(c, layer), width_sentence(c, layer)})
-        if (!text.empty()) result.push_back(text);
-    return result;
-}
-
-namespace {
-
-using Value = std::optional<double>;
-
 report::Unit common_unit(const PressedQuantity& q, const LayerComparison& layer) {
     double largest = q.get(layer.half_space).value_or(0);
     for (const auto& model : layer.models)
@@ -139,6 +121,13 @@ report::Unit common_unit(const PressedQuantity& q, const LayerComparison& layer)
 }
 
 }  // namespace
+
+std::vector<std::string> layer_sentences(const Case& c, const LayerComparison& layer) {
+    std::vector<std::string> result{thickness_sentence(c, layer), half_space_sentence(c, layer),
+                                    apparent_sentence(c, layer), width_sentence(c, layer)};
+    std::erase(result, "");
+    return result;
+}
 
 report::DocumentTable layer_table(const LayerComparison& layer) {
     report::DocumentTable table{
@@ -156,8 +145,7 @@ report::DocumentTable layer_table(const LayerComparison& layer) {
         const report::Unit unit = common_unit(q, layer);
         std::vector<report::Cell> row{label_of(*q.quantity), unit.symbol};
         const auto add = [&](const PressedValues& values) {
-            const Value value = q.get(values);
-            row.push_back(report::number_cell(value ? Value(*value / unit.factor) : Value()));
+            row.push_back(report::number_cell(q.get(values), unit.factor));
         };
         const auto compare = [&](const PressedValues& values) {
             row.push_back(change_cell(q.get(values), q.get(*layer.exact)));

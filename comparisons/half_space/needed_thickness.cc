@@ -43,47 +43,24 @@ std::optional<double> inverse(std::optional<double> x) {
     return x ? std::optional(1 / *x) : std::nullopt;
 }
 
-/// Deviation and error over D_c/b.
-class Curves {
-  public:
-    explicit Curves(const std::vector<RatioPoint>& points)
-        : thinness_(of(points, [](const RatioPoint& p) { return 1 / p.thickness_ratio; })),
-          deviation_(interpolant(of(points, [](const RatioPoint& p) { return p.ratio - 1; }))),
-          error_(interpolant(of(points, [](const RatioPoint& p) { return p.error; }))) {}
+/// Of the points over D_c/b, from the half-space, at which everything is 0, to the thinnest layer.
+template <class Value>
+std::vector<double> over_thinness(const std::vector<RatioPoint>& points, Value value) {
+    std::vector<double> result{0};
+    std::transform(points.rbegin(), points.rend(), std::back_inserter(result), value);
+    return result;
+}
 
-    /// |deviation| plus so many errors.
-    double size(double thinness, double n_errors) const {
-        return std::abs(deviation_(thinness)) + n_errors * error_(thinness);
-    }
-    /// Fine enough for the interpolants' turning points, which are the points.
-    std::vector<double> grid() const {
-        constexpr int n_between = 20;
-        std::vector<double> grid;
-        for (std::size_t i = 0; i + 1 < thinness_.size(); ++i)
-            for (int k = 0; k < n_between; ++k)
-                grid.push_back(
-                    std::lerp(thinness_[i], thinness_[i + 1], static_cast<double>(k) / n_between));
-        grid.push_back(thinness_.back());
-        return grid;
-    }
-
-  private:
-    using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
-
-    /// From the half-space, at which everything is 0, to the thinnest layer.
-    template <class Value>
-    static std::vector<double> of(const std::vector<RatioPoint>& points, Value value) {
-        std::vector<double> result{0};
-        std::transform(points.rbegin(), points.rend(), std::back_inserter(result), value);
-        return result;
-    }
-    Pchip interpolant(std::vector<double> values) const {
-        return {std::vector<double>(thinness_), std::move(values)};
-    }
-
-    std::vector<double> thinness_;
-    Pchip deviation_, error_;
-};
+/// Fine enough for an interpolant's turning points, which are the points.
+std::vector<double> refined(const std::vector<double>& points) {
+    constexpr int n_between = 20;
+    std::vector<double> grid;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        for (int k = 0; k < n_between; ++k)
+            grid.push_back(std::lerp(points[i], points[i + 1], static_cast<double>(k) / n_between));
+    grid.push_back(points.back());
+    return grid;
+}
 
 }  // namespace
 
@@ -110,10 +87,18 @@ NeededThickness needed_thickness(const std::vector<RatioPoint>& points, const Fu
 NeededThickness needed_thickness(const std::vector<RatioPoint>& points, double tolerance) {
     if (points.size() < 3)
         throw std::domain_error("needed thickness: fewer than three points to interpolate");
-    const Curves curves(points);
-    const std::vector<double> grid = curves.grid();
-    const auto sought = [&](double n_errors) {
-        return crossings([&](double s) { return curves.size(s, n_errors) - tolerance; }, grid);
+    const auto thinness = over_thinness(points, [](auto& p) { return 1 / p.thickness_ratio; });
+    const auto interpolant = [&](std::vector<double> values) {
+        return boost::math::interpolators::pchip(std::vector<double>(thinness), std::move(values));
+    };
+    const auto deviation = interpolant(over_thinness(points, [](auto& p) { return p.ratio - 1; }));
+    const auto error = interpolant(over_thinness(points, [](auto& p) { return p.error; }));
+    const std::vector<double> grid = refined(thinness);
+    const auto sought = [&](double n_errors) {  // |deviation| plus so many errors
+        const auto excess = [&](double s) {
+            return std::abs(deviation(s)) + n_errors * error(s) - tolerance;
+        };
+        return crossings(excess, grid);
     };
     const Crossings central = sought(0);
     return {.ratio = inverse(central.first),

@@ -64,48 +64,6 @@ std::optional<RolledRatio> ratio_of(const Quantity* q, const BodyValues& layer,
     return result;
 }
 
-}  // namespace
-
-const std::vector<const Quantity*>& rolled_quantities() {
-    using namespace quantities;
-    static const std::vector<const Quantity*> all{
-        &static_shift,    &static_shift_ratio,    &settled_shift, &settled_shift_ratio,   &kappa,
-        &shift_increment, &shift_increment_ratio, &eta,           &limit_tangential_ratio};
-    return all;
-}
-
-bool is_of_ratcheting(const Quantity* q) {
-    using namespace quantities;
-    return q == &shift_increment || q == &shift_increment_ratio || q == &eta;
-}
-
-std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results) {
-    std::vector<BodyValues> bodies;
-    for (const RolledResult& result : results) {
-        const auto same = [&](const BodyValues& known) { return known.body == result.run.body; };
-        if (std::none_of(bodies.begin(), bodies.end(), same))
-            bodies.push_back(values_on(result.run.body, results));
-    }
-    std::vector<RolledDeviation> deviations;
-    for (const BodyValues& layer : bodies) {
-        if (layer.body.half_space()) continue;
-        const RolledBody reference{.poisson = layer.body.poisson, .coupled = layer.body.coupled};
-        const auto half_space = std::find_if(
-            bodies.begin(), bodies.end(), [&](const BodyValues& b) { return b.body == reference; });
-        RolledDeviation& deviation = deviations.emplace_back(
-            RolledDeviation{layer.body, RolledRatios{}, layer.state, std::nullopt});
-        if (half_space == bodies.end()) continue;
-        deviation.half_space_state = half_space->state;
-        for (const Quantity* q : rolled_quantities())
-            if (const auto ratio = ratio_of(q, layer, *half_space)) deviation.ratios[q] = *ratio;
-    }
-    return deviations;
-}
-
-namespace {
-
-using Kind = RolledRun::Kind;
-
 constexpr double cells_per_radius = 8;
 constexpr int periods_to_settle = 60, periods_of_ratcheting = 10;
 constexpr int steps_per_quarter = 4;  // of ratcheting; shakedown needs turning points only
@@ -129,6 +87,42 @@ contact::Case::Rolling rolling(const contact::Case& base, double w, Kind kind) {
 }
 
 }  // namespace
+
+const std::vector<const Quantity*>& rolled_quantities() {
+    using namespace quantities;
+    static const std::vector<const Quantity*> all{
+        &static_shift,    &static_shift_ratio,    &settled_shift, &settled_shift_ratio,   &kappa,
+        &shift_increment, &shift_increment_ratio, &eta,           &limit_tangential_ratio};
+    return all;
+}
+
+bool is_of_ratcheting(const Quantity* q) {
+    using namespace quantities;
+    return q == &shift_increment || q == &shift_increment_ratio || q == &eta;
+}
+
+std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& results) {
+    std::vector<BodyValues> bodies;
+    for (const RolledResult& result : results) {
+        const auto same = [&](const BodyValues& known) { return known.body == result.run.body; };
+        if (std::ranges::none_of(bodies, same))
+            bodies.push_back(values_on(result.run.body, results));
+    }
+    std::vector<RolledDeviation> deviations;
+    for (const BodyValues& layer : bodies) {
+        if (layer.body.half_space()) continue;
+        const RolledBody reference{.poisson = layer.body.poisson, .coupled = layer.body.coupled};
+        const auto half_space =
+            std::ranges::find_if(bodies, [&](const BodyValues& b) { return b.body == reference; });
+        RolledDeviation& deviation = deviations.emplace_back(
+            RolledDeviation{layer.body, RolledRatios{}, layer.state, std::nullopt});
+        if (half_space == bodies.end()) continue;
+        deviation.half_space_state = half_space->state;
+        for (const Quantity* q : rolled_quantities())
+            if (const auto ratio = ratio_of(q, layer, *half_space)) deviation.ratios[q] = *ratio;
+    }
+    return deviations;
+}
 
 RolledAmplitudes rolled_amplitudes(double w, double f) {
     const double limit = theory::amplitude_limit(f);

@@ -28,7 +28,7 @@ constinit const Quantity indentation{
     .meaning = "Approach of the indenter, pressed upright and without friction.",
     .source = "Johnson (1985), 4.2",
     .of = [](const Subject& s) { return finite(s.history.scales.indentation); },
-    .exact = [](const contact::Case&, const Reference& r) { return exact(r, r.hertz.indentation); },
+    .exact = [](const Reference& r) { return exact(r, r.hertz.indentation); },
     .part = Part::pressed,
     .is_refined = true};
 
@@ -40,8 +40,7 @@ constinit const Quantity contact_radius{
     .meaning = "Radius of the contact pressed without friction, half width of a line contact.",
     .source = "Johnson (1985), 4.2",
     .of = [](const Subject& s) { return finite(s.history.scales.contact_radius); },
-    .exact = [](const contact::Case&,
-                const Reference& r) { return exact(r, r.hertz.contact_radius); },
+    .exact = [](const Reference& r) { return exact(r, r.hertz.contact_radius); },
     .part = Part::pressed,
     .is_refined = true};
 
@@ -53,7 +52,7 @@ constinit const Quantity peak_pressure{
     .meaning = "Largest normal traction, pressed without friction.",
     .source = "Johnson (1985), 4.2",
     .of = [](const Subject& s) { return finite(s.history.scales.peak_pressure); },
-    .exact = [](const contact::Case&, const Reference& r) { return finite(r.peak_pressure); },
+    .exact = [](const Reference& r) { return finite(r.peak_pressure); },
     .part = Part::pressed,
     .is_refined = true};
 
@@ -67,7 +66,7 @@ constinit const Quantity unit_shift{
         "at which a half-space begins to slide; each model's own.",
     .source = "Cattaneo (1938), Mindlin (1949)",
     .of = [](const Subject& s) { return finite(s.history.scales.unit_shift); },
-    .exact = [](const contact::Case&, const Reference& r) { return exact(r, r.hertz.unit_shift); },
+    .exact = [](const Reference& r) { return exact(r, r.hertz.unit_shift); },
     .part = Part::pressed,
     .is_refined = true};
 
@@ -78,7 +77,7 @@ constinit const Quantity tangential_ratio{
     .name = "tangential force",
     .meaning = "Tangential force after loading over what friction can carry, mu F_N.",
     .of = [](const Subject& s) { return finite(comparisons::tangential_ratio(s.history)); },
-    .exact = [](const contact::Case&, const Reference& r) { return finite(r.tangential_ratio); },
+    .exact = [](const Reference& r) { return finite(r.tangential_ratio); },
     .part = Part::pressed};
 
 constinit const Quantity amplitude{
@@ -96,7 +95,7 @@ constinit const Quantity amplitude_ratio{
     .name = "amplitude",
     .meaning = "Amplitude of the rolling over the model's own contact radius, W/a.",
     .of = [](const Subject& s) { return finite(comparisons::amplitude_ratio(s.history)); },
-    .exact = [](const contact::Case&, const Reference& r) { return finite(r.amplitude_ratio); },
+    .exact = [](const Reference& r) { return finite(r.amplitude_ratio); },
     .part = Part::rolled};
 
 constinit const Quantity normal_stiffness{

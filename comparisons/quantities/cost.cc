@@ -12,8 +12,7 @@ constinit const Quantity cpu_time{.key = "cpu_s",
                                   .meaning = "CPU time of the run.",
                                   .of = [](const Subject& s) { return finite(s.history.cpu_s); },
                                   .part = Part::cost,
-                                  .digits = 3,
-                                  .is_repeatable = false};
+                                  .is_column = false};
 
 constinit const Quantity force_residual{
     .key = "max_force_residual_ratio",
@@ -27,8 +26,7 @@ constinit const Quantity force_residual{
             for (const auto& step : s.history.steps) worst = std::max(worst, step.force_residual);
             return finite(worst);
         },
-    .part = Part::cost,
-    .digits = 2};
+    .part = Part::cost};
 
 }  // namespace
 
@@ -44,8 +42,7 @@ constinit const Quantity wall_time{.key = "wall_s",
                                    .name = "time on the clock",
                                    .meaning = "Time on the clock of the run.",
                                    .of = [](const Subject& s) { return finite(s.history.wall_s); },
-                                   .digits = 3,
-                                   .is_repeatable = false};
+                                   .is_column = false};
 
 List of_cost() {
     return {&steps, &cpu_time, &wall_time, &force_residual};

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "comparisons/quantities/quantities.h"
@@ -31,9 +32,9 @@ std::optional<double> unit_dissipation(const Case& c, const History& history) {
 
 Numbers work_ratios(const Subject& s) {
     Numbers list;
-    const auto unit = unit_dissipation(s.c, s.history);
+    const double unit = unit_dissipation(s.c, s.history).value_or(NAN);
     for (const double work : s.history.dissipation_per_period)
-        list.push_back(number_of(finite(unit ? std::optional(work / *unit) : std::nullopt)));
+        list.push_back(number_of(finite(work / unit)));
     return list;
 }
 
@@ -70,8 +71,7 @@ constinit const Quantity dissipation_ratio{
         const Numbers list = work_ratios(s);
         return list.empty() ? QuantityValue() : finite(list.back());
     },
-    .part = Part::cost,
-    .digits = 3};
+    .part = Part::cost};
 
 constinit const Quantity dissipation_ratio_per_period{
     .key = "dissipation_ratio_per_period",
@@ -82,7 +82,7 @@ constinit const Quantity dissipation_ratio_per_period{
     .defined = where_known,
     .source = of_w0,
     .of = [](const Subject& s) -> QuantityValue { return work_ratios(s); },
-    .is_list = true};
+    .is_column = false};
 
 constinit const Quantity slip_path{
     .key = "largest_slip_path_m",
@@ -97,7 +97,6 @@ constinit const Quantity slip_path{
     .source = "Vingsbo and Söderberg (1988)",
     .of = [](const Subject& s) { return last_of(s.history.slip_path_per_period); },
     .part = Part::cost,
-    .digits = 3,
     .is_plotted = true};
 
 constinit const Quantity friction_work{
@@ -112,7 +111,6 @@ constinit const Quantity friction_work{
     .source = "Fouvry, Kapsa and Vincent (1996)",
     .of = [](const Subject& s) { return last_of(s.history.friction_work_per_period); },
     .part = Part::cost,
-    .digits = 3,
     .is_plotted = true};
 
 List of_dissipation() {

@@ -8,11 +8,6 @@ namespace tricontact::comparisons {
 
 namespace {
 
-std::string unit_of(const Quantity& q) {
-    const std::string unit = q.unit, over = q.over;
-    return !unit.empty() ? unit : over.empty() ? "1" : over;
-}
-
 std::string section(const char* title, const quantities::List& list) {
     std::string text = fmt::format(
         "\n### {}\n\n| Key | Symbol | Unit | Meaning | Defined | Source |\n"

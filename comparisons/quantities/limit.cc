@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/surface_fields.h"
 
@@ -13,8 +15,7 @@ constinit const Quantity limit_tangential_ratio{
         "the computed pressures; in uncoupled contact the exact limit of f_T at this amplitude.",
     .source = "Klarbring, Ciavarella and Barber (2007); Wetter (2016), 3.2.13",
     .of = [](const Subject& s) { return finite(s.history.limit_tangential_ratio); },
-    .exact = [](const contact::Case&,
-                const Reference& r) { return finite(r.limit_tangential_ratio); },
+    .exact = [](const Reference& r) { return finite(r.limit_tangential_ratio); },
     .part = Part::rolled};
 
 constinit const Quantity limit_amplitude_ratio{
@@ -29,8 +30,7 @@ constinit const Quantity limit_amplitude_ratio{
     .defined = "with rolling under constant loads, 0 < f_T < 1; not of periodic surfaces",
     .source = "Wetter (2016), 3.2.13",
     .of = [](const Subject& s) { return finite(own_amplitude_limit(s.c, s.history)); },
-    .exact = [](const contact::Case&,
-                const Reference& r) { return finite(r.limit_amplitude_ratio); },
+    .exact = [](const Reference& r) { return finite(r.limit_amplitude_ratio); },
     .part = Part::rolled};
 
 constinit const Quantity stick_ratio{
@@ -44,11 +44,9 @@ constinit const Quantity stick_ratio{
         if (!s.c.is_line_contact() || s.history.verdict.state != contact::State::shakedown ||
             s.history.shift_per_period.empty())
             return {};
-        const auto stick = stick_half_width(s.history, s.c.friction_coefficient);
-        return finite(stick ? std::optional(*stick / s.history.scales.contact_radius)
-                            : std::nullopt);
-    },
-    .exact = [](const contact::Case&, const Reference& r) { return finite(r.stick_ratio); }};
+        return finite(stick_half_width(s.history, s.c.friction_coefficient).value_or(NAN) /
+                      s.history.scales.contact_radius);
+    }};
 
 List of_limit() {
     return {&limit_tangential_ratio, &limit_amplitude_ratio, &stick_ratio};

@@ -35,7 +35,7 @@ constinit const Quantity kappa{
                                         comparisons::tangential_ratio(s.history), *u));
     },
     .exact =
-        [](const contact::Case&, const Reference& r) {
+        [](const Reference& r) {
             return r.shakedown_shift_ratio && r.has_mapping ? finite(theory::mdr_mapping)
                                                             : QuantityValue();
         },

@@ -12,49 +12,30 @@ namespace {
 
 using contact::Surface;
 
-/// Pressures on a grid, to be read between its points; of springs their line loads.
-class MovedPressure {
-  public:
-    explicit MovedPressure(const Surface& s)
-        : surface_(s),
-          pressure_(s.layout == Surface::Layout::line ? s.normal_line_load : s.normal_traction) {}
-
-    const std::vector<double>& pressure() const { return pressure_; }
-    double finest() const {
-        return surface_.n_y > 1 ? std::min(surface_.spacing[0], surface_.spacing[1])
-                                : surface_.spacing[0];
-    }
-
-    /// least = min(least, p moved by `way`); returns its sum.
-    double lower(std::vector<double>& least, const contact::Vector2& way) const {
-        const double x = way[0] / surface_.spacing[0];
-        const double y = surface_.n_y > 1 ? way[1] / surface_.spacing[1] : 0;
-        const int i0 = static_cast<int>(std::floor(x)), j0 = static_cast<int>(std::floor(y));
-        const double p = x - i0, q = y - j0;
-        double sum = 0;
-        for (int j = 0; j < surface_.n_y; ++j)
-            for (int i = 0; i < surface_.n_x; ++i) {
-                double& here = least[static_cast<std::size_t>(j) * surface_.n_x + i];
-                if (here <= 0) continue;
-                const int left = i - i0, below = j - j0;
-                const double moved =
-                    (1 - q) * ((1 - p) * at(left, below) + p * at(left - 1, below)) +
-                    q * ((1 - p) * at(left, below - 1) + p * at(left - 1, below - 1));
-                here = std::min(here, moved);
-                sum += here;
-            }
-        return sum;
-    }
-
-  private:
-    double at(int i, int j) const {
-        if (i < 0 || j < 0 || i >= surface_.n_x || j >= surface_.n_y) return 0;
-        return pressure_[static_cast<std::size_t>(j) * surface_.n_x + i];
-    }
-
-    const Surface& surface_;
-    const std::vector<double>& pressure_;
-};
+/// least = min(least, p moved by `way`) of pressures on a grid, linear between its points; returns
+/// the sum.
+double lower(const Surface& s, const std::vector<double>& pressure, std::vector<double>& least,
+             const contact::Vector2& way) {
+    const auto at = [&](int i, int j) {
+        if (i < 0 || j < 0 || i >= s.n_x || j >= s.n_y) return 0.;
+        return pressure[static_cast<std::size_t>(j) * s.n_x + i];
+    };
+    const double x = way[0] / s.spacing[0], y = s.n_y > 1 ? way[1] / s.spacing[1] : 0;
+    const int i0 = static_cast<int>(std::floor(x)), j0 = static_cast<int>(std::floor(y));
+    const double p = x - i0, q = y - j0;
+    double sum = 0;
+    for (int j = 0; j < s.n_y; ++j)
+        for (int i = 0; i < s.n_x; ++i) {
+            double& here = least[static_cast<std::size_t>(j) * s.n_x + i];
+            if (here <= 0) continue;
+            const int left = i - i0, below = j - j0;
+            const double moved = (1 - q) * ((1 - p) * at(left, below) + p * at(left - 1, below)) +
+                                 q * ((1 - p) * at(left, below - 1) + p * at(left - 1, below - 1));
+            here = std::min(here, moved);
+            sum += here;
+        }
+    return sum;
+}
 
 constexpr double steps_per_radius = 64;  // linear between them: an error of f_T,lim of 1e-4
 
@@ -62,19 +43,23 @@ constexpr double steps_per_radius = 64;  // linear between them: an error of f_T
 /// quarter of a cell, of fine cells more.
 std::optional<double> distance_at(const Surface& surface, const contact::Vector2& direction,
                                   double f, double radius) {
-    const MovedPressure moved(surface);
-    std::vector<double> least = moved.pressure();
+    const std::vector<double>& pressure = surface.layout == Surface::Layout::line
+                                              ? surface.normal_line_load
+                                              : surface.normal_traction;
+    std::vector<double> least = pressure;
     for (double& p : least) p = std::max(0., p);
     const double whole = std::accumulate(least.begin(), least.end(), 0.);
     if (!(whole > 0)) return {};
-    const double cell = moved.finest();
+    const double cell =
+        surface.n_y > 1 ? std::min(surface.spacing[0], surface.spacing[1]) : surface.spacing[0];
     const double step = std::clamp(radius / steps_per_radius, cell / 4, cell);
     double share = 1;
     // A contact that is longer than the grid along the rolling has no such distance.
     const double longest = surface.n_x * surface.spacing[0] + surface.n_y * surface.spacing[1];
     for (double way = step; way < longest; way += step) {
-        moved.lower(least, {way * direction[0], way * direction[1]});
-        const double now = moved.lower(least, {-way * direction[0], -way * direction[1]}) / whole;
+        const contact::Vector2 ahead{way * direction[0], way * direction[1]};
+        lower(surface, pressure, least, ahead);
+        const double now = lower(surface, pressure, least, {-ahead[0], -ahead[1]}) / whole;
         if (now <= f) return way - step * (f - now) / (share - now);
         share = now;
     }

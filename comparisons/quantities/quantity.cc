@@ -1,6 +1,5 @@
 #include "comparisons/quantities/quantity.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "comparisons/quantities/quantities.h"
@@ -30,30 +29,26 @@ std::span<const Quantity* const> all_quantities() {
     return all;
 }
 
-const Quantity* find_quantity(std::string_view key) {
-    const auto all = all_quantities();
-    const auto found =
-        std::ranges::find(all, key, [](const Quantity* q) { return std::string_view(q->key); });
-    return found == all.end() ? nullptr : *found;
-}
-
 std::string label_of(const Quantity& q) {
     const std::string symbol = q.symbol;
     return symbol.empty() ? q.name : q.name + (" " + symbol);
 }
 
 std::string ratio_key(const Quantity& q) {
-    const std::string key = q.key, unit = q.unit;
-    const auto slash = unit.find('/');
-    const std::string suffix = '_' + (slash == std::string::npos ? unit
-                                                                 : unit.substr(0, slash) + "_per_" +
-                                                                       unit.substr(slash + 1));
-    return !unit.empty() && key.ends_with(suffix) ? key.substr(0, key.size() - suffix.size()) : key;
+    const std::string key = q.key;
+    std::string suffix = std::string("_") + q.unit;
+    if (const auto slash = suffix.find('/'); slash != std::string::npos)
+        suffix.replace(slash, 1, "_per_");
+    return *q.unit && key.ends_with(suffix) ? key.substr(0, key.size() - suffix.size()) : key;
+}
+
+std::string unit_of(const Quantity& q) {
+    const std::string unit = q.unit, over = q.over;
+    return !unit.empty() ? unit : over.empty() ? "1" : over;
 }
 
 std::string heading_of(const Quantity& q) {
-    const std::string unit = q.unit, over = q.over;
-    return std::string(q.symbol) + " [" + (!unit.empty() ? unit : over.empty() ? "1" : over) + "]";
+    return std::string(q.symbol) + " [" + unit_of(q) + "]";
 }
 
 }  // namespace tricontact::comparisons

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,14 +46,12 @@ struct Quantity {
     const char* source = "";                        ///< author, year, equation
     QuantityValue (*of)(const Subject&) = nullptr;  ///< null: no result of a run
     /// The closed form or exact value of an elastic half-space.
-    QuantityValue (*exact)(const contact::Case&, const Reference&) = nullptr;
+    QuantityValue (*exact)(const Reference&) = nullptr;
     const char* place = nullptr;  ///< JSON pointer in a model's part of summary.json; null: "/key"
     Part part = Part::nowhere;
-    int digits = 4;             ///< in tables
-    bool is_list = false;       ///< one number per period
-    bool is_refined = false;    ///< `refine` follows it over its levels
-    bool is_plotted = false;    ///< a sweep draws it over its axes
-    bool is_repeatable = true;  ///< the same case gives the same value: no times
+    bool is_column = true;    ///< of results.csv: one value, and the same whenever it is computed
+    bool is_refined = false;  ///< `refine` follows it over its levels
+    bool is_plotted = false;  ///< a sweep draws it over its axes
     /// The only state in which refine and plots use it: after shakedown an increment is what is
     /// left of nothing.
     std::optional<contact::State> told_in = {};
@@ -73,14 +70,13 @@ const Value* found(const ByQuantity<Value>& values, const Quantity* q) {
 /// The declarations, in the order of files and tables.
 std::span<const Quantity* const> all_quantities();
 
-/// Null where there is none of that key.
-const Quantity* find_quantity(std::string_view key);
-
 /// "static shift U_stat", plain; in tables of results "half width a" of line contacts.
 std::string label_of(const Quantity& q);
+/// SI unit, or what a ratio is over: "U_max", "1".
+std::string unit_of(const Quantity& q);
 /// Key of a ratio of two values, without unit: "static_shift".
 std::string ratio_key(const Quantity& q);
-/// Symbol and unit, or what a ratio is over: "u_stat [U_max]", "kappa [1]".
+/// Symbol and unit: "u_stat [U_max]", "kappa [1]".
 std::string heading_of(const Quantity& q);
 
 }  // namespace tricontact::comparisons

@@ -33,6 +33,7 @@ void add_line_contact(const contact::Case& c, Reference& r) {
     const double lambda =
         contact::line_shift_factor(c.materials(), c.indenter.length / r.hertz.contact_radius);
     r.static_shift_ratio = theory::line_static_shift_ratio(f, lambda);
+    if (!c.rolling) r.stick_ratio = theory::line_stick_half_width(0, f);
     if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;
     r.limit_tangential_ratio = theory::line_shakedown_limit(w);
     r.limit_amplitude_ratio = theory::line_amplitude_limit(f);
@@ -57,6 +58,7 @@ Reference reference(const contact::Case& c) {
     Reference r;
     r.hertz = contact::half_space_scales(c);
     r.is_nominal = contact::is_nominally_flat(c);
+    r.static_shift_is_relaxed = static_shift_is_relaxed(c);
     const double friction_limit = c.friction_coefficient * r.hertz.normal_force;
     r.tangential_ratio = c.load.tangential_ratio
                              ? *c.load.tangential_ratio

@@ -29,13 +29,14 @@ struct Reference {
     double tangential_ratio = 0;    ///< f_T
     double amplitude_ratio = 0;     ///< w over the Hertz radius
     double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range or it is unavailable
+    bool static_shift_is_relaxed = true;  ///< see there
     std::optional<double> peak_pressure;  ///< [Pa], where the pressure is largest at the centre
     bool has_mapping = false;             ///< kappa (3.2.16) is defined: paraboloid and sphere
     /// Below: with rolling at constant loads and w <= 1 only.
     std::optional<double> limit_tangential_ratio;  ///< f_T,lim of the body's pressure
     std::optional<double> limit_amplitude_ratio;   ///< w_lim at this f_T
     std::optional<double> shakedown_shift_ratio;   ///< u_sd, below the limit only
-    std::optional<double> stick_ratio;             ///< c_sd/a of a line contact, likewise
+    std::optional<double> stick_ratio;  ///< c_sd/a of a line contact, likewise; c/a without rolling
 };
 Reference reference(const contact::Case& c);
 

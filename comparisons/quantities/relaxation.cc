@@ -23,7 +23,7 @@ constinit const Quantity largest_deborah_number{
     .of = [](const Subject& s) -> QuantityValue {
         const auto drive = drive_values(s.c, s.history.amplitude);
         if (!drive) return {};
-        return finite(*std::max_element(drive->deborah.begin(), drive->deborah.end()));
+        return finite(*std::ranges::max_element(drive->deborah));
     }};
 
 }  // namespace

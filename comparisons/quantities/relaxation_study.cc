@@ -36,85 +36,56 @@ double speed_of(double deborah, double time, double amplitude) {
     return deborah * 2 * amplitude / (std::numbers::pi * time);
 }
 
-double slowest_time(const Relaxation& relaxation) {
-    double time = 0;
-    for (const auto& branch : relaxation.branches) time = std::max(time, branch.time);
-    return time;
-}
-double fastest_time(const Relaxation& relaxation) {
-    double time = slowest_time(relaxation);
-    for (const auto& branch : relaxation.branches) time = std::min(time, branch.time);
-    return time;
-}
-
-/// The search, over x = ln v.
-class Search {
-  public:
-    Search(const ErrorAtSpeed& error, SpeedLimit& result) : error_(error), result_(result) {}
-
-    /// From `speed` until the error passes the limit, within `slowest` and `fastest`.
-    void go(double speed, double slowest, double fastest) {
-        result_.slowest = result_.fastest = speed;
-        double at = excess(speed);
-        const double factor = at > 0 ? 1 / step : step;
-        while (true) {
-            const double next = speed * factor;
-            if (next < slowest || next > fastest) return give_up(at);
-            const double there = excess(next);
-            if ((at > 0) != (there > 0)) return refine(speed, at, next, there);
-            speed = next;
-            at = there;
+/// From `speed` until the error passes the limit, within `slowest` and `fastest`.
+void search(const ErrorAtSpeed& error, double speed, double slowest, double fastest,
+            SpeedLimit& result) {
+    // ln(error/limit): nearly a straight line over ln v.
+    const auto excess = [&](double v) {
+        ++result.runs;
+        result.slowest = std::min(result.slowest, v);
+        result.fastest = std::max(result.fastest, v);
+        const auto found = error(v);
+        if (!found)
+            throw std::runtime_error(fmt::format("the error is undefined at {:.3g} m/s", v));
+        return std::log(std::max(*found, least_error) / SpeedLimit::limit);
+    };
+    result.slowest = result.fastest = speed;
+    double at = excess(speed), next = speed, there = at;
+    const double factor = at > 0 ? 1 / step : step;
+    while ((at > 0) == (there > 0)) {
+        speed = next;
+        at = there;
+        next = speed * factor;
+        if (next < slowest || next > fastest) {
+            result.why_none = at > 0
+                                  ? fmt::format("it is still more at {:.3g} m/s, the slowest tried",
+                                                result.slowest)
+                                  : fmt::format("it stays less up to {:.3g} m/s, the fastest tried",
+                                                result.fastest);
+            return;
         }
+        there = excess(next);
     }
-
-  private:
-    /// ln(error/limit): nearly a straight line over ln v.
-    double excess(double speed) {
-        ++result_.runs;
-        result_.slowest = std::min(result_.slowest, speed);
-        result_.fastest = std::max(result_.fastest, speed);
-        const auto error = error_(speed);
-        if (!error)
-            throw std::runtime_error(fmt::format("the error is undefined at {:.3g} m/s", speed));
-        return std::log(std::max(*error, least_error) / SpeedLimit::limit);
+    if (speed > next) {
+        std::swap(speed, next);
+        std::swap(at, there);
     }
-
-    void give_up(double at) {
-        result_.why_none =
-            at > 0
-                ? fmt::format("it is still more at {:.3g} m/s, the slowest tried", result_.slowest)
-                : fmt::format("it stays less up to {:.3g} m/s, the fastest tried", result_.fastest);
-    }
-
-    void refine(double one, double at_one, double other, double at_other) {
-        if (one > other) {
-            std::swap(one, other);
-            std::swap(at_one, at_other);
-        }
-        std::uintmax_t evaluations = 20;  // about 5 are needed
-        const auto [low, high] = boost::math::tools::toms748_solve(
-            [&](double x) { return excess(std::exp(x)); }, std::log(one), std::log(other), at_one,
-            at_other,
-            [](double a, double b) { return std::abs(b - a) < std::log1p(SpeedLimit::resolution); },
-            evaluations);
-        result_.speed = std::exp((low + high) / 2);
-    }
-
-    const ErrorAtSpeed& error_;
-    SpeedLimit& result_;
-};
+    std::uintmax_t evaluations = 20;  // about 5 are needed
+    const auto [low, high] = boost::math::tools::toms748_solve(
+        [&](double x) { return excess(std::exp(x)); }, std::log(speed), std::log(next), at, there,
+        [](double a, double b) { return std::abs(b - a) < std::log1p(SpeedLimit::resolution); },
+        evaluations);
+    result.speed = std::exp((low + high) / 2);
+}
 
 }  // namespace
 
 std::optional<DriveValues> drive_values(const Case& c, double amplitude) {
     if (!c.relaxation || !c.rolling || !(c.rolling->speed > 0) || !(amplitude > 0)) return {};
-    DriveValues drive;
-    drive.amplitude = amplitude;
-    drive.frequency = c.rolling->speed / (4 * amplitude);
-    const double omega = 2 * std::numbers::pi * drive.frequency;
+    const double frequency = c.rolling->speed / (4 * amplitude);
+    const double omega = 2 * std::numbers::pi * frequency;
     const auto modulus = c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(omega);
-    drive.storage = modulus.real();
-    drive.loss = modulus.imag();
+    DriveValues drive{amplitude, frequency, modulus.real(), modulus.imag(), {}};
     for (const auto& branch : c.relaxation->branches) drive.deborah.push_back(omega * branch.time);
     return drive;
 }
@@ -131,16 +102,11 @@ Case elastic_twin(const Case& c) {
 }
 
 RunValues run_values(const contact::History& history) {
-    RunValues values;
-    values.static_shift = history.static_shift;
     const auto& shift = history.shift_per_period;
-    if (shift.empty()) return values;
+    if (shift.empty()) return {history.static_shift};
     const double before = shift.size() > 1 ? shift[shift.size() - 2] : history.static_shift;
-    values.final_shift = shift.back();
-    values.increment = shift.back() - before;
-    values.limit = history.limit_tangential_ratio;
-    values.state = history.verdict.state;
-    return values;
+    return {history.static_shift, history.verdict.state, shift.back(), shift.back() - before,
+            history.limit_tangential_ratio};
 }
 
 bool judged_by_increment(const RunValues& elastic) {
@@ -152,14 +118,12 @@ std::optional<double> twin_error(const RunValues& elastic, const RunValues& rela
                                         : relative_error(elastic.final_shift, relaxing.final_shift);
 }
 
-std::optional<double> TwinComparison::static_error() const {
-    if (!elastic) return {};
-    return relative_error(elastic->static_shift, relaxing.static_shift);
+std::optional<double> TwinComparison::error_of(std::optional<double> RunValues::*value) const {
+    return elastic ? relative_error((*elastic).*value, relaxing.*value) : std::nullopt;
 }
 
-std::optional<double> TwinComparison::final_error() const {
-    if (!elastic) return {};
-    return relative_error(elastic->final_shift, relaxing.final_shift);
+std::optional<double> TwinComparison::static_error() const {
+    return elastic ? relative_error(elastic->static_shift, relaxing.static_shift) : std::nullopt;
 }
 
 std::optional<double> TwinComparison::settled_error() const {
@@ -171,25 +135,20 @@ std::optional<double> TwinComparison::settled_error() const {
 std::optional<double> TwinComparison::increment_error() const {
     const bool both =
         elastic && elastic->state == State::ratcheting && relaxing.state == State::ratcheting;
-    return both ? relative_error(elastic->increment, relaxing.increment) : std::nullopt;
-}
-
-std::optional<double> TwinComparison::limit_error() const {
-    if (!elastic) return {};
-    return relative_error(elastic->limit, relaxing.limit);
+    return both ? error_of(&RunValues::increment) : std::nullopt;
 }
 
 SpeedLimit find_speed_limit(const Relaxation& relaxation, double amplitude,
                             const ErrorAtSpeed& error) {
     SpeedLimit result;
-    const double slow = slowest_time(relaxation), fast = fastest_time(relaxation);
+    const auto [fast, slow] =
+        std::ranges::minmax(relaxation.branches, {}, &Relaxation::Branch::time);
     // Half a step of slack: rounding does not decide whether a step is taken.
     const double slack = std::sqrt(step);
     try {
-        Search(error, result)
-            .go(speed_of(first_deborah, slow, amplitude),
-                speed_of(least_deborah, slow, amplitude) / slack,
-                speed_of(largest_deborah, fast, amplitude) * slack);
+        search(error, speed_of(first_deborah, slow.time, amplitude),
+               speed_of(least_deborah, slow.time, amplitude) / slack,
+               speed_of(largest_deborah, fast.time, amplitude) * slack, result);
     } catch (const std::runtime_error& failure) {
         result.why_none = failure.what();
     }

@@ -28,13 +28,14 @@ std::optional<DriveValues> drive_values(const contact::Case& c, double amplitude
 /// drive, with the same scales a, d, U_max. Times have no meaning for it and are left out.
 contact::Case elastic_twin(const contact::Case& c);
 
-/// What of a run is compared.
+/// What of a run is compared: shifts of the indenter along x; all but the first empty without
+/// rolling.
 struct RunValues {
-    double static_shift = 0;              ///< after F_T and the wait, before rolling [m]
-    std::optional<double> final_shift;    ///< after the last period [m]; empty without rolling
-    std::optional<double> increment;      ///< of the last period [m]; empty without rolling
-    std::optional<double> limit;          ///< f_T,lim from the pressures; empty without rolling
-    std::optional<contact::State> state;  ///< empty without rolling
+    double static_shift = 0;  ///< after F_T and the wait, before rolling [m]
+    std::optional<contact::State> state = {};
+    std::optional<double> final_shift = {};  ///< upright after the last period [m]
+    std::optional<double> increment = {};    ///< of the last period [m]
+    std::optional<double> limit = {};        ///< f_T,lim from the pressures
 };
 RunValues run_values(const contact::History& history);
 
@@ -55,13 +56,16 @@ struct TwinComparison {
 
     std::optional<double> static_error() const;
     /// Of the shift after the last period of each, whatever the verdicts.
-    std::optional<double> final_error() const;
+    std::optional<double> final_error() const { return error_of(&RunValues::final_shift); }
     /// Of u_sd: only if both shake down.
     std::optional<double> settled_error() const;
     /// Of Du: only if both ratchet.
     std::optional<double> increment_error() const;
     /// Of f_T,lim.
-    std::optional<double> limit_error() const;
+    std::optional<double> limit_error() const { return error_of(&RunValues::limit); }
+
+  private:
+    std::optional<double> error_of(std::optional<double> RunValues::*value) const;
 };
 
 /// The slowest drive at which the elastic reference run errs by more than `limit`.

@@ -92,10 +92,6 @@ Lines lines_over(double low, double high, double spacing) {
     return {static_cast<int>(end - begin) + 1, begin * spacing};
 }
 
-bool needs_grid(const Surface& s) {
-    return s.layout == Surface::Layout::nodes && !is_grid(s);
-}
-
 }  // namespace
 
 bool is_grid(const Surface& surface) {
@@ -103,8 +99,8 @@ bool is_grid(const Surface& surface) {
 }
 
 Resampling::Resampling(const Surface& s) {
-    const auto [left, right] = std::minmax_element(s.node_x.begin(), s.node_x.end());
-    const auto [low, high] = std::minmax_element(s.node_y.begin(), s.node_y.end());
+    const auto [left, right] = std::ranges::minmax_element(s.node_x);
+    const auto [low, high] = std::ranges::minmax_element(s.node_y);
     const double extent = std::max(*right - *left, *high - *low);
     const double spacing = std::max(typical_spacing(s), extent / most_grid_points);
     const Lines x = lines_over(*left, *right, spacing), y = lines_over(*low, *high, spacing);
@@ -122,9 +118,8 @@ Resampling::Resampling(const Surface& s) {
 void Resampling::rasterise(const Surface& s, const std::array<int, 4>& quad) {
     const Corners corners = corners_of(s, quad);
     const auto range = [&](int d, int n) {
-        const auto [low, high] =
-            std::minmax_element(corners.begin(), corners.end(),
-                                [d](const auto& a, const auto& b) { return a[d] < b[d]; });
+        const auto [low, high] = std::ranges::minmax_element(
+            corners, [d](const auto& a, const auto& b) { return a[d] < b[d]; });
         const double slack = 1e-6;  // of a cell
         const auto index = [&](double at) { return (at - frame_.first[d]) / frame_.spacing[d]; };
         return std::pair(std::max(0, static_cast<int>(std::ceil(index((*low)[d]) - slack))),
@@ -172,26 +167,17 @@ Surface Resampling::operator()(const Surface& s) const {
     return grid;
 }
 
-bool are_on_grids(const std::vector<contact::History>& histories) {
-    return std::all_of(histories.begin(), histories.end(), [](const auto& history) {
-        return std::none_of(
-            history.snapshots.begin(), history.snapshots.end(),
-            [](const contact::Snapshot& snapshot) { return needs_grid(snapshot.surface); });
-    });
-}
-
-std::vector<contact::History> on_grids(const std::vector<contact::History>& histories) {
-    std::vector<contact::History> result = histories;
-    for (contact::History& history : result) {
+std::vector<contact::History> on_grids(std::vector<contact::History> histories) {
+    for (contact::History& history : histories) {
         std::optional<Resampling> resampling;  // all surfaces of a model have the same nodes
         for (contact::Snapshot& snapshot : history.snapshots) {
             Surface& s = snapshot.surface;
-            if (!needs_grid(s)) continue;
+            if (s.layout != Surface::Layout::nodes || is_grid(s)) continue;
             if (!resampling) resampling.emplace(s);
             s = (*resampling)(s);
         }
     }
-    return result;
+    return histories;
 }
 
 }  // namespace tricontact::comparisons

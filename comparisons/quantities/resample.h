@@ -39,9 +39,7 @@ class Resampling {
     std::vector<Source> sources_;
 };
 
-/// Whether all surfaces are grids or lines, as plots need them.
-bool are_on_grids(const std::vector<contact::History>& histories);
-/// The same histories with all other surfaces resampled.
-std::vector<contact::History> on_grids(const std::vector<contact::History>& histories);
+/// With all surfaces resampled that are neither grids nor lines, as plots need them.
+std::vector<contact::History> on_grids(std::vector<contact::History> histories);
 
 }  // namespace tricontact::comparisons

@@ -1,6 +1,7 @@
 #include "comparisons/quantities/results.h"
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 
 #include "report/json_number.h"
 
@@ -32,10 +33,21 @@ QuantityValue value_of(const json& stored) {
     return {};
 }
 
-bool is_empty(const json& object) {
-    for (const json& member : object)
-        if (!member.is_null()) return false;
-    return true;
+/// Every quantity in its place, undefined ones as null; an object whose members are all undefined
+/// is null.
+json results_json(const Results& results) {
+    json object = json::object();
+    for (const Quantity* q : all_quantities())
+        object[json::json_pointer(q->place ? q->place : std::string("/") + q->key)] =
+            to_json(results[*q]);
+    for (json& member : object)
+        if (member.is_object() && std::ranges::all_of(member, &json::is_null)) member = nullptr;
+    json& audit = object["audit"] = json::object();
+    for (const auto& check : results.audit)
+        audit[check.name] = {{"worst", report::number(check.worst)},
+                             {"allowed", report::number(check.allowed)},
+                             {"passed", check.passed()}};
+    return object;
 }
 
 }  // namespace
@@ -47,8 +59,8 @@ Results::Results(const contact::Case& c, const contact::History& history)
 
 const QuantityValue& Results::operator[](const Quantity& q) const {
     static const QuantityValue undefined;
-    const auto found = values_.find(&q);
-    return found == values_.end() ? undefined : found->second;
+    const QuantityValue* value = found(values_, &q);
+    return value ? *value : undefined;
 }
 
 std::optional<double> Results::number(const Quantity& q) const {
@@ -80,26 +92,10 @@ void Results::set(const Quantity& q, QuantityValue value) {
     values_[&q] = std::move(value);
 }
 
-json results_json(const Results& results) {
-    json object = json::object();
-    for (const Quantity* q : all_quantities())
-        object[json::json_pointer(q->place ? q->place : std::string("/") + q->key)] =
-            to_json(results[*q]);
-    for (json& member : object)
-        if (member.is_object() && is_empty(member)) member = nullptr;
-    json& audit = object["audit"] = json::object();
-    for (const auto& check : results.audit)
-        audit[check.name] = {{"worst", report::number(check.worst)},
-                             {"allowed", report::number(check.allowed)},
-                             {"passed", check.passed()}};
-    return object;
-}
-
 const std::vector<const Quantity*>& column_quantities() {
     static const std::vector<const Quantity*> columns = [] {
         std::vector<const Quantity*> list;
-        for (const Quantity* q : all_quantities())
-            if (!q->is_list && q->is_repeatable) list.push_back(q);
+        std::ranges::copy_if(all_quantities(), std::back_inserter(list), &Quantity::is_column);
         return list;
     }();
     return columns;
@@ -118,8 +114,6 @@ Results read_stored_results(const json& stored) {
             results.set(*q, value_of(*found));
     return results;
 }
-
-using json = nlohmann::ordered_json;
 
 std::string summary_json(const std::string& version, const json& resolved_case,
                          const std::vector<Results>& results, const json& sections) {

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "comparisons/quantities/quantities.h"
@@ -36,12 +35,8 @@ class Results {
     std::vector<contact::Audit::Check> audit;
 
   private:
-    std::unordered_map<const Quantity*, QuantityValue> values_;
+    ByQuantity<QuantityValue> values_;
 };
-
-/// A model's part of summary.json: every quantity in its place, undefined ones as null; an object
-/// whose members are all undefined is null.
-nlohmann::ordered_json results_json(const Results& results);
 
 /// Columns of results.csv: what is one value, and the same whenever it is computed.
 const std::vector<const Quantity*>& column_quantities();

@@ -32,8 +32,7 @@ std::vector<Cells> rows_from_end(const Surface& s, double length) {
     std::vector<int> points;
     for (int i = 0; i < static_cast<int>(s.size()); ++i)
         if (y_of(s, i) >= -tolerance && y_of(s, i) <= length / 2 + tolerance) points.push_back(i);
-    std::stable_sort(points.begin(), points.end(),
-                     [&](int i, int j) { return y_of(s, i) > y_of(s, j); });
+    std::ranges::stable_sort(points, [&](int i, int j) { return y_of(s, i) > y_of(s, j); });
     std::vector<Cells> rows;
     for (const int i : points) {
         if (rows.empty() || y_of(s, rows.back().front()) - y_of(s, i) > tolerance)
@@ -41,7 +40,7 @@ std::vector<Cells> rows_from_end(const Surface& s, double length) {
         rows.back().push_back(i);
     }
     for (Cells& row : rows)
-        std::sort(row.begin(), row.end(), [&](int i, int j) { return x_of(s, i) < x_of(s, j); });
+        std::ranges::sort(row, [&](int i, int j) { return x_of(s, i) < x_of(s, j); });
     return rows;
 }
 
@@ -62,10 +61,10 @@ double edge(const Surface& s, const Cells& row, int last, int side) {
 
 std::optional<RollerSection> section(const Surface& s, const Cells& row, double length) {
     const auto touches = [&](int i) { return s.contact_state[i] != ContactState::open; };
-    const auto first = std::find_if(row.begin(), row.end(), touches);
+    const auto first = std::ranges::find_if(row, touches);
     if (first == row.end()) return {};
     const auto last = std::find_if(row.rbegin(), row.rend(), touches);
-    const auto nearest = std::min_element(row.begin(), row.end(), [&](int i, int j) {
+    const auto nearest = std::ranges::min_element(row, [&](int i, int j) {
         return std::abs(x_of(s, i) - s.offset[0]) < std::abs(x_of(s, j) - s.offset[0]);
     });
     const double left = edge(s, row, static_cast<int>(first - row.begin()), -1),
@@ -110,7 +109,7 @@ std::optional<RollerEnds> roller_ends(const contact::Case& c, const contact::His
         return a.half_width < b.half_width;
     };
     const double middle = sections.back().half_width;
-    const auto most = std::max_element(sections.begin(), sections.end(), narrower);
+    const auto most = std::ranges::max_element(sections, narrower);
     return RollerEnds{middle, most->half_width / middle, distance_of_difference(sections, true),
                       distance_of_difference(sections, false)};
 }

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cmath>
 
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
@@ -37,23 +37,38 @@ std::optional<double> increment_of(const Subject& s) {
 
 /// A length over the model's own U_max.
 QuantityValue ratio(const Subject& s, std::optional<double> length) {
-    return finite(length ? std::optional(*length / s.history.scales.unit_shift) : std::nullopt);
+    return finite(length.value_or(NAN) / s.history.scales.unit_shift);
 }
 
 /// A rough body has no static shift in theory, nor has a substrate that still relaxes.
-QuantityValue exact_static(const contact::Case& c, const Reference& r, double value) {
-    return r.static_shift_ratio > 0 && static_shift_is_relaxed(c) ? finite(value) : QuantityValue();
+QuantityValue exact_static(const Reference& r, double unit) {
+    return r.static_shift_ratio > 0 && r.static_shift_is_relaxed
+               ? finite(r.static_shift_ratio * unit)
+               : QuantityValue();
 }
 
 constexpr const char* with_rolling = "with rolling";
 constexpr const char* settled =
     "unless the contact ratchets, once what the shift still changes is known to 1e-3 U_max; a "
-    "shift "
-    "that grows has no end";
+    "shift that grows has no end";
+
+/// A length over the model's own U_max: all else is as of the length.
+consteval Quantity over_unit_shift(Quantity length, const char* key, const char* symbol,
+                                   const char* meaning, decltype(Quantity::of) of,
+                                   decltype(Quantity::exact) exact = nullptr) {
+    length.key = key;
+    length.symbol = symbol;
+    length.unit = "";
+    length.over = "U_max";
+    length.meaning = meaning;
+    length.of = of;
+    length.exact = exact;
+    return length;
+}
 
 }  // namespace
 
-constinit const Quantity static_shift{
+constexpr Quantity static_shift{
     .key = "static_shift_m",
     .symbol = "U_stat",
     .unit = "m",
@@ -61,29 +76,17 @@ constinit const Quantity static_shift{
     .meaning = "Rigid-body displacement of the indenter along F_T after loading, before rolling.",
     .source = "Cattaneo (1938), Mindlin (1949)",
     .of = [](const Subject& s) { return finite(s.history.static_shift); },
-    .exact =
-        [](const contact::Case& c, const Reference& r) {
-            return exact_static(c, r, r.static_shift_ratio * r.hertz.unit_shift);
-        },
+    .exact = [](const Reference& r) { return exact_static(r, r.hertz.unit_shift); },
     .part = Part::pressed,
     .is_refined = true,
     .is_plotted = true};
 
-constinit const Quantity static_shift_ratio{
-    .key = "static_shift_ratio",
-    .symbol = "u_stat",
-    .over = "U_max",
-    .name = "static shift",
-    .meaning = "Static shift over the model's own U_max.",
-    .source = "Cattaneo (1938), Mindlin (1949)",
-    .of = [](const Subject& s) { return ratio(s, s.history.static_shift); },
-    .exact = [](const contact::Case& c,
-                const Reference& r) { return exact_static(c, r, r.static_shift_ratio); },
-    .part = Part::pressed,
-    .is_refined = true,
-    .is_plotted = true};
+constinit const Quantity static_shift_ratio = over_unit_shift(
+    static_shift, "static_shift_ratio", "u_stat", "Static shift over the model's own U_max.",
+    [](const Subject& s) { return ratio(s, s.history.static_shift); },
+    [](const Reference& r) { return exact_static(r, 1); });
 
-constinit const Quantity final_shift{
+constexpr Quantity final_shift{
     .key = "final_shift_m",
     .symbol = "U_end",
     .unit = "m",
@@ -92,49 +95,31 @@ constinit const Quantity final_shift{
         "Shift with the indenter upright after the last period; without rolling the static one.",
     .of = [](const Subject& s) { return finite(final_shift_of(s.history)); },
     .exact =
-        [](const contact::Case&, const Reference& r) {
-            return finite(r.shakedown_shift_ratio
-                              ? std::optional(*r.shakedown_shift_ratio * r.hertz.unit_shift)
-                              : std::nullopt);
+        [](const Reference& r) {
+            return finite(r.shakedown_shift_ratio.value_or(NAN) * r.hertz.unit_shift);
         },
     .part = Part::rolled,
     .is_refined = true};
 
-constinit const Quantity final_shift_ratio{
-    .key = "final_shift_ratio",
-    .symbol = "u_end",
-    .over = "U_max",
-    .name = "final shift",
-    .meaning = "Final shift over the model's own U_max.",
-    .of = [](const Subject& s) { return ratio(s, final_shift_of(s.history)); },
-    .exact = [](const contact::Case&,
-                const Reference& r) { return finite(r.shakedown_shift_ratio); },
-    .part = Part::rolled,
-    .is_refined = true};
+constinit const Quantity final_shift_ratio = over_unit_shift(
+    final_shift, "final_shift_ratio", "u_end", "Final shift over the model's own U_max.",
+    [](const Subject& s) { return ratio(s, final_shift_of(s.history)); },
+    [](const Reference& r) { return finite(r.shakedown_shift_ratio); });
 
-constinit const Quantity settled_shift{
-    .key = "settled_shift_m",
-    .symbol = "U_sd",
-    .unit = "m",
-    .name = "settled shift",
-    .meaning =
-        "Where the shift stands in the end: final shift and what the "
-        "verdict extrapolates to remain.",
-    .defined = settled,
-    .of = [](const Subject& s) { return finite(settled_shift_of(s)); },
-    .exact = final_shift.exact,
-    .is_plotted = true};
+constexpr Quantity settled_shift{.key = "settled_shift_m",
+                                 .symbol = "U_sd",
+                                 .unit = "m",
+                                 .name = "settled shift",
+                                 .meaning =
+                                     "Where the shift stands in the end: final shift and what the "
+                                     "verdict extrapolates to remain.",
+                                 .defined = settled,
+                                 .of = [](const Subject& s) { return finite(settled_shift_of(s)); },
+                                 .is_plotted = true};
 
-constinit const Quantity settled_shift_ratio{
-    .key = "settled_shift_ratio",
-    .symbol = "u_sd",
-    .over = "U_max",
-    .name = "settled shift",
-    .meaning = "Settled shift over the model's own U_max.",
-    .defined = settled,
-    .of = [](const Subject& s) { return ratio(s, settled_shift_of(s)); },
-    .exact = final_shift_ratio.exact,
-    .is_plotted = true};
+constinit const Quantity settled_shift_ratio = over_unit_shift(
+    settled_shift, "settled_shift_ratio", "u_sd", "Settled shift over the model's own U_max.",
+    [](const Subject& s) { return ratio(s, settled_shift_of(s)); });
 
 constinit const Quantity settled_shift_error_ratio{
     .key = "settled_shift_error_ratio",
@@ -145,35 +130,25 @@ constinit const Quantity settled_shift_error_ratio{
         "resolution's error is that of `refine`.",
     .defined = settled,
     .of = [](const Subject& s) {
-        return finite(settled_shift_of(s) ? std::optional(s.history.verdict.remaining_error)
-                                          : std::nullopt);
+        return settled_shift_of(s) ? finite(s.history.verdict.remaining_error) : QuantityValue();
     }};
 
-constinit const Quantity shift_increment{
-    .key = "shift_increment_m",
-    .symbol = "ΔU",
-    .unit = "m",
-    .name = "shift per period",
-    .meaning = "Change of the shift in the last period.",
-    .defined = with_rolling,
-    .of = [](const Subject& s) { return finite(increment_of(s)); },
-    .part = Part::rolled,
-    .is_refined = true,
-    .is_plotted = true,
-    .told_in = State::ratcheting};
+constexpr Quantity shift_increment{.key = "shift_increment_m",
+                                   .symbol = "ΔU",
+                                   .unit = "m",
+                                   .name = "shift per period",
+                                   .meaning = "Change of the shift in the last period.",
+                                   .defined = with_rolling,
+                                   .of = [](const Subject& s) { return finite(increment_of(s)); },
+                                   .part = Part::rolled,
+                                   .is_refined = true,
+                                   .is_plotted = true,
+                                   .told_in = State::ratcheting};
 
-constinit const Quantity shift_increment_ratio{
-    .key = "shift_increment_ratio",
-    .symbol = "Δu",
-    .over = "U_max",
-    .name = "shift per period",
-    .meaning = "Change of the shift in the last period, over the model's own U_max.",
-    .defined = with_rolling,
-    .of = [](const Subject& s) { return ratio(s, increment_of(s)); },
-    .part = Part::rolled,
-    .is_refined = true,
-    .is_plotted = true,
-    .told_in = State::ratcheting};
+constinit const Quantity shift_increment_ratio =
+    over_unit_shift(shift_increment, "shift_increment_ratio", "Δu",
+                    "Change of the shift in the last period, over the model's own U_max.",
+                    [](const Subject& s) { return ratio(s, increment_of(s)); });
 
 constinit const Quantity shift_ratio_per_period{
     .key = "shift_ratio_per_period",
@@ -188,7 +163,7 @@ constinit const Quantity shift_ratio_per_period{
             list.emplace_back(shift / s.history.scales.unit_shift);
         return list;
     },
-    .is_list = true};
+    .is_column = false};
 
 constinit const Quantity state{
     .key = "state",
@@ -200,7 +175,7 @@ constinit const Quantity state{
         [](const Subject& s) {
             return rolled(s) ? QuantityValue(s.history.verdict.state) : QuantityValue();
         },
-    .exact = [](const contact::Case&, const Reference& r) -> QuantityValue {
+    .exact = [](const Reference& r) -> QuantityValue {
         if (!r.limit_tangential_ratio) return {};
         return r.tangential_ratio <= *r.limit_tangential_ratio ? State::shakedown
                                                                : State::ratcheting;

@@ -55,7 +55,7 @@ constinit const Quantity peak_position{
         return Numbers(place.begin(), place.end());
     },
     .place = "/subsurface/peak_position_m",
-    .is_list = true};
+    .is_column = false};
 
 constinit const Quantity peak_x_ratio{
     .key = "peak_x_ratio",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace tricontact::comparisons {
 
@@ -73,17 +74,15 @@ std::pair<int, int> middle_rows(const Surface& s, Axis axis) {
 }  // namespace
 
 const Snapshot* last_upright(const History& history) {
-    const auto found =
-        std::find_if(history.snapshots.rbegin(), history.snapshots.rend(),
-                     [](const Snapshot& snapshot) { return is_upright(snapshot.phase); });
-    return found == history.snapshots.rend() ? nullptr : &*found;
+    for (const Snapshot& snapshot : history.snapshots | std::views::reverse)
+        if (is_upright(snapshot.phase)) return &snapshot;
+    return nullptr;
 }
 
 const Snapshot* snapshot_at(const History& history, double phase) {
-    const auto found = std::find_if(
-        history.snapshots.rbegin(), history.snapshots.rend(),
-        [&](const Snapshot& s) { return std::abs(s.phase - phase) < phase_tolerance; });
-    return found == history.snapshots.rend() ? nullptr : &*found;
+    for (const Snapshot& snapshot : history.snapshots | std::views::reverse)
+        if (std::abs(snapshot.phase - phase) < phase_tolerance) return &snapshot;
+    return nullptr;
 }
 
 std::vector<Zone> zones(const History& history, double friction_coefficient) {
@@ -153,7 +152,6 @@ CentreLine centre_line(const History& history, double friction_coefficient, Axis
         const auto mean = [&](const std::vector<double>& v) { return (v[lower] + v[upper]) / 2; };
         line.position.push_back(wrapped_position(s, along, k) / history.scales.contact_radius);
         line.traction.push_back(mean(s.tangential_traction_x) / (friction_coefficient * p0));
-        line.bound.push_back(mean(s.normal_traction) / p0);
         line.zone.push_back(zone[lower]);
     }
     return line;

@@ -36,7 +36,6 @@ std::optional<double> stick_half_width(const contact::History& history,
 struct CentreLine {
     std::vector<double> position;  ///< over the contact radius [-]
     std::vector<double> traction;  ///< tau_x / (mu p0) [-]
-    std::vector<double> bound;     ///< p / p0 [-]
     std::vector<Zone> zone;
 };
 enum class Axis { x, y };

@@ -1,6 +1,5 @@
 #include "comparisons/resolution/refined_values.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tricontact::comparisons {
@@ -20,13 +19,8 @@ std::optional<double> exact_value(const PressedValues& exact, const Quantity& q)
 }  // namespace
 
 Refinement make_refinement(const RefinedLevels& levels) {
-    Refinement result{.model = levels.model,
-                      .key = levels.key,
-                      .sizes = levels.sizes,
-                      .cpu_s = levels.cpu_s,
-                      .quantities = {},
-                      .exact_name = levels.exact_name,
-                      .wide_factor = levels.wide ? levels.wide_factor : 0};
+    Refinement result{levels, {}};
+    if (!levels.wide) result.wide_factor = 0;
     for (const Quantity* q : all_quantities()) {
         const bool unrolled = levels.values.front().periods() == 0;
         if (!q->is_refined || (unrolled && q->part == Part::rolled)) continue;

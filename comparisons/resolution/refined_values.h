@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "comparisons/half_space/layer.h"
@@ -11,16 +10,11 @@
 namespace tricontact::comparisons {
 
 /// Everything that a refinement is made from.
-struct RefinedLevels {
-    std::string model, key;
-    std::vector<double> sizes;    ///< [m], decreasing
-    std::vector<double> cpu_s;    ///< per level
-    std::vector<Results> values;  ///< per level
-    std::optional<Results> wide;  ///< at the finest level but one
-    double wide_factor = 0;
-    std::optional<PressedValues> exact;
-    std::string exact_name;  ///< whose theory that is
-    double tolerance = 0;    ///< of the solvers [-]: smaller relative changes are noise
+struct RefinedLevels : RefinedCase {
+    std::vector<Results> values;         ///< per level
+    std::optional<Results> wide;         ///< at the finest level but one
+    std::optional<PressedValues> exact;  ///< by theory
+    double tolerance = 0;                ///< of the solvers [-]: smaller relative changes are noise
 };
 
 /// Of all quantities that are refined and that every level has.

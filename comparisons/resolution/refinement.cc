@@ -23,7 +23,7 @@ bool same_sign(double a, double b) {
 }
 
 double spread(std::span<const double> values) {
-    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    const auto [low, high] = std::ranges::minmax_element(values);
     return *high - *low;
 }
 
@@ -32,20 +32,16 @@ double rest(std::span<const double, 3> h, std::span<const double, 3> v, double p
     return (v[2] - v[1]) / (std::pow(h[1] / h[2], p) - 1);
 }
 
+/// Value at infinitely many steps, linear in 1/n.
+double extrapolated(const std::pair<int, double>& a, const std::pair<int, double>& b) {
+    return b.second + (b.second - a.second) * a.first / static_cast<double>(b.first - a.first);
+}
+
 }  // namespace
 
 const char* name_of(Convergence convergence) {
-    switch (convergence) {
-        case Convergence::ordered:
-            return "ordered";
-        case Convergence::unchanged:
-            return "unchanged";
-        case Convergence::oscillating:
-            return "oscillating";
-        case Convergence::irregular:
-            break;
-    }
-    return "irregular";
+    constexpr const char* names[] = {"ordered", "unchanged", "oscillating", "irregular"};
+    return names[static_cast<int>(convergence)];
 }
 
 std::optional<double> observed_order(std::span<const double, 3> sizes,
@@ -61,7 +57,7 @@ std::optional<double> observed_order(std::span<const double, 3> sizes,
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,
                              double noise) {
     if (sizes.size() < 3 || sizes.size() != values.size() ||
-        std::adjacent_find(sizes.begin(), sizes.end(), std::less_equal<>()) != sizes.end() ||
+        std::ranges::adjacent_find(sizes, std::less_equal<>()) != sizes.end() ||
         !(sizes.back() > 0))
         throw std::logic_error("refinement: needs three levels of decreasing size");
     const auto h = sizes.last<3>();
@@ -93,15 +89,6 @@ std::optional<double> RefinedQuantity::wide_change() const {
     return *wide / values[values.size() - 2] - 1;
 }
 
-namespace {
-
-/// Value at infinitely many steps, linear in 1/n.
-double extrapolated(int n1, double v1, int n2, double v2) {
-    return v2 + (v2 - v1) * n1 / static_cast<double>(n2 - n1);
-}
-
-}  // namespace
-
 bool differs(const Computed& a, const Computed& b) {
     return std::abs(a.value - b.value) > a.error + b.error;  // false with NaN
 }
@@ -117,13 +104,13 @@ Computed value_of_levels(const std::vector<double>& sizes, const std::vector<dou
     return {limit.value, limit.error};
 }
 
-Computed value_of_steps(const std::vector<int>& steps, const std::vector<double>& values) {
-    const std::size_t n = values.size();
-    if (n == 1) return {values.front()};
-    const double last = extrapolated(steps[n - 2], values[n - 2], steps[n - 1], values[n - 1]);
-    if (n == 2) return {last, std::abs(last - values[1]) / 2};
-    const double before = extrapolated(steps[n - 3], values[n - 3], steps[n - 2], values[n - 2]);
-    return {last, std::abs(last - before)};
+Computed value_of_steps(const std::map<int, double>& values) {
+    const std::vector<std::pair<int, double>> at(values.begin(), values.end());
+    const std::size_t n = at.size();
+    if (n == 1) return {at[0].second};
+    const double last = extrapolated(at[n - 2], at[n - 1]);
+    if (n == 2) return {last, std::abs(last - at[1].second) / 2};
+    return {last, std::abs(last - extrapolated(at[n - 3], at[n - 2]))};
 }
 
 }  // namespace tricontact::comparisons

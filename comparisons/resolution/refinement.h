@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,14 +61,16 @@ struct RefinedQuantity {
 };
 
 /// A case on several levels of resolution.
-struct Refinement {
+struct RefinedCase {
     std::string model;          ///< as in its histories
     std::string key;            ///< what was refined: "fem.size", "bem.spacing"
     std::vector<double> sizes;  ///< decreasing [m]
     std::vector<double> cpu_s;  ///< per level
+    std::string exact_name;     ///< whose theory the exact values are: "exact layer", "Hertz"
+    double wide_factor = 0;     ///< of width and depth; 0: the block is none or was not widened
+};
+struct Refinement : RefinedCase {
     std::vector<RefinedQuantity> quantities;
-    std::string exact_name;  ///< whose theory the exact values are: "exact layer", "Hertz"
-    double wide_factor = 0;  ///< of width and depth; 0: the block is none or was not widened
 };
 
 /// refinement.json: all of it, fixed keys.
@@ -94,10 +97,10 @@ bool differs(const Computed& a, const Computed& b);
 /// level has no bar.
 Computed value_of_levels(const std::vector<double>& sizes, const std::vector<double>& values);
 
-/// From values with more and more steps in a quarter of the period, which they depend on to first
+/// From values by the number of steps in a quarter of the period, which they depend on to first
 /// order (ratcheting): extrapolated from the last two. Error: what extrapolation from the two
 /// before would have changed, or with two numbers of steps half of what it changes. One number of
 /// steps has no bar.
-Computed value_of_steps(const std::vector<int>& steps, const std::vector<double>& values);
+Computed value_of_steps(const std::map<int, double>& values);
 
 }  // namespace tricontact::comparisons

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "comparisons/resolution/refinement.h"
@@ -33,7 +32,7 @@ json to_json(const RefinedQuantity& q) {
 
 /// `text` in a field of `width` characters (not bytes), to the right.
 std::string padded(const std::string& text, int width) {
-    const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
+    const auto characters = std::ranges::count_if(text, [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0) != 0x80;  // not a continuation in UTF-8
     });
     return std::string(std::max(0, width - static_cast<int>(characters)), ' ') + text;
@@ -42,22 +41,17 @@ std::string padded(const std::string& text, int width) {
 std::string text_row(const RefinedQuantity& q, bool with_exact, bool with_wide) {
     const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
     const auto shown = [&](std::optional<double> value) {
-        return padded(report::significant(value ? std::optional(*value / unit.factor) : value, 6),
-                      10);
+        return padded(report::significant(value.value_or(NAN) / unit.factor, 6), 10);
     };
+    const bool ordered = q.limit.convergence == Convergence::ordered;
     std::string line = fmt::format("{:<8}{:<4}", q.quantity->symbol, unit.symbol);
     for (const double value : q.values) line += shown(value);
     line += padded(report::significant(q.limit.order, 3), 7);
-    line += shown(q.limit.convergence == Convergence::ordered ? std::optional(q.limit.value)
-                                                              : std::nullopt);
+    line += shown(ordered ? q.limit.value : NAN);
     line += padded(relative(q.limit.error, q.values.back()), 12);
     if (with_exact) line += "   " + shown(q.exact);
-    if (with_wide) {
-        const auto change = q.wide_change();
-        line += padded(report::percent(change ? std::optional(1 + *change) : change), 11);
-    }
-    return line + "  " +
-           (q.limit.convergence == Convergence::ordered ? "" : name_of(q.limit.convergence));
+    if (with_wide) line += padded(report::percent(1 + q.wide_change().value_or(NAN)), 11);
+    return line + "  " + (ordered ? "" : name_of(q.limit.convergence));
 }
 
 std::string trimmed(std::string line) {
@@ -83,33 +77,29 @@ std::string refinement_json(const std::string& version, const Refinement& r) {
 }
 
 std::string refinement_csv(const Refinement& r) {
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "row,size_m");
-    for (const RefinedQuantity& q : r.quantities) fmt::format_to(out, ",{}", q.quantity->key);
-    fmt::format_to(out, "\n");
+    std::vector<std::string> heading{"row", "size_m"};
+    for (const RefinedQuantity& q : r.quantities) heading.emplace_back(q.quantity->key);
+    std::string text = report::csv_line(heading);
     const auto row = [&](const std::string& name, std::optional<double> size, const auto& get) {
-        fmt::format_to(out, "{},{}", name, report::csv_field(size));
-        for (const RefinedQuantity& q : r.quantities)
-            fmt::format_to(out, ",{}", report::csv_field(get(q)));
-        fmt::format_to(out, "\n");
+        std::vector<std::string> fields{name, report::csv_field(size)};
+        for (const RefinedQuantity& q : r.quantities) fields.push_back(report::csv_field(get(q)));
+        text += report::csv_line(fields);
     };
     using Q = const RefinedQuantity&;
-    using Value = std::optional<double>;
     for (std::size_t k = 0; k < r.sizes.size(); ++k)
-        row(fmt::format("level_{}", k), r.sizes[k], [k](Q q) -> Value { return q.values[k]; });
+        row(fmt::format("level_{}", k), r.sizes[k], [k](Q q) { return q.values[k]; });
     row("observed_order", {}, [](Q q) { return q.limit.order; });
-    row("limit", {}, [](Q q) -> Value { return q.limit.value; });
-    row("error_of_finest", {}, [](Q q) -> Value { return q.limit.error; });
+    row("limit", {}, [](Q q) { return q.limit.value; });
+    row("error_of_finest", {}, [](Q q) { return q.limit.error; });
     row("exact", {}, [](Q q) { return q.exact; });
     if (r.wide_factor > 0)
         row("wide_block", r.sizes[r.sizes.size() - 2], [](Q q) { return q.wide; });
-    return fmt::to_string(text);
+    return text;
 }
 
 std::string refinement_text(const Refinement& r) {
-    const bool with_exact = std::any_of(r.quantities.begin(), r.quantities.end(),
-                                        [](const auto& q) { return q.exact.has_value(); });
+    const bool with_exact =
+        std::ranges::any_of(r.quantities, [](const auto& q) { return q.exact.has_value(); });
     const bool with_wide = r.wide_factor > 0;
     std::string head = fmt::format("{:<12}", r.key + ", mm");
     for (const double size : r.sizes) head += padded(report::significant(1e3 * size), 10);

@@ -16,8 +16,7 @@ namespace {
 using Value = std::optional<double>;
 
 bool has_exact(const Refinement& r) {
-    return std::any_of(r.quantities.begin(), r.quantities.end(),
-                       [](const auto& q) { return q.exact.has_value(); });
+    return std::ranges::any_of(r.quantities, [](const auto& q) { return q.exact.has_value(); });
 }
 
 std::string error_sentence(const Refinement& r) {
@@ -84,9 +83,7 @@ std::string wide_sentence(const Refinement& r) {
 std::vector<report::Cell> table_row(const Refinement& r, const RefinedQuantity& q) {
     const report::Unit unit = report::fitting_unit(q.values.back(), q.quantity->unit);
     std::vector<report::Cell> row{label_of(*q.quantity), unit.symbol};
-    const auto add = [&](Value value) {
-        row.push_back(report::number_cell(value ? Value(*value / unit.factor) : value));
-    };
+    const auto add = [&](Value value) { row.push_back(report::number_cell(value, unit.factor)); };
     const bool ordered = q.limit.convergence == Convergence::ordered;
     for (const double value : q.values) add(value);
     row.emplace_back(name_of(q.limit.convergence));
@@ -97,10 +94,7 @@ std::vector<report::Cell> table_row(const Refinement& r, const RefinedQuantity& 
         add(q.exact);
         row.push_back(change_cell(q.values.back(), q.exact));
     }
-    if (r.wide_factor > 0) {
-        const Value change = q.wide_change();
-        row.push_back(report::number_cell(change ? Value(100 * *change) : change));
-    }
+    if (r.wide_factor > 0) row.emplace_back(100 * q.wide_change().value_or(NAN));
     return row;
 }
 
@@ -116,9 +110,9 @@ std::vector<std::string> refinement_sentences(const Refinement& r) {
         "those of the finest.",
         r.key, r.sizes.size(), report::quantity(r.sizes.front(), "m", 3),
         report::quantity(r.sizes.back(), "m", 3))};
-    for (const std::string& text :
-         {error_sentence(r), doubt_sentence(r), exact_sentence(r), wide_sentence(r)})
-        if (!text.empty()) result.push_back(text);
+    for (const auto& sentence : {error_sentence, doubt_sentence, exact_sentence, wide_sentence})
+        result.push_back(sentence(r));
+    std::erase(result, "");
     return result;
 }
 

@@ -54,7 +54,7 @@ bool VerificationRow::passed() const {
 }
 
 bool Verification::passed() const {
-    return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.passed(); });
+    return std::ranges::all_of(rows, [](const auto& row) { return row.passed(); });
 }
 
 std::string verification_markdown(const Verification& verification) {
@@ -79,7 +79,7 @@ std::string verification_markdown(const Verification& verification) {
         "|---|---|---|---|---|---|---|---|---|\n";
     std::vector<std::string> sources;
     for (const VerificationRow& row : verification.rows) {
-        auto known = std::find(sources.begin(), sources.end(), row.source);
+        auto known = std::ranges::find(sources, row.source);
         if (known == sources.end()) known = sources.insert(sources.end(), row.source);
         text +=
             fmt::format("| {} [{}] | {} | `{}` | {:.2g} | {:.6g} | {:.1e} | {:.1e} | {} | {} |\n",

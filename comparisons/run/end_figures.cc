@@ -23,15 +23,13 @@ double edge_exponent(const contact::Case& c) {
 /// Adds what is known of ends: flush ones, and sharp ones on a substrate that goes on.
 void add_laws(const contact::Case& c, double nearest, double farthest, report::Figure& figure) {
     const double nu = c.substrate.poisson, exponent = edge_exponent(c);
-    report::Curve edge{.name = fmt::format("slope of a sharp edge, {:.2g}", exponent),
-                       .theory = true};
     constexpr double first = 0.01, last = 0.5;  // over a
     constexpr int n = 20;
-    for (int i = 0; i <= n; ++i) {
-        const double x = first * std::pow(last / first, static_cast<double>(i) / n);
-        edge.add(x, std::pow(x / last, exponent));
-    }
-    if (c.indenter.chamfer == 0) figure.curves.push_back(edge);
+    if (c.indenter.chamfer == 0)
+        figure.curves
+            .emplace_back(report::Curve{
+                .name = fmt::format("slope of a sharp edge, {:.2g}", exponent), .theory = true})
+            .sample_decades(first, last, n, [&](double x) { return std::pow(x / last, exponent); });
     figure.curves.push_back({.name = "1 − ν^2",
                              .x = {nearest, farthest},
                              .y = {1 - nu * nu, 1 - nu * nu},
@@ -47,12 +45,12 @@ Figures end_figures(const contact::Case& c, const Histories& histories) {
     report::Figure pressure{
         .id = "ends",
         .title = "Pressure at the ends",
-        .caption = std::string("Along the line of first contact, the last upright state. 1 − ν^2: "
-                               "plane stress at the free face of a substrate that ends with the "
-                               "roller.") +
-                   (sharp ? " Where the substrate goes on: the slope of the sharp edge's "
-                            "singularity, its height is free."
-                          : ""),
+        .caption =
+            std::string("Along the line of first contact, the last upright state. 1 − ν^2: plane "
+                        "stress at the free face of a substrate that ends with the roller.") +
+            (sharp ? " Where the substrate goes on: the slope of the sharp edge's singularity, its "
+                     "height is free."
+                   : ""),
         .x = distance,
         .y = {"p over that in the middle", true}};
     report::Figure width{.id = "outline",

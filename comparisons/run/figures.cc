@@ -20,7 +20,7 @@ Figures make_figures(const contact::Case& c, const Histories& histories) {
     };
     add(shift_figures, histories);
     add(dissipation_figures, histories);
-    const Histories on_grid = are_on_grids(histories) ? histories : on_grids(histories);
+    const Histories on_grid = on_grids(histories);
     add(traction_figures, on_grid);
     if (c.is_line_contact()) {  // nothing varies along y
         add(line_contact_figures, on_grid);

@@ -1,11 +1,10 @@
-#include "comparisons/run/limitations.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
+#include "comparisons/run/reading.h"
 #include "report/format.h"
 #include "theory/rolling/body_rolling.h"
 
@@ -81,16 +80,14 @@ std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Sum
 
 std::vector<std::string> limitations(const contact::Case& c, const Summaries& summaries) {
     std::vector<std::string> findings;
-    if (c.rolling && has_model(summaries, "mdr")) {
+    if (c.rolling && has_model(summaries, "mdr"))
         findings.push_back(
             "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
             "across it: its result is the same for every angle. Transformed back to three "
             "dimensions its traction may exceed μp: the bound holds spring by spring only.");
-    }
-    for (const std::string& text :
-         {thickness_sentence(c, summaries), uncoupled_sentence(c, summaries),
-          coupled_sentence(c, summaries), pressure_sentence(c, summaries)})
-        if (!text.empty()) findings.push_back(text);
+    for (const auto& sentence :
+         {thickness_sentence, uncoupled_sentence, coupled_sentence, pressure_sentence})
+        findings.push_back(sentence(c, summaries));
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(
             "The theory column holds for a paraboloid; the exact sphere departs from it with "
@@ -99,6 +96,7 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
         findings.push_back(
             "The loads oscillate with the rolling: the closed forms, κ and η assume constant loads "
             "and are left out; f_T and w refer to the mean loads.");
+    std::erase(findings, "");
     return findings;
 }
 

@@ -17,9 +17,10 @@ using contact::Case;
 using contact::State;
 
 /// "151.6 µm instead of 150.6 µm (+0.64 %)"
-std::string instead(double changed, double chosen, std::optional<double> ratio) {
-    return fmt::format("{} instead of {} ({})", report::quantity(changed, "m"),
-                       report::quantity(chosen, "m"), report::percent(ratio));
+std::string instead(std::optional<double> changed, std::optional<double> chosen,
+                    std::optional<double> ratio) {
+    return fmt::format("{} instead of {} ({})", report::quantity(changed.value_or(0), "m"),
+                       report::quantity(chosen.value_or(0), "m"), report::percent(ratio));
 }
 
 /// What the change does after rolling; empty where nothing was rolled.
@@ -37,8 +38,8 @@ std::string rolled_text(const LoadingVariant& v) {
 
 /// What another choice would do; empty where it was not computed.
 std::string change_text(const std::vector<LoadingVariant>& variants, const std::string& key) {
-    const auto v = std::find_if(variants.begin(), variants.end(),
-                                [&](const LoadingVariant& one) { return one.key == key; });
+    const auto v =
+        std::ranges::find_if(variants, [&](const LoadingVariant& one) { return one.key == key; });
     if (v == variants.end()) return {};
     if (!v->other)
         return fmt::format(" With {} = {} there is no number: {}.", key, v->changed, v->why_none);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/quantities.h"
+#include "report/json_number.h"
 
 namespace tricontact::comparisons {
 
@@ -11,22 +12,33 @@ namespace {
 using contact::State;
 using json = nlohmann::ordered_json;
 
-std::optional<double> ratio(double changed, double chosen) {
-    if (chosen == 0 || !std::isfinite(changed / chosen)) return {};
-    return changed / chosen;
+std::optional<double> ratio(std::optional<double> changed, std::optional<double> chosen) {
+    const double value = changed.value_or(0) / chosen.value_or(0);
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 json change_json(std::optional<double> ratio) {
     return ratio ? json(*ratio - 1) : json();
 }
 
-json outcome_json(const std::optional<LoadingOutcome>& outcome) {
-    if (!outcome) return nullptr;
-    const bool rolled = outcome->state.has_value();
-    return {{quantities::static_shift.key, outcome->static_shift},
-            {quantities::state.key, rolled ? json(contact::name_of(*outcome->state)) : json()},
-            {quantities::final_shift.key, rolled ? json(outcome->final_shift) : json()},
-            {quantities::shift_increment.key, rolled ? json(outcome->increment) : json()}};
+json outcome_json(const RunValues& outcome) {
+    return {
+        {quantities::static_shift.key, outcome.static_shift},
+        {quantities::state.key, outcome.state ? json(contact::name_of(*outcome.state)) : json()},
+        {quantities::final_shift.key, outcome.final_shift},
+        {quantities::shift_increment.key, outcome.increment}};
+}
+
+json variant_json(const LoadingVariant& v) {
+    return {{"model", v.model},
+            {"key", v.key},
+            {"chosen", v.chosen},
+            {"changed", v.changed},
+            {"run", outcome_json(v.run)},
+            {"other", v.other ? outcome_json(*v.other) : json()},
+            {"static_change", change_json(v.static_ratio())},
+            {"rolled_change", change_json(v.rolled_ratio())},
+            {"why_none", v.other ? json() : json(v.why_none)}};
 }
 
 }  // namespace
@@ -44,18 +56,7 @@ std::optional<double> LoadingVariant::rolled_ratio() const {
 }
 
 json loading_json(const std::vector<LoadingVariant>& variants) {
-    json result = json::array();
-    for (const LoadingVariant& v : variants)
-        result.push_back({{"model", v.model},
-                          {"key", v.key},
-                          {"chosen", v.chosen},
-                          {"changed", v.changed},
-                          {"run", outcome_json(v.run)},
-                          {"other", outcome_json(v.other)},
-                          {"static_change", change_json(v.static_ratio())},
-                          {"rolled_change", change_json(v.rolled_ratio())},
-                          {"why_none", v.other ? json() : json(v.why_none)}});
-    return result;
+    return report::list_of(variants, variant_json);
 }
 
 }  // namespace tricontact::comparisons

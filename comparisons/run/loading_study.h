@@ -6,27 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "contact/history.h"
+#include "comparisons/quantities/relaxation_study.h"
 
 namespace tricontact::comparisons {
 
-/// Where one way of loading ends; shifts of the indenter along x.
-struct LoadingOutcome {
-    double static_shift = 0;  ///< after F_T, before rolling [m]
-    /// Of the rolling that followed; empty: not rolled. Only then the next two count.
-    std::optional<contact::State> state{};
-    double final_shift = 0;  ///< upright after the last period [m]
-    double increment = 0;    ///< of the last period [m]
-};
-
 /// One model loaded once more with one key of the case changed, everything else being the same.
 struct LoadingVariant {
-    std::string model;                    ///< as in its history
-    std::string key;                      ///< such as "contact.coupling" or "load.press"
-    std::string chosen, changed;          ///< values of the key in the run and here, as in a case
-    LoadingOutcome run;                   ///< as the case has it, rolled like `other`
-    std::optional<LoadingOutcome> other;  ///< with the changed key; empty: did not converge
-    std::string why_none;                 ///< then: what the model said
+    std::string model;               ///< as in its history
+    std::string key;                 ///< such as "contact.coupling" or "load.press"
+    std::string chosen, changed;     ///< values of the key in the run and here, as in a case
+    RunValues run;                   ///< as the case has it, rolled like `other`
+    std::optional<RunValues> other;  ///< with the changed key; empty: did not converge
+    std::string why_none;            ///< then: what the model said
 
     /// What the change does to the static shift: changed over chosen; empty where undefined.
     std::optional<double> static_ratio() const;

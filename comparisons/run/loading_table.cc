@@ -1,4 +1,5 @@
 #include "comparisons/run/loading_report.h"
+#include "contact/verdict.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -8,53 +9,31 @@ namespace {
 using contact::State;
 using report::Cell;
 
-/// `get`: the shift of an outcome [m]. Where the other has none to compare, its verdict stands in
-/// the place of a number.
-template <class Get>
-std::vector<Cell> row(const LoadingVariant& v, const std::string& what, const Get& get,
-                      std::optional<double> ratio, const std::string& other_verdict) {
-    const report::Unit unit = report::fitting_unit(get(v.run), "m");
-    Cell changed = report::number_cell({});
-    if (!other_verdict.empty())
-        changed = other_verdict;
-    else if (v.other)
-        changed = get(*v.other) / unit.factor;
+/// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.
+std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
+                      std::optional<double> changed, std::optional<double> ratio,
+                      const std::string& other_verdict = "") {
+    const report::Unit unit = report::fitting_unit(chosen, "m");
     return {report::display_name(v.model) + ": " + what,
             v.key + ": " + v.changed + " instead of " + v.chosen,
             unit.symbol,
-            get(v.run) / unit.factor,
-            changed,
-            report::number_cell(ratio ? std::optional(100 * (*ratio - 1)) : ratio)};
-}
-
-std::vector<Cell> static_row(const LoadingVariant& v) {
-    return row(
-        v, "static shift", [](const LoadingOutcome& outcome) { return outcome.static_shift; },
-        v.static_ratio(), "");
+            chosen / unit.factor,
+            other_verdict.empty() ? report::number_cell(changed, unit.factor) : other_verdict,
+            change_cell(ratio, 1)};
 }
 
 std::string rolled_title(const LoadingVariant& v) {
-    switch (*v.run.state) {
-        case State::ratcheting:
-            return "shift per period while ratcheting";
-        case State::shakedown:
-        case State::cyclic_slip:
-            return "settled shift";
-        default:
-            return "shift after the last period";
-    }
+    if (*v.run.state == State::ratcheting) return "shift per period while ratcheting";
+    return contact::settles(*v.run.state) ? "settled shift" : "shift after the last period";
 }
 
 /// After rolling.
 std::vector<Cell> rolled_row(const LoadingVariant& v) {
-    const bool ratchets = *v.run.state == State::ratcheting;
+    const auto shift =
+        *v.run.state == State::ratcheting ? &RunValues::increment : &RunValues::final_shift;
     const bool differs = !v.rolled_ratio() && v.other && v.other->state;
-    return row(
-        v, rolled_title(v),
-        [&](const LoadingOutcome& outcome) {
-            return ratchets ? outcome.increment : outcome.final_shift;
-        },
-        v.rolled_ratio(), differs ? contact::name_of(*v.other->state) : "");
+    return row(v, rolled_title(v), *(v.run.*shift), v.other ? (*v.other).*shift : std::nullopt,
+               v.rolled_ratio(), differs ? contact::name_of(*v.other->state) : "");
 }
 
 }  // namespace
@@ -69,7 +48,9 @@ report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants
                                             {"changed"},
                                             {.heading = "difference [%]", .change = true}}};
     for (const LoadingVariant& v : variants) {
-        table.rows.push_back(static_row(v));
+        table.rows.push_back(row(v, "static shift", v.run.static_shift,
+                                 v.other ? std::optional(v.other->static_shift) : std::nullopt,
+                                 v.static_ratio()));
         if (v.run.state) table.rows.push_back(rolled_row(v));
     }
     return table;

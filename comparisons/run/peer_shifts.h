@@ -7,8 +7,7 @@ namespace tricontact::comparisons {
 // Rigid shifts under load and rolling that two boundary element programs of different origin found
 // alike, to 5 digits on the half-space and 0.1 % on the layer: the rig of the thesis' table 5.1.1
 // (E = 5.2 MPa, nu = 1/2, R = 40 mm, F_N = 21.1 N, mu = 0.57) on 0.2 mm cells. Amplitudes w over
-// the contact radius and shifts u over U_max, both of the substrate in question;
-// f = F_T/(mu F_N).
+// the contact radius and shifts u over U_max, both of the substrate in question; f = F_T/(mu F_N).
 
 /// Static and settled shift, rolling along the load and across it.
 struct PeerShifts {

@@ -7,7 +7,6 @@
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
-#include "comparisons/run/limitations.h"
 #include "contact/case.h"
 #include "report/format.h"
 
@@ -36,11 +35,11 @@ std::string expectation(const contact::Case& c, const Summaries& summaries, cons
                            report::significant(f, 3));
     if (!(limit > 0)) return "No point stays in contact throughout: any tangential force ratchets.";
     if (f == limit) return "This case is at the limit: the contact converges slowly.";
-    std::string text = fmt::format(
-        "This case has f_T = {}, {} % {} it: {} is expected{}{}.", report::significant(f, 3),
-        report::significant(100 * std::abs(f / limit - 1), 3), f > limit ? "above" : "below",
-        f > limit ? "ratcheting" : "shakedown", of_models(models, summaries),
-        c.relaxation ? " under a drive so slow that the substrate relaxes" : "");
+    std::string text =
+        fmt::format("This case has f_T = {}, {} it: {} is expected{}{}.", report::significant(f, 3),
+                    report::apart(f / limit, "above", "below"),
+                    f > limit ? "ratcheting" : "shakedown", of_models(models, summaries),
+                    c.relaxation ? " under a drive so slow that the substrate relaxes" : "");
     if (std::abs(f / limit - 1) < near_limit)
         text += " So close to the limit the contact converges slowly.";
     return text;
@@ -65,17 +64,11 @@ bool has_exact_limit(const contact::Case& c, const Results& s, const Reference& 
            (s.model != "mdr" || contact::pressure_falls(c));
 }
 
-/// "55.9 µm (0.4755 U_max)": a length beside its ratio.
-std::string shown(const Results& s, const Quantity& length, const Quantity& ratio) {
-    return fmt::format("{} ({} {})", report::quantity(s.number(length).value_or(0), "m"),
-                       report::significant(s.number(ratio)), ratio.over);
-}
-
 std::string undecided_sentence(const contact::Case& c, const Results& s, const Reference& r) {
     std::string text = fmt::format(
         "{} is undecided after {} {}, the last of which added {}: {}.",
         report::display_name(s.model), s.periods(), s.periods() == 1 ? "period" : "periods",
-        shown(s, quantities::shift_increment, quantities::shift_increment_ratio),
+        with_ratio(s, quantities::shift_increment, quantities::shift_increment_ratio),
         s.verdict.missing.empty() ? "raise rolling.periods" : s.verdict.missing);
     if (has_exact_limit(c, s, r))
         text += r.tangential_ratio <= *r.limit_tangential_ratio
@@ -97,11 +90,12 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
         return fmt::format("{}: pressed without a tangential force.", name);
     if (!s.state())
         return fmt::format("{}: the tangential force shifts the indenter by {}.", name,
-                           shown(s, static_shift, static_shift_ratio));
+                           with_ratio(s, static_shift, static_shift_ratio));
     if (*s.state() == State::undecided) return undecided_sentence(c, s, r);
     if (*s.state() == State::ratcheting)
         return fmt::format("{} ratchets: every period adds {} to the shift{}.", name,
-                           shown(s, shift_increment, shift_increment_ratio), factor(s, eta, "η"));
+                           with_ratio(s, shift_increment, shift_increment_ratio),
+                           factor(s, eta, "η"));
     const std::string by = s.verdict.by_limit ? ", by the limit of uncoupled contact," : "";
     if (!s.number(settled_shift))
         return fmt::format(
@@ -109,7 +103,7 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
             "one added {}. Raise rolling.periods.",
             name, *s.state() == State::shakedown ? "shakes down" : "settles", by,
             by.empty() ? "," : "", s.periods(), s.periods() == 1 ? "period" : "periods",
-            shown(s, final_shift, final_shift_ratio),
+            with_ratio(s, final_shift, final_shift_ratio),
             report::significant(s.number(shift_increment_ratio)));
     const double u_stat = s.number(static_shift_ratio).value_or(0);
     std::string growth;
@@ -121,7 +115,7 @@ std::string verdict_sentence(const contact::Case& c, const Results& s, const Ref
         "{} {} within {} {} at {}{}{}.", name,
         *s.state() == State::shakedown ? "shakes down" : "settles, slipping to and fro for ever,",
         s.periods(), s.periods() == 1 ? "period" : "periods",
-        shown(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
+        with_ratio(s, final_shift, final_shift_ratio), growth, factor(s, kappa, "κ"));
 }
 
 /// Whose verdict is the limit's.
@@ -140,8 +134,7 @@ std::string by_limit_sentence(const Summaries& summaries) {
 /// "16.5 % higher than".
 std::string relation(double ratio) {
     if (std::abs(ratio - 1) < 5e-4) return "as high as";
-    return fmt::format("{} % {} than", report::significant(100 * std::abs(ratio - 1), 3),
-                       ratio > 1 ? "higher" : "lower");
+    return report::apart(ratio, "higher than", "lower than");
 }
 
 /// "3.2 % higher than BEM's in metres (+1.2 % in U_max, each of its own)".
@@ -182,43 +175,28 @@ std::string comparison_sentence(const Results& s, const Results& base) {
     return text + ".";
 }
 
-double static_ratio(const Results& s) {
-    return s.number(quantities::static_shift_ratio).value_or(0);
-}
-
-/// Elastic bodies: closed form and models side by side.
-std::string elastic_static_sentence(const contact::Case& c, const Summaries& summaries,
-                                    const Reference& r) {
-    std::string text = fmt::format("{}u_stat = {} by {}{}", c.rolling ? "Before rolling: " : "",
-                                   report::significant(r.static_shift_ratio), static_theory(c),
-                                   c.layer.thickness ? " on a half-space" : "");
-    for (const Results& s : summaries)
-        text += fmt::format("; {} {} ({})", report::display_name(s.model),
-                            report::significant(static_ratio(s)),
-                            report::percent(static_ratio(s) / r.static_shift_ratio));
-    return text + ".";
-}
-
-/// A substrate that still relaxes: its shift is one of a stiffer body, and no closed form's.
-std::string relaxing_static_sentence(const contact::Case& c, const Summaries& summaries,
-                                     const Reference& r) {
-    std::string text;
-    for (const Results& s : summaries)
-        text += fmt::format("{}{} {}", text.empty() ? "" : "; ", report::display_name(s.model),
-                            report::significant(static_ratio(s)));
-    return fmt::format(
-        "{}u_stat, {} after F_T has come, of a substrate that still relaxes: {}. "
-        "Relaxed it would be {} by {}{}.",
-        c.rolling ? "Before rolling: " : "", report::given_quantity(c.load.hold, "s"), text,
-        report::significant(r.static_shift_ratio), static_theory(c),
-        c.layer.thickness ? " on a half-space" : "");
-}
-
+/// Closed form and models side by side. Where a substrate still relaxes, its shift is one of a
+/// stiffer body, and no closed form's.
 std::string static_sentence(const contact::Case& c, const Summaries& summaries,
                             const Reference& r) {
     if (!(r.static_shift_ratio > 0)) return {};
-    return static_shift_is_relaxed(c) ? elastic_static_sentence(c, summaries, r)
-                                      : relaxing_static_sentence(c, summaries, r);
+    const bool relaxed = static_shift_is_relaxed(c);
+    const std::string theory =
+        fmt::format("{} by {}{}", report::significant(r.static_shift_ratio), static_theory(c),
+                    c.layer.thickness ? " on a half-space" : "");
+    std::vector<std::string> models;
+    for (const Results& s : summaries) {
+        const double u = s.number(quantities::static_shift_ratio).value_or(0);
+        models.push_back(report::display_name(s.model) + " " + report::significant(u));
+        if (relaxed)
+            models.back() += fmt::format(" ({})", report::percent(u / r.static_shift_ratio));
+    }
+    const std::string list = fmt::format("{}", fmt::join(models, "; "));
+    return (c.rolling ? "Before rolling: " : "") +
+           (relaxed ? fmt::format("u_stat = {}; {}.", theory, list)
+                    : fmt::format("u_stat, {} after F_T has come, of a substrate that still "
+                                  "relaxes: {}. Relaxed it would be {}.",
+                                  report::given_quantity(c.load.hold, "s"), list, theory));
 }
 
 std::string audit_sentence(const Summaries& summaries) {
@@ -237,23 +215,24 @@ std::string audit_sentence(const Summaries& summaries) {
 
 }  // namespace
 
+std::string with_ratio(const Results& results, const Quantity& length, const Quantity& ratio) {
+    return fmt::format("{} ({} {})", report::quantity(results.number(length).value_or(0), "m"),
+                       report::significant(results.number(ratio)), ratio.over);
+}
+
 std::vector<std::string> reading(const contact::Case& c, const Summaries& summaries) {
     const Reference r = reference(c);
     std::vector<std::string> findings;
-    const auto add = [&](const std::string& text) {
-        if (!text.empty()) findings.push_back(text);
-    };
-    const std::string audit = audit_sentence(summaries);
-    const bool failed = audit.starts_with("Do not");
-    if (failed) add(audit);
-    for (const Results& s : summaries) add(verdict_sentence(c, s, r));
-    add(by_limit_sentence(summaries));
+    for (const Results& s : summaries) findings.push_back(verdict_sentence(c, s, r));
+    findings.push_back(by_limit_sentence(summaries));
     for (std::size_t i = 0; i + 1 < summaries.size(); ++i)
-        add(comparison_sentence(summaries[i], summaries.back()));
-    add(limit_sentence(c, summaries, r));
-    add(static_sentence(c, summaries, r));
-    for (const std::string& text : limitations(c, summaries)) add(text);
-    if (!failed) add(audit);
+        findings.push_back(comparison_sentence(summaries[i], summaries.back()));
+    findings.push_back(limit_sentence(c, summaries, r));
+    findings.push_back(static_sentence(c, summaries, r));
+    for (const std::string& text : limitations(c, summaries)) findings.push_back(text);
+    const std::string audit = audit_sentence(summaries);
+    findings.insert(audit.starts_with("Do not") ? findings.begin() : findings.end(), audit);
+    std::erase(findings, "");
     return findings;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@ using contact::DmaFit;
 using report::Curve;
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr int curve_points = 241;
+constexpr int curve_parts = 240;
 
 struct Range {
     double low, high;
@@ -26,36 +27,34 @@ struct Range {
 
 /// G' and G'' [MPa] of the case over f [Hz].
 std::vector<Curve> moduli(const Case& c, const Range& range) {
+    const auto modulus = [&](double f) {
+        return c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(turn * f) * 1e-6;
+    };
     Curve storage{.name = "G′", .colour = 0}, loss{.name = "G″", .colour = 1};
-    for (int i = 0; i < curve_points; ++i) {
-        const double f = range.low * std::pow(range.high / range.low, i / (curve_points - 1.));
-        const auto modulus =
-            c.substrate.shear_modulus() * c.relaxation->dynamic_ratio(turn * f) * 1e-6;
-        storage.add(f, modulus.real());
-        loss.add(f, modulus.imag());
-    }
+    storage.sample_decades(range.low, range.high, curve_parts,
+                           [&](double f) { return modulus(f).real(); });
+    loss.sample_decades(range.low, range.high, curve_parts,
+                        [&](double f) { return modulus(f).imag(); });
     return {storage, loss};
 }
 
 /// Points of the table: G', G'' [MPa] with the case's relaxed modulus, and residuals of both [%].
-struct Measured {
-    Curve storage{.name = "G′, measured", .kind = Curve::Kind::points, .colour = 0};
-    Curve loss{.name = "G″, measured", .kind = Curve::Kind::points, .colour = 1};
-    Curve storage_residual{.name = "G′", .kind = Curve::Kind::points, .colour = 0};
-    Curve loss_residual{.name = "G″", .kind = Curve::Kind::points, .colour = 1};
-
-    Measured(const DmaFit& fit, double relaxed) {
-        const double factor = relaxed / fit.relaxed_modulus;
-        for (std::size_t k = 0; k < fit.table.size(); ++k) {
-            const double omega = fit.table.omega[k], f = omega / turn;
-            const auto fitted = fit.relaxed_modulus * fit.relaxation.dynamic_ratio(omega);
-            storage.add(f, fit.table.storage[k] * factor * 1e-6);
-            loss.add(f, fit.table.loss[k] * factor * 1e-6);
-            storage_residual.add(f, 100 * (fitted.real() / fit.table.storage[k] - 1));
-            loss_residual.add(f, 100 * (fitted.imag() / fit.table.loss[k] - 1));
-        }
+std::array<Curve, 4> measured(const DmaFit& fit, double relaxed) {
+    std::array<Curve, 4> curves;
+    const char* const names[] = {"G′, measured", "G″, measured", "G′", "G″"};
+    for (int i = 0; i < 4; ++i)
+        curves[i] = {.name = names[i], .kind = Curve::Kind::points, .colour = i % 2};
+    const double factor = relaxed / fit.relaxed_modulus;
+    for (std::size_t k = 0; k < fit.table.size(); ++k) {
+        const double omega = fit.table.omega[k], f = omega / turn;
+        const auto fitted = fit.relaxed_modulus * fit.relaxation.dynamic_ratio(omega);
+        curves[0].add(f, fit.table.storage[k] * factor * 1e-6);
+        curves[1].add(f, fit.table.loss[k] * factor * 1e-6);
+        curves[2].add(f, 100 * (fitted.real() / fit.table.storage[k] - 1));
+        curves[3].add(f, 100 * (fitted.imag() / fit.table.loss[k] - 1));
     }
-};
+    return curves;
+}
 
 /// A vertical line over the whole of the figure.
 struct Mark {
@@ -79,9 +78,8 @@ std::vector<Mark> marks(const RelaxationStudy& study) {
 /// Two decades beyond the relaxation times, and everything that is marked [Hz].
 Range frequencies(const Case& c, const std::vector<Mark>& marked) {
     const auto [fast, slow] =
-        std::minmax_element(c.relaxation->branches.begin(), c.relaxation->branches.end(),
-                            [](const auto& a, const auto& b) { return a.time < b.time; });
-    Range range{0.01 / (turn * slow->time), 100 / (turn * fast->time)};
+        std::ranges::minmax(c.relaxation->branches, {}, &contact::Relaxation::Branch::time);
+    Range range{0.01 / (turn * slow.time), 100 / (turn * fast.time)};
     for (const Mark& mark : marked) range.include(mark.frequency);
     if (c.dma_fit)
         for (const double omega : c.dma_fit->table.omega) range.include(omega / turn);
@@ -114,8 +112,9 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
         figure.caption += std::string(" ") + mark.meaning;
     }
     if (!c.dma_fit) return {figure};
-    const Measured measured(*c.dma_fit, c.substrate.shear_modulus());
-    figure.curves.insert(figure.curves.end(), {measured.storage, measured.loss});
+    const auto [storage, loss, storage_residual, loss_residual] =
+        measured(*c.dma_fit, c.substrate.shear_modulus());
+    figure.curves.insert(figure.curves.end(), {storage, loss});
     figure.caption +=
         " Points: the DMA table times one factor, so that its relaxed modulus is the case's.";
     return {figure,
@@ -124,7 +123,7 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
              .caption = "Curve over point, minus 1.",
              .x = figure.x,
              .y = {"residual [%]"},
-             .curves = {measured.storage_residual, measured.loss_residual}}};
+             .curves = {storage_residual, loss_residual}}};
 }
 
 }  // namespace tricontact::comparisons

@@ -13,14 +13,6 @@ namespace {
 using contact::Case;
 using json = nlohmann::ordered_json;
 
-json branches_json(const Case& c) {
-    json result = json::array();
-    for (const auto& branch : c.relaxation->branches)
-        result.push_back({{"shear_modulus_Pa", c.substrate.shear_modulus() * branch.ratio},
-                          {"time_s", branch.time}});
-    return result;
-}
-
 json drive_json(const std::optional<DriveValues>& drive) {
     if (!drive) return nullptr;
     return {{quantities::amplitude.key, drive->amplitude},
@@ -34,21 +26,21 @@ json drive_json(const std::optional<DriveValues>& drive) {
 json elastic_json(const std::optional<RunValues>& elastic) {
     if (!elastic) return nullptr;
     return {{"elastic_state", elastic->state ? json(contact::name_of(*elastic->state)) : json()},
-            {"elastic_static_shift_m", report::number(elastic->static_shift)},
-            {"elastic_final_shift_m", report::number(elastic->final_shift)},
-            {"elastic_shift_increment_m", report::number(elastic->increment)},
-            {"elastic_limit_tangential_ratio", report::number(elastic->limit)}};
+            {"elastic_static_shift_m", elastic->static_shift},
+            {"elastic_final_shift_m", elastic->final_shift},
+            {"elastic_shift_increment_m", elastic->increment},
+            {"elastic_limit_tangential_ratio", elastic->limit}};
 }
 
 json twin_json(const TwinComparison& twin) {
     return {{"drive", drive_json(twin.drive)},
             {"elastic_twin", elastic_json(twin.elastic)},
             {"why_no_twin", twin.elastic ? json() : json(twin.why_none)},
-            {"static_shift_error", report::number(twin.static_error())},
-            {"final_shift_error", report::number(twin.final_error())},
-            {"settled_shift_error", report::number(twin.settled_error())},
-            {"increment_error", report::number(twin.increment_error())},
-            {"limit_tangential_ratio_error", report::number(twin.limit_error())}};
+            {"static_shift_error", twin.static_error()},
+            {"final_shift_error", twin.final_error()},
+            {"settled_shift_error", twin.settled_error()},
+            {"increment_error", twin.increment_error()},
+            {"limit_tangential_ratio_error", twin.limit_error()}};
 }
 
 json limit_json(const std::optional<SpeedLimit>& limit) {
@@ -56,11 +48,11 @@ json limit_json(const std::optional<SpeedLimit>& limit) {
     return {{"model", limit->model},
             {"quantity", limit->of_increment ? "shift_increment" : "final_shift"},
             {"error", SpeedLimit::limit},
-            {"speed_m_per_s", report::number(limit->speed)},
-            {"limit_frequency_Hz", report::number(limit->frequency)},
+            {"speed_m_per_s", limit->speed},
+            {"limit_frequency_Hz", limit->frequency},
             {"resolution", SpeedLimit::resolution},
-            {"slowest_m_per_s", report::number(limit->slowest)},
-            {"fastest_m_per_s", report::number(limit->fastest)},
+            {"slowest_m_per_s", limit->slowest},
+            {"fastest_m_per_s", limit->fastest},
             {"runs", limit->runs},
             {"why_none", limit->speed ? json() : json(limit->why_none)}};
 }
@@ -85,9 +77,12 @@ json relaxation_json(const Case& c, const RelaxationStudy& study) {
     json models = json::object();
     for (const TwinComparison& twin : study.twins) models[twin.model] = twin_json(twin);
     const double relaxed = c.substrate.shear_modulus();
+    const auto branch_json = [&](const auto& branch) -> json {
+        return {{"shear_modulus_Pa", relaxed * branch.ratio}, {"time_s", branch.time}};
+    };
     return {{"relaxed_shear_modulus_Pa", relaxed},
             {"instantaneous_shear_modulus_Pa", relaxed * c.relaxation->instantaneous_ratio()},
-            {"branches", branches_json(c)},
+            {"branches", report::list_of(c.relaxation->branches, branch_json)},
             {"models", models},
             {"elastic_up_to", limit_json(study.limit)},
             {"dma_fit", fit_json(c)}};

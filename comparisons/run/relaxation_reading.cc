@@ -20,11 +20,9 @@ std::string times_text(const Relaxation& relaxation) {
     const auto& branches = relaxation.branches;
     if (branches.size() == 1)
         return fmt::format("one term of {}", report::quantity(branches.front().time, "s", 3));
-    const auto [fast, slow] =
-        std::minmax_element(branches.begin(), branches.end(),
-                            [](const auto& a, const auto& b) { return a.time < b.time; });
-    return fmt::format("{} terms of {} to {}", branches.size(),
-                       report::quantity(fast->time, "s", 3), report::quantity(slow->time, "s", 3));
+    const auto [fast, slow] = std::ranges::minmax(branches, {}, &Relaxation::Branch::time);
+    return fmt::format("{} terms of {} to {}", branches.size(), report::quantity(fast.time, "s", 3),
+                       report::quantity(slow.time, "s", 3));
 }
 
 std::string substrate_sentence(const Case& c) {
@@ -35,12 +33,12 @@ std::string substrate_sentence(const Case& c) {
 }
 
 std::string drive_sentence(const Case& c, const DriveValues& drive) {
-    const auto [least, largest] = std::minmax_element(drive.deborah.begin(), drive.deborah.end());
+    const auto [least, largest] = std::ranges::minmax(drive.deborah);
     const std::string deborah =
         drive.deborah.size() == 1
-            ? fmt::format("The Deborah number 2πfτ is {}.", report::significant(*least, 3))
-            : fmt::format("Deborah numbers 2πfτ are {} to {}.", report::significant(*least, 3),
-                          report::significant(*largest, 3));
+            ? fmt::format("The Deborah number 2πfτ is {}.", report::significant(least, 3))
+            : fmt::format("Deborah numbers 2πfτ are {} to {}.", report::significant(least, 3),
+                          report::significant(largest, 3));
     return fmt::format(
         "At {} the rolling repeats itself with {} Hz: there G′ = {}, G″ = {}, loss tangent {}. {}",
         report::given_quantity(c.rolling->speed, "m/s"), report::significant(drive.frequency, 3),
@@ -60,22 +58,21 @@ std::string change(std::optional<double> elastic, std::optional<double> relaxing
                    std::optional<double> error) {
     return fmt::format("{} instead of {} ({})", report::quantity(elastic.value_or(0), "m"),
                        report::quantity(relaxing.value_or(0), "m"),
-                       report::percent(error ? std::optional(*error + 1) : std::nullopt));
+                       report::percent(error.value_or(NAN) + 1));
 }
 
 /// Before rolling: what F_T, which comes at once, and the wait leave.
 std::string static_sentence(const Case& c, const RelaxationStudy& study) {
-    std::string text;
+    std::vector<std::string> errors;
     for (const TwinComparison& twin : study.twins)
         if (const auto error = twin.static_error())
-            text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", report::percent(*error + 1),
-                                report::display_name(twin.model));
-    if (text.empty()) return {};
+            errors.push_back(fmt::format("{} ({})", report::percent(*error + 1),
+                                         report::display_name(twin.model)));
+    if (errors.empty()) return {};
     return fmt::format(
         "The static shift depends on the hold time under F_T (load.hold = {}), not on the drive: "
-        "there "
-        "the elastic substrate errs by {}.",
-        report::given_quantity(c.load.hold, "s"), text);
+        "there the elastic substrate errs by {}.",
+        report::given_quantity(c.load.hold, "s"), fmt::join(errors, ", "));
 }
 
 std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
@@ -156,10 +153,8 @@ report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& stu
     };
     const auto error = [&](const std::string& of,
                            std::optional<double> (TwinComparison::*get)() const) {
-        row("error of the elastic substrate: " + of, "%", [get](const TwinComparison& twin) {
-            const auto value = (twin.*get)();
-            return report::number_cell(value ? std::optional(100 * *value) : value);
-        });
+        row("error of the elastic substrate: " + of, "%",
+            [get](const TwinComparison& twin) { return 100 * (twin.*get)().value_or(NAN); });
     };
     for (const TwinComparison& twin : study.twins)
         table.columns.push_back({report::display_name(twin.model)});

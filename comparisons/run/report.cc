@@ -28,16 +28,12 @@ using report::Verdict;
 /// The number that answers the case: "settled shift 55.9 µm (0.4755 U_max)".
 std::string headline(const Results& s) {
     using namespace quantities;
-    const auto shown = [&s](const Quantity& length, const Quantity& ratio, const char* meaning) {
-        return fmt::format("{} {} ({} {})", meaning,
-                           report::quantity(s.number(length).value_or(0), "m"),
-                           report::significant(s.number(ratio)), ratio.over);
-    };
     if (s.state() == State::ratcheting)
-        return shown(shift_increment, shift_increment_ratio, "shift per period");
-    if (!s.state()) return shown(static_shift, static_shift_ratio, "static shift");
-    if (s.number(settled_shift)) return shown(settled_shift, settled_shift_ratio, "settled shift");
-    return shown(final_shift, final_shift_ratio, "shift so far");
+        return "shift per period " + with_ratio(s, shift_increment, shift_increment_ratio);
+    if (!s.state()) return "static shift " + with_ratio(s, static_shift, static_shift_ratio);
+    if (s.number(settled_shift))
+        return "settled shift " + with_ratio(s, settled_shift, settled_shift_ratio);
+    return "shift so far " + with_ratio(s, final_shift, final_shift_ratio);
 }
 
 Verdict::Standing standing_of(std::optional<State> state) {
@@ -53,6 +49,11 @@ Verdict verdict_of(const Results& s) {
     if (eta) sentence += ", η = " + report::significant(eta, 3);
     return {standing_of(s.state()), sentence + ".",
             s.state() ? contact::name_of(*s.state()) : "static"};
+}
+
+report::DocumentTable with_note(report::DocumentTable table, const std::string& note) {
+    table.note = note;
+    return table;
 }
 
 DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
@@ -71,47 +72,39 @@ DocumentSection results_section(const contact::Case& c, const std::vector<Result
 std::vector<DocumentSection> study_sections(const contact::Case& c,
                                             const std::vector<contact::History>& histories,
                                             const ReportExtras& extras) {
+    using Tables = std::vector<report::DocumentTable>;
     std::vector<DocumentSection> sections;
-    if (const auto layer = compare_with_layer(c, histories, extras.study)) {
-        report::DocumentTable table = layer_table(*layer);
-        table.note = layer_note(c);
-        sections.push_back({"layer", "The layer", layer_sentences(c, *layer), {}, {table}});
-    }
+    const auto add = [&](const char* id, const char* heading,
+                         const std::vector<std::string>& sentences, const Tables& tables) {
+        sections.push_back({id, heading, sentences, {}, tables});
+    };
+    if (const auto layer = compare_with_layer(c, histories, extras.study))
+        add("layer", "The layer", layer_sentences(c, *layer),
+            {with_note(layer_table(*layer), layer_note(c))});
     const auto& variants = extras.study.variants;
-    if (c.layer.thickness || !variants.empty()) {
-        auto& section = sections.emplace_back(
-            DocumentSection{.id = "loading",
-                            .heading = "Coupling, displaced surface, pressing",
-                            .paragraphs = treatment_sentences(c, c.models, variants)});
-        if (!variants.empty()) section.tables = {variants_table(variants)};
-        for (report::DocumentTable& table : section.tables) table.note = variants_note(c);
-    }
-    if (c.relaxation) {
-        auto& section = sections.emplace_back(
-            DocumentSection{.id = "relaxation",
-                            .heading = "Relaxation",
-                            .paragraphs = relaxation_sentences(c, extras.relaxation)});
-        if (!extras.relaxation.twins.empty())
-            section.tables = {relaxation_table(c, extras.relaxation)};
-    }
+    if (c.layer.thickness || !variants.empty())
+        add("loading", "Coupling, displaced surface, pressing",
+            treatment_sentences(c, c.models, variants),
+            variants.empty() ? Tables()
+                             : Tables{with_note(variants_table(variants), variants_note(c))});
+    if (c.relaxation)
+        add("relaxation", "Relaxation", relaxation_sentences(c, extras.relaxation),
+            extras.relaxation.twins.empty() ? Tables()
+                                            : Tables{relaxation_table(c, extras.relaxation)});
     if (extras.refinement)
-        sections.push_back({"refinement",
-                            "Refinement",
-                            refinement_sentences(*extras.refinement),
-                            {},
-                            {refinement_table(*extras.refinement)}});
+        add("refinement", "Refinement", refinement_sentences(*extras.refinement),
+            {refinement_table(*extras.refinement)});
     return sections;
 }
 
 std::vector<std::pair<std::string, std::string>> files_of(const std::vector<Results>& results,
                                                           bool is_refinement) {
-    std::vector<std::pair<std::string, std::string>> files{{"resolved case", "case.toml"}};
-    if (is_refinement) {
-        files.emplace_back("values on all levels", "refinement.csv");
-        files.emplace_back("the same for scripts", "refinement.json");
-        return files;
-    }
-    files.emplace_back("these numbers for scripts", "summary.json");
+    if (is_refinement)
+        return {{"resolved case", "case.toml"},
+                {"values on all levels", "refinement.csv"},
+                {"the same for scripts", "refinement.json"}};
+    std::vector<std::pair<std::string, std::string>> files{
+        {"resolved case", "case.toml"}, {"these numbers for scripts", "summary.json"}};
     for (const Results& s : results)
         files.emplace_back("every step of " + report::display_name(s.model),
                            s.model + "/history.csv");
@@ -135,19 +128,19 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
                               .input = resolved_case,
                               .plots = "plots"};
     for (const Results& s : results) document.verdicts.push_back(verdict_of(s));
-    report::DocumentTable derived = derived_table(c);
-    derived.note = derived_note(c);
     document.sections = {{"reading", "Reading", reading(c, results)}, results_section(c, results)};
     for (DocumentSection& section : study_sections(c, histories, extras))
         document.sections.push_back(std::move(section));
-    auto& figures =
-        document.sections.emplace_back(DocumentSection{.id = "plots", .heading = "Figures"})
-            .figures;
-    figures = make_figures(c, histories);
+    Figures figures = make_figures(c, histories);
     if (c.relaxation)
         for (report::Figure& figure : modulus_figures(c, extras.relaxation))
             figures.push_back(std::move(figure));
-    document.sections.push_back({"derived_values", "Derived values", {}, {}, {derived}});
+    document.sections.push_back({"plots", "Figures", {}, figures});
+    document.sections.push_back({"derived_values",
+                                 "Derived values",
+                                 {},
+                                 {},
+                                 {with_note(derived_table(c), derived_note(c))}});
     document.sections.push_back({"audit", "Audit", {audit_paragraph}, {}, {audit_table(results)}});
     document.sections.push_back({"sources", "Sources", {sources}});
     return document;

@@ -71,7 +71,7 @@ class RowMaker {
     /// Numbers of one model beside another in a fitting unit, with differences in percent; words
     /// and counts as they are.
     std::vector<Cell> row(const Quantity& q) const {
-        const QuantityValue exact = q.exact ? q.exact(case_, reference_) : QuantityValue();
+        const QuantityValue exact = q.exact ? q.exact(reference_) : QuantityValue();
         const Value theory = number_of(exact);
         double largest = theory.value_or(0);
         for (const Results& r : results_)

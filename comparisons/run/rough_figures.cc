@@ -65,19 +65,16 @@ report::Curve area_curve(const Case& c, const History& history, std::size_t i) {
 
 /// Adds both theories, by the nominal pressure over E* h'.
 void add_theories(report::Figure& figure) {
-    report::Curve bush{.name = "Bush, Gibson, Thomas", .theory = true},
-        persson{.name = "Persson", .theory = true};
-    constexpr int n = 60;
-    for (int i = 0; i <= n; ++i) {
-        const double ratio = static_cast<double>(i) / n;
-        const double x = *figure.x.low * std::pow(*figure.x.high / *figure.x.low, ratio);
-        bush.add(x, std::sqrt(2 * std::numbers::pi) * x);
-        persson.add(x, std::erf(std::numbers::sqrt2 * x));
-    }
-    figure.curves.insert(figure.curves.end(), {bush, persson});
+    const auto add = [&](const char* name, const auto& area) {
+        figure.curves.emplace_back(report::Curve{.name = name, .theory = true})
+            .sample_decades(*figure.x.low, *figure.x.high, 60, area);
+    };
+    add("Bush, Gibson, Thomas", [](double x) { return std::sqrt(2 * std::numbers::pi) * x; });
+    add("Persson", [](double x) { return std::erf(std::numbers::sqrt2 * x); });
 }
 
-Figures area_figures(const Case& c, const Histories& histories) {
+/// Without curves where nothing was pressed step by step.
+report::Figure area_figure(const Case& c, const Histories& histories) {
     report::Figure figure{.id = "contact_area",
                           .title = "Contact area over load",
                           .x = {"p/(E* h')", true},
@@ -94,7 +91,7 @@ Figures area_figures(const Case& c, const Histories& histories) {
                           curve.name);
         figure.curves.push_back(curve);
     }
-    if (figure.curves.empty()) return {};
+    if (figure.curves.empty()) return figure;
     figure.x.low = lowest / 2;
     figure.x.high = 2 * highest;
     add_theories(figure);
@@ -104,7 +101,7 @@ Figures area_figures(const Case& c, const Histories& histories) {
         "√(2π) = 2.51 by Bush, Gibson and Thomas, √(8/π) = 1.60 by Persson. Whole cells are "
         "counted, half a cell too much along all edges of contact.",
         fmt::join(factors, ", "));
-    return {figure};
+    return figure;
 }
 
 }  // namespace
@@ -113,8 +110,8 @@ Figures rough_figures(const Case& c, const Histories& histories) {
     const bool flat = contact::is_nominally_flat(c);
     if (!flat && !c.indenter.roughness) return {};
     Figures figures{spectrum_figure(c)};
-    if (flat)
-        for (report::Figure& figure : area_figures(c, histories)) figures.push_back(figure);
+    if (flat) figures.push_back(area_figure(c, histories));
+    if (figures.back().curves.empty()) figures.pop_back();
     return figures;
 }
 

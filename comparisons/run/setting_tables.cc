@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <map>
 #include <numbers>
 
 #include "comparisons/quantities/reference.h"
@@ -76,37 +77,23 @@ void add_treatment(const Case& c, Settings& settings) {
                  c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed");
 }
 
-std::string shape_name(const Case& c) {
-    switch (c.indenter.shape) {
-        case Case::Shape::sphere:
-            return "sphere";
-        case Case::Shape::cylinder:
-            return "cylinder";
-        case Case::Shape::roller:
-            return "roller";
-        case Case::Shape::cone:
-            return "cone";
-        case Case::Shape::power_law:
-            return "power law r^n/(n R^(n−1))";
-        case Case::Shape::rounded_punch:
-            return "flat punch with rounded edge";
-        case Case::Shape::ellipsoid:
-            return "ellipsoid";
-        case Case::Shape::profile:
-            return "profile from a table";
-        case Case::Shape::flat:
-            return "plane";
-        case Case::Shape::height_map:
-            return "height map";
-        default:
-            return "paraboloid";
-    }
-}
+const std::map<Case::Shape, const char*> shape_names{
+    {Case::Shape::paraboloid, "paraboloid"},
+    {Case::Shape::sphere, "sphere"},
+    {Case::Shape::cylinder, "cylinder"},
+    {Case::Shape::roller, "roller"},
+    {Case::Shape::cone, "cone"},
+    {Case::Shape::power_law, "power law r^n/(n R^(n−1))"},
+    {Case::Shape::rounded_punch, "flat punch with rounded edge"},
+    {Case::Shape::ellipsoid, "ellipsoid"},
+    {Case::Shape::profile, "profile from a table"},
+    {Case::Shape::flat, "plane"},
+    {Case::Shape::height_map, "height map"}};
 
 /// Shape and lengths of the indenter.
 void add_indenter(const Case& c, Settings& settings) {
     const Case::IndenterData& body = c.indenter;
-    settings.add("indenter", shape_name(c));
+    settings.add("indenter", shape_names.at(body.shape));
     settings.add_unless_zero("radius R", body.radius, "m");
     settings.add_unless_zero("radius across R_y", body.radius_y, "m");
     settings.add_unless_zero("length L", body.length, "m");

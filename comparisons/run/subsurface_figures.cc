@@ -110,8 +110,7 @@ report::Figure axis_figure(const Case& c, const Histories& histories) {
         .x = {.label = "stress / p_0", .low = 0},
         .y = {.label = "depth / a", .low = 3, .high = 0}};
     const auto add = [&](const AxisCurves& curves) {
-        figure.curves.push_back(curves.von_mises);
-        figure.curves.push_back(curves.pressure);
+        figure.curves.insert(figure.curves.end(), {curves.von_mises, curves.pressure});
     };
     if (hertzian) add(hertz_curves(c));
     for (std::size_t i = 0; i < histories.size(); ++i)

@@ -158,17 +158,14 @@ Figures surface_figures(const contact::Case& c, const Histories& histories) {
         const auto add = [&](const std::string& id, const std::string& title,
                              const std::string& caption, const std::vector<double>& values,
                              double unit, const std::string& label) {
-            const report::FigureAxis axis{.low = -drawn_half_width, .high = drawn_half_width};
-            report::Figure& figure = figures.emplace_back(report::Figure{
-                .id = id + history.model,
-                .title = title + model,
-                .caption = caption + ", the component along the load, in the last upright state.",
-                .x = axis,
-                .y = axis,
-                .map = map_of(s, values, scales.contact_radius, unit, label),
-                .equal_scales = true});
-            figure.x.label = "x/a";
-            figure.y.label = "y/a";
+            figures.push_back(
+                {.id = id + history.model,
+                 .title = title + model,
+                 .caption = caption + ", the component along the load, in the last upright state.",
+                 .x = {.label = "x/a", .low = -drawn_half_width, .high = drawn_half_width},
+                 .y = {.label = "y/a", .low = -drawn_half_width, .high = drawn_half_width},
+                 .map = map_of(s, values, scales.contact_radius, unit, label),
+                 .equal_scales = true});
         };
         add("traction_surface_", "Traction over the contact, ", "τ_x/(μ p_0)",
             s.tangential_traction_x, c.friction_coefficient * scales.peak_pressure,

@@ -23,9 +23,7 @@ std::string range_of(const Sweep& sweep, std::size_t axis, const SweepScale& sca
         for (const Sweep::Point& point : sweep.points)
             if (const auto* word = std::get_if<std::string>(&point.values[axis]))
                 words.insert(*word);
-        std::string list;
-        for (const std::string& word : words) list.append(list.empty() ? "" : ", ").append(word);
-        return list;
+        return fmt::format("{}", fmt::join(words, ", "));
     }
     if (scale.values.empty()) return "no values";
     const std::string unit = scale.unit.symbol.empty() ? "" : " " + scale.unit.symbol;
@@ -37,7 +35,7 @@ std::string range_of(const Sweep& sweep, std::size_t axis, const SweepScale& sca
 
 report::Cell in_unit(const report::Cell& value, const SweepScale& scale) {
     const auto* number = std::get_if<double>(&value);
-    return number ? report::Cell(*number / scale.unit.factor) : value;
+    return number ? report::number_cell(*number, scale.unit.factor) : value;
 }
 
 /// What `plotted` quantities some point knows.
@@ -71,9 +69,9 @@ report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>
     table.columns.push_back({failures ? "error" : quantities::state.key});
     if (!failures)
         for (const Quantity* q : shown) table.columns.push_back({heading_of(*q)});
-    const bool has_files =
-        !failures && std::any_of(sweep.points.begin(), sweep.points.end(),
-                                 [](const auto& p) { return !p.surface.empty(); });
+    const bool has_files = !failures && std::ranges::any_of(sweep.points, [](const auto& p) {
+        return !p.surface.empty();
+    });
     if (has_files) table.columns.push_back({"ParaView"});
     for (const Sweep::Point& point : sweep.points) {
         if (!wanted(point)) continue;
@@ -92,26 +90,20 @@ report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>
     return table;
 }
 
-std::string counted(std::size_t n, const std::string& singular, const std::string& plural) {
-    return fmt::format("{} {}", n, n == 1 ? singular : plural);
-}
-
 bool has_failed(const Sweep::Point& point) {
     return point.error.has_value();
 }
 
 std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
     const std::size_t n = sweep.points.size();
-    const auto n_failed = static_cast<std::size_t>(
-        std::count_if(sweep.points.begin(), sweep.points.end(), has_failed));
+    const auto n_failed = std::ranges::count_if(sweep.points, has_failed);
+    const std::string counted = fmt::format("{} {}", n, n == 1 ? "point" : "points");
     std::vector<report::Verdict> verdicts;
     if (n_failed == 0)
-        verdicts.push_back({report::Verdict::Standing::holds,
-                            counted(n, "point", "points") + " computed, none failed."});
+        verdicts.push_back({report::Verdict::Standing::holds, counted + " computed, none failed."});
     else
         verdicts.push_back(
-            {report::Verdict::Standing::fails,
-             fmt::format("{} of {} failed.", n_failed, counted(n, "point", "points"))});
+            {report::Verdict::Standing::fails, fmt::format("{} of {} failed.", n_failed, counted)});
     using enum contact::State;
     std::vector<std::string> models;
     std::map<std::string, std::map<contact::State, int>> states;

@@ -72,14 +72,8 @@ std::vector<report::Curve> curves_over(const Sweep& sweep, std::size_t axis,
         report::Curve curve{.name = name, .x = {}, .y = {}, .kind = report::Curve::Kind::points};
         for (const auto& [rest, line] : lines[name]) {
             if (line.size() > 1) curve.kind = report::Curve::Kind::line_and_points;
-            if (!curve.x.empty()) {
-                curve.x.push_back(contact::undefined);
-                curve.y.push_back(contact::undefined);
-            }
-            for (const auto& [x, y] : line) {
-                curve.x.push_back(x);
-                curve.y.push_back(y);
-            }
+            if (!curve.x.empty()) curve.add(contact::undefined, contact::undefined);
+            for (const auto& [x, y] : line) curve.add(x, y);
         }
         curves.push_back(std::move(curve));
     }
@@ -88,9 +82,8 @@ std::vector<report::Curve> curves_over(const Sweep& sweep, std::size_t axis,
 
 std::string caption_of(const Sweep& sweep, const Quantity& quantity,
                        const std::vector<report::Curve>& curves) {
-    const bool lines = std::any_of(curves.begin(), curves.end(), [](const report::Curve& curve) {
-        return curve.kind == report::Curve::Kind::line_and_points;
-    });
+    const bool lines =
+        std::ranges::count(curves, report::Curve::Kind::line_and_points, &report::Curve::kind) > 0;
     std::string text = std::string(quantity.meaning) + " ";
     if (lines && sweep.axes.size() > 1) text += "Lines join points that differ in nothing else. ";
     if (std::string(quantity.defined) != "always")
@@ -101,9 +94,9 @@ std::string caption_of(const Sweep& sweep, const Quantity& quantity,
 
 std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<SweepScale>& scales,
                                        const Quantity& quantity) {
-    const bool defined = std::any_of(
-        sweep.points.begin(), sweep.points.end(),
-        [&](const Sweep::Point& point) { return std::isfinite(value_of(point, quantity)); });
+    const bool defined = std::ranges::any_of(sweep.points, [&](const Sweep::Point& point) {
+        return std::isfinite(value_of(point, quantity));
+    });
     std::vector<report::Figure> figures;
     if (!defined || sweep.points.size() > most_drawn) return figures;
     for (std::size_t axis = 0; axis < sweep.axes.size(); ++axis) {

@@ -37,17 +37,8 @@ double least_bound(double position, double w, double angle) {
 
 /// Of zone_kinds(). Traction vanishes for good on released points only after shakedown.
 std::size_t kind_of(Zone zone, bool shaken_down) {
-    switch (zone) {
-        case Zone::stick:
-            return 0;
-        case Zone::slip:
-            return 1;
-        case Zone::zero:
-            return shaken_down ? 2 : 3;
-        case Zone::open:
-            break;
-    }
-    return 4;
+    if (zone == Zone::zero) return shaken_down ? 2 : 3;
+    return zone == Zone::stick ? 0 : 1;
 }
 
 report::Strip zone_strip(const History& history, const CentreLine& line) {
@@ -65,11 +56,10 @@ void add_models(const contact::Case& c, const Histories& histories, Axis axis,
     for (const History& history : histories) {
         const CentreLine line = centre_line(history, c.friction_coefficient, axis);
         if (line.position.empty()) continue;
-        report::Curve curve = curve_of(history, figure.strips.size());
+        auto& curve = figure.curves.emplace_back(curve_of(history, figure.strips.size()));
         for (const std::size_t i : report::thinned(line.position.size(), most_points))
             if (std::abs(line.position[i]) <= half_width)
                 curve.add(line.position[i], line.traction[i]);
-        figure.curves.push_back(curve);
         figure.strips.push_back(zone_strip(history, line));
     }
 }
@@ -99,15 +89,11 @@ void add_theory(const contact::Case& c, const Reference& r, report::Figure& figu
 
 /// The same of a line contact; w = 0 is Cattaneo's.
 void add_line_theory(const contact::Case& c, const Reference& r, report::Figure& figure) {
-    const auto stick = c.rolling ? r.stick_ratio
-                       : in_unit_range(r.tangential_ratio)
-                           ? theory::line_stick_half_width(0, r.tangential_ratio)
-                           : std::nullopt;
-    if (!stick) return;
+    if (!r.stick_ratio) return;
     add_theory_curve(figure, "exact, half-space", [&](double x) {
-        return theory::line_shakedown_traction(x, r.amplitude_ratio, *stick);
+        return theory::line_shakedown_traction(x, r.amplitude_ratio, *r.stick_ratio);
     });
-    const bool ellipses = c.rolling && r.amplitude_ratio + *stick < 1;
+    const bool ellipses = c.rolling && r.amplitude_ratio + *r.stick_ratio < 1;
     const auto of_thesis =
         ellipses ? theory::thesis_line_stick_half_width(r.amplitude_ratio, r.tangential_ratio)
                  : std::nullopt;

@@ -4,10 +4,6 @@ namespace tricontact::comparisons {
 
 namespace {
 
-void append(std::vector<report::Figure>& figures, std::vector<report::Figure> more) {
-    for (report::Figure& figure : more) figures.push_back(std::move(figure));
-}
-
 void add(report::Document& document, report::DocumentSection section) {
     std::erase_if(section.tables,
                   [](const report::DocumentTable& table) { return table.rows.empty(); });
@@ -34,16 +30,13 @@ report::Document fit_document(const StudyFit& fit) {
                    .heading = "Figures of the thesis",
                    .paragraphs = {"Its formulas are dashed. Bars are numerical errors."},
                    .figures = thesis_figures(fit)});
-    std::vector<report::Figure> figures = kappa_figures(fit);
-    append(figures, kappa_maps(fit));
-    append(figures, kappa_residual_figures(fit));
     add(document,
         {.id = "mapping",
          .heading = "Settled shifts: the mapping parameter κ",
          .paragraphs = {"f_T = 1 − κ w u_sd − (1 − u_sd)^(3/2), which MDR fulfils with κ = 3/2. At "
                         "small w u_sd small errors of u_sd are large ones of κ: what counts is how "
                         "far off u_sd a κ is."},
-         .figures = std::move(figures),
+         .figures = mapping_figures(fit),
          .tables = {mapping_use_table(fit), mapping_table(fit)}});
     add(document,
         {.id = "ratcheting",

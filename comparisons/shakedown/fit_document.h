@@ -23,10 +23,6 @@ struct FitRow {
 /// All fits that could be made: kappa, its plane, limits, eta per load, roots.
 std::vector<FitRow> fit_rows(const StudyFit& fit);
 
-/// Those of kappa only, or of ratcheting and limits only.
-std::vector<FitRow> mapping_rows(const StudyFit& fit);
-std::vector<FitRow> ratcheting_rows(const StudyFit& fit);
-
 /// Parts of fit_document: what the fits say in sentences,
 std::vector<report::Verdict> fit_verdicts(const StudyFit& fit);
 
@@ -45,21 +41,32 @@ std::vector<std::string> group_names(const StudyFit& fit);
 /// Their models, in the order of the points.
 std::vector<std::string> model_names(const StudyFit& fit);
 
-/// kappa over f_T/f_T,lim, one figure per group with settled points.
-std::vector<report::Figure> kappa_figures(const StudyFit& fit);
-/// What one constant kappa leaves of f_T, one figure per group in which there is one.
-std::vector<report::Figure> kappa_residual_figures(const StudyFit& fit);
-/// kappa(w, f_T/f_T,lim) as a map per model and group, linear between loads; for studies that
-/// combine at least two amplitudes with at least two settled loads each.
-std::vector<report::Figure> kappa_maps(const StudyFit& fit);
+/// One figure per group of: kappa over f_T/f_T,lim; kappa(w, f_T/f_T,lim) as a map per model,
+/// linear between loads, for studies that combine at least two amplitudes with at least two settled
+/// loads each; what one constant kappa leaves of f_T.
+std::vector<report::Figure> mapping_figures(const StudyFit& fit);
 /// What Du = c u_stat^(1/2) (w - w_lim) leaves of Du, one figure per group in which there is a fit.
 std::vector<report::Figure> increment_residual_figures(const StudyFit& fit);
 
-/// Error bars of computed values: half widths, NaN where unknown; empty if all are.
-std::vector<double> bars_of(const std::vector<Computed>& values);
+/// An empty curve of points with the name and colour of a model of the study.
+report::Curve model_points(const StudyFit& fit, const std::string& model);
+/// Adds a computed value and its error bar, NaN where unknown.
+void add_with_bar(report::Curve& curve, double x, const Computed& value);
+/// Takes the bars away if all are unknown.
+void drop_unknown_bars(report::Curve& curve);
 
 /// Where a point lies in a figure, and its bar; empty: nowhere.
-using Place = std::function<std::optional<std::pair<double, Computed>>(const RollingPoint&)>;
+using Placed = std::optional<std::pair<double, Computed>>;
+using Place = std::function<Placed(const RollingPoint&)>;
+
+/// A closed form given by x and y over a parameter. Forms of one `kind` (0, 1, ...) have one
+/// colour, none of a model's.
+struct Form {
+    std::string name;
+    double from, to;
+    std::function<double(double)> x, y;
+    int kind;
+};
 
 /// Figures like some of the thesis: its formulas, dashed, and the points of all models.
 class ThesisFigures {
@@ -69,29 +76,20 @@ class ThesisFigures {
     ThesisFigures(const StudyFit& fit, const std::string& group, const std::string& suffix,
                   double resolution);
 
+    /// With a curve of points for each model, if they have a place.
     report::Figure figure(const std::string& number, const std::string& title,
-                          const std::string& caption, const char* x, const char* y) const;
-    /// A closed form given by x and y over a parameter. Forms of one `kind` (0, 1, ...) have one
-    /// colour, none of a model's.
-    void add_form(report::Figure& figure, const std::string& name, double from, double to,
-                  const std::function<double(double)>& x, const std::function<double(double)>& y,
-                  int kind) const;
-    /// A curve of points for each model.
-    void add_points(report::Figure& figure, const Place& place) const;
+                          const std::string& caption, const char* x, const char* y,
+                          const std::vector<Form>& forms, const Place& place = {}) const;
 
-    const std::vector<std::string>& models() const { return models_; }
     const std::vector<const RollingPoint*>& points() const { return points_; }
     const std::set<double>& amplitudes() const { return amplitudes_; }
 
   private:
+    const StudyFit& fit_;
     std::string group_, suffix_;
-    std::vector<std::string> models_;
     std::vector<const RollingPoint*> points_;
     std::set<double> amplitudes_;
 };
-
-/// A limit of a model, the same at all points of an amplitude, is drawn once.
-Place once_per_amplitude(const Place& place);
 
 // Places in the figures that round bodies and line contacts have alike.
 
@@ -99,12 +97,11 @@ Place once_per_amplitude(const Place& place);
 Place over_load(const Quantity& q);
 /// The same from loads of `share` of the model's limit on.
 Place settled_near_limit(double share);
-/// w over the model's f_T,lim, once per amplitude.
+/// w over the model's f_T,lim, once per amplitude, at all points of which it is the same.
 Place amplitude_over_limit();
-/// Du over f_T.
 
 /// Those in which a model has points, without empty curves.
-std::vector<report::Figure> with_model_points(const std::vector<report::Figure>& figures);
+std::vector<report::Figure> with_model_points(std::vector<report::Figure> figures);
 
 /// Figures of Wetter's thesis with its formulas drawn over the points of the models, per group
 /// along (3.16, 3.17, 3.18, 3.20, 3.21) or across the rolling (3.30, 3.31, 3.32, 3.20, 3.33), as

@@ -14,12 +14,7 @@ namespace {
 constexpr const char* load_label = "f_T/f_T,lim";
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
-int colour_of(const StudyFit& fit, const std::string& model) {
-    const auto names = model_names(fit);
-    return static_cast<int>(std::find(names.begin(), names.end(), model) - names.begin());
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
 std::string id_of(const std::string& what, std::size_t index) {
@@ -39,9 +34,7 @@ std::vector<report::Figure> figures_of(const StudyFit& fit, const std::vector<Gr
         figure.title += ", " + names[i];
         for (const Group& group : groups) {
             if (group.group != names[i]) continue;
-            report::Curve curve{.name = report::display_name(group.model),
-                                .kind = report::Curve::Kind::points,
-                                .colour = colour_of(fit, group.model)};
+            report::Curve curve = model_points(fit, group.model);
             curve_of(group, curve);
             if (!curve.x.empty()) figure.curves.push_back(std::move(curve));
         }
@@ -94,65 +87,62 @@ std::vector<std::string> model_names(const StudyFit& fit) {
     return names;
 }
 
-std::vector<double> bars_of(const std::vector<Computed>& values) {
-    if (std::none_of(values.begin(), values.end(), [](const Computed& v) { return v.has_bar(); }))
-        return {};
-    std::vector<double> bars;
-    for (const Computed& v : values) bars.push_back(v.error);
-    return bars;
+report::Curve model_points(const StudyFit& fit, const std::string& model) {
+    const auto names = model_names(fit);
+    return {.name = report::display_name(model),
+            .kind = report::Curve::Kind::points,
+            .colour = static_cast<int>(std::ranges::find(names, model) - names.begin())};
 }
 
-std::vector<report::Figure> kappa_figures(const StudyFit& fit) {
-    return figures_of(
+void add_with_bar(report::Curve& curve, double x, const Computed& value) {
+    curve.add(x, value.value);
+    curve.y_error.push_back(value.error);
+}
+
+void drop_unknown_bars(report::Curve& curve) {
+    if (std::ranges::none_of(curve.y_error, [](double error) { return error >= 0; }))
+        curve.y_error.clear();
+}
+
+std::vector<report::Figure> mapping_figures(const StudyFit& fit) {
+    std::vector<report::Figure> figures = figures_of(
         fit, fit.mapping,
         {.id = "kappa",
          .title = "Mapping parameter κ",
-         .caption = "κ of each settled point, all amplitudes, over the load as a part of "
-                    "the model's own limit. Bars: the numerical error of u_sd, which "
-                    "counts 1/(w u_sd) times.",
+         .caption =
+             "κ of each settled point, all amplitudes, over the load as a part of the model's own "
+             "limit. Bars: the numerical error of u_sd, which counts 1/(w u_sd) times.",
          .x = {load_label},
          .y = {"κ"}},
         [](const MappingGroup& group, report::Curve& curve) {
-            std::vector<Computed> values;
-            for (const MappingPoint& p : group.points) {
-                curve.add(p.limit_ratio, p.kappa.value);
-                values.push_back(p.kappa);
-            }
-            curve.y_error = bars_of(values);
+            for (const MappingPoint& p : group.points) add_with_bar(curve, p.limit_ratio, p.kappa);
+            drop_unknown_bars(curve);
         });
-}
-
-std::vector<report::Figure> kappa_residual_figures(const StudyFit& fit) {
-    return figures_of(
-        fit, fit.mapping,
-        {.id = "kappa_residuals",
-         .title = "What one constant κ leaves",
-         .caption = "f_T of the point minus f_T by the fitted constant. A pattern means "
-                    "that κ is no constant.",
-         .x = {load_label},
-         .y = {"residual of f_T"}},
-        [](const MappingGroup& group, report::Curve& curve) {
-            if (!group.constant) return;
-            for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
-            curve.y = group.constant->fit.residuals;
-        });
-}
-
-std::vector<report::Figure> kappa_maps(const StudyFit& fit) {
-    std::vector<report::Figure> figures;
-    for (std::size_t i = 0; i < fit.mapping.size(); ++i) {
-        const MappingGroup& group = fit.mapping[i];
-        auto map = map_of(group);
-        if (!map) continue;
-        figures.push_back({.id = id_of("kappa_map", i),
-                           .title = "κ(w, f_T/f_T,lim): " + report::display_name(group.model) +
-                                    ", " + group.group,
-                           .caption = "Linear between the loads of each amplitude; empty where the "
-                                      "study has no settled point beyond.",
-                           .x = {"w = W/a"},
-                           .y = {load_label},
-                           .map = std::move(map)});
-    }
+    for (std::size_t i = 0; i < fit.mapping.size(); ++i)
+        if (auto map = map_of(fit.mapping[i]))
+            figures.push_back(
+                {.id = id_of("kappa_map", i),
+                 .title = "κ(w, f_T/f_T,lim): " + report::display_name(fit.mapping[i].model) +
+                          ", " + fit.mapping[i].group,
+                 .caption = "Linear between the loads of each amplitude; empty where the "
+                            "study has no settled point beyond.",
+                 .x = {"w = W/a"},
+                 .y = {load_label},
+                 .map = std::move(map)});
+    for (report::Figure& figure : figures_of(
+             fit, fit.mapping,
+             {.id = "kappa_residuals",
+             .title = "What one constant κ leaves",
+             .caption = "f_T of the point minus f_T by the fitted constant. A pattern means that "
+                        "κ is no constant.",
+             .x = {load_label},
+             .y = {"residual of f_T"}},
+             [](const MappingGroup&group, report::Curve&curve) {
+                 if (!group.constant) return;
+                 for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
+                 curve.y = group.constant->fit.residuals;
+             }))
+        figures.push_back(std::move(figure));
     return figures;
 }
 

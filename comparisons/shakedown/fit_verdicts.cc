@@ -25,20 +25,8 @@ std::string interval(const statistics::Estimate& e) {
 }
 
 const MappingUse* use_named(const MappingGroup& group, const std::string& name) {
-    const auto found = std::find_if(group.uses.begin(), group.uses.end(),
-                                    [&](const MappingUse& use) { return use.name == name; });
+    const auto found = std::ranges::find(group.uses, name, &MappingUse::name);
     return found == group.uses.end() ? nullptr : &*found;
-}
-
-Standing standing_of(OneMapping::Finding finding) {
-    switch (finding) {
-        case OneMapping::Finding::holds:
-            return Standing::holds;
-        case OneMapping::Finding::fails:
-            return Standing::fails;
-        default:
-            return Standing::cannot_tell;
-    }
 }
 
 /// "one κ for all amplitudes and loads holds: ..."
@@ -49,11 +37,11 @@ std::string finding_of(const MappingGroup& group) {
                                            report::significant(group.smallest(), 3),
                                            report::significant(group.largest(), 3));
     if (one.is_negligible) return claim + "holds to 0.1 % of u_sd; " + points;
-    if (one.finding == OneMapping::Finding::fails)
+    if (one.finding == Standing::fails)
         return claim + "does not hold: " + points + ", further apart than their numerical errors";
     const std::string known =
         fmt::format("{} of {} points know it to 10 %", one.n_telling, group.points.size());
-    if (one.finding == OneMapping::Finding::holds)
+    if (one.finding == Standing::holds)
         return fmt::format(
             "{}holds within the numerical errors: {} to {} serves every point, {}; {}", claim,
             report::significant(one.low, 3), report::significant(one.high, 3), known, points);
@@ -76,7 +64,7 @@ report::Verdict constant_verdict(const MappingGroup& group) {
         return {Standing::fails, fmt::format("{}: {} lies beyond what the formula takes (0 to 3/2)",
                                              name_of(group), value)};
     return {
-        standing_of(group.one.finding),
+        group.one.finding,
         fmt::format("{}: {}; by least squares κ = {}, which misses u_sd by {} in the median, {} "
                     "at worst",
                     name_of(group), finding_of(group),
@@ -127,7 +115,7 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
     for (const RatchetingPoint& p : group.points)
         if (!std::isnan(p.thesis_ratio)) ratios.push_back(p.thesis_ratio);
     if (ratios.empty() || group.model == "mdr" || !elastic) return;
-    const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+    const auto [least, most] = std::ranges::minmax_element(ratios);
     verdicts.push_back(
         {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
          fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
@@ -141,12 +129,12 @@ void add_limit(std::vector<report::Verdict>& verdicts, const StudyFit& fit,
     if (!is_parallel(group.angle) && !is_perpendicular(group.angle)) return;
     const double kappa = is_parallel(group.angle) ? theory::thesis_mapping_parallel
                                                   : theory::thesis_mapping_perpendicular;
-    const RollingPoint* worst = nullptr;
     const auto excess = [&](const RollingPoint& p) {
         return theory::shakedown_limit(p.amplitude_ratio, kappa) /
                    p.at(quantities::limit_tangential_ratio).value -
                1;
     };
+    const RollingPoint* worst = nullptr;
     for (const RollingPoint* p : points_of(fit.points, group))
         if (!worst || std::abs(excess(*p)) > std::abs(excess(*worst))) worst = p;
     if (!worst || worst->amplitude_ratio == 0) return;

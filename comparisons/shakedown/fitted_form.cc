@@ -21,21 +21,20 @@ Goodness goodness(const std::vector<double>& observed, const std::vector<double>
 std::optional<FittedForm> fit_form(const std::string& form,
                                    const std::vector<std::string>& parameters,
                                    const std::vector<std::vector<double>>& columns,
-                                   const std::vector<double>& observed,
-                                   const std::vector<double>& offset, double confidence,
-                                   std::size_t least_n) {
+                                   const std::vector<double>& observed, double confidence,
+                                   std::size_t least_n, const std::vector<double>& offset) {
     const std::size_t n = observed.size();
     if (n < least_n || n <= parameters.size()) return {};
-    std::vector<double> y;
-    for (std::size_t i = 0; i < n; ++i) y.push_back(observed[i] - offset[i]);
+    std::vector<double> y = observed;
+    for (std::size_t i = 0; i < offset.size(); ++i) y[i] -= offset[i];
     FittedForm result{.form = form, .parameters = parameters, .fit = {}, .of_left_side = {}};
     try {
         result.fit = statistics::fit_linear(columns, y, {.confidence = confidence});
     } catch (const contact::NotConverged&) {
         return {};
     }
-    std::vector<double> fitted;
-    for (std::size_t i = 0; i < n; ++i) fitted.push_back(offset[i] + result.fit.fitted[i]);
+    std::vector<double> fitted = result.fit.fitted;
+    for (std::size_t i = 0; i < offset.size(); ++i) fitted[i] += offset[i];
     result.of_left_side = goodness(observed, fitted);
     return result;
 }

@@ -25,13 +25,12 @@ struct FittedForm {
     Goodness of_left_side;
 };
 
-/// `observed`: the left side, offset + columns * parameters. Empty where there are not `least_n`
-/// observations or these do not tell the parameters apart.
+/// `observed`: the left side, columns * parameters plus `offset`, if any. Empty where there are not
+/// `least_n` observations or these do not tell the parameters apart.
 std::optional<FittedForm> fit_form(const std::string& form,
                                    const std::vector<std::string>& parameters,
                                    const std::vector<std::vector<double>>& columns,
-                                   const std::vector<double>& observed,
-                                   const std::vector<double>& offset, double confidence,
-                                   std::size_t least_n);
+                                   const std::vector<double>& observed, double confidence,
+                                   std::size_t least_n, const std::vector<double>& offset = {});
 
 }  // namespace tricontact::comparisons

@@ -20,8 +20,7 @@ namespace {
 using contact::Case;
 
 const LimitRun* run_at(const ModelLimit& m, double value) {
-    const auto it = std::find_if(m.runs.begin(), m.runs.end(),
-                                 [value](const LimitRun& run) { return run.value == value; });
+    const auto it = std::ranges::find(m.runs, value, &LimitRun::value);
     return it == m.runs.end() ? nullptr : &*it;
 }
 

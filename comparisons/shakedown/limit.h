@@ -5,12 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "comparisons/quantities/quantities.h"
 #include "comparisons/shakedown/limit_bracket.h"
-#include "comparisons/shakedown/limit_variable.h"
 #include "contact/case.h"
 #include "report/document.h"
 
 namespace tricontact::comparisons {
+
+/// What the limit of shakedown is looked for in, the other one given.
+enum class LimitVariable {
+    load,      ///< f_T = F_T/(mu F_N) at the case's amplitude
+    amplitude  ///< w = W/a, a as the case's amplitude ratio has it, at the case's load
+};
 
 /// A case rolled at one value of what is varied.
 struct LimitRun {
@@ -64,6 +70,15 @@ struct LimitStudy {
     std::vector<ModelLimit> models;
     /// The thesis' limit: 1 - w or its inverse along the load (kappa = 1), with kappa = 1.1 across.
     std::optional<double> thesis;
+
+    const Quantity& varied() const {
+        return variable == LimitVariable::load ? quantities::tangential_ratio
+                                               : quantities::amplitude_ratio;
+    }
+    const Quantity& fixed() const {
+        return variable == LimitVariable::load ? quantities::amplitude_ratio
+                                               : quantities::tangential_ratio;
+    }
 };
 
 /// The exact limit of uncoupled contact on the body that `model` sees; see ModelLimit::exact.
@@ -78,6 +93,6 @@ std::optional<double> thesis_limit(const contact::Case& c, LimitVariable variabl
 nlohmann::ordered_json limit_json(const std::string& version, const LimitStudy& study);
 std::string limit_csv(const LimitStudy& study);
 std::string limit_text(const LimitStudy& study);
-report::Document limit_document(const LimitStudy& study);
+report::Document limit_document(LimitStudy study);
 
 }  // namespace tricontact::comparisons

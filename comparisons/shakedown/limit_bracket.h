@@ -3,24 +3,16 @@
 #include <functional>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "contact/history.h"
 
 namespace tricontact::comparisons {
-
-/// What was found at one value of that which is varied.
-struct LimitProbe {
-    double value = 0;
-    contact::State state = contact::State::undecided;
-};
 
 /// Between which values shakedown ends.
 struct LimitBracket {
     double last_shakedown = 0, first_ratcheting = 0;
     /// The lowest and the highest value in between that could not be decided, if there is one.
     std::optional<std::pair<double, double>> undecided = {};
-    std::vector<LimitProbe> probes = {};  ///< in the order of their evaluation
 
     double centre() const { return (last_shakedown + first_ratcheting) / 2; }
     double half_width() const { return (first_ratcheting - last_shakedown) / 2; }

@@ -18,28 +18,14 @@ namespace {
 using contact::State;
 using Standing = report::Verdict::Standing;
 
-/// Plain symbols of what is varied and what is given.
-struct Symbols {
-    const char *varied, *given, *axis;
-};
-
-Symbols symbols_of(const LimitStudy& study) {
-    return study.variable == LimitVariable::load ? Symbols{"f_T", "w", "tangential load f_T"}
-                                                 : Symbols{"w", "f_T", "rolling amplitude w"};
-}
-
-double half_width(const ModelLimit& m) {
-    return m.bracket.half_width();
-}
 /// Bisection and resolution together.
 double error_of(const ModelLimit& m) {
-    return half_width(m) + m.resolution_error();
+    return m.bracket.half_width() + m.resolution_error();
 }
 
 /// "2.31 % above"
 std::string apart(double value, double reference) {
-    return fmt::format("{} % {}", report::significant(100 * std::abs(value / reference - 1), 3),
-                       value > reference ? "above" : "below");
+    return report::apart(value / reference, "above", "below");
 }
 
 /// Where the limit is a fold, beside which shifts go as a square root: round elastic bodies,
@@ -52,7 +38,7 @@ bool is_fold(const LimitStudy& study) {
 report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
     std::string text =
         fmt::format("{}: the limit by bisection is {} = {}", report::display_name(m.model), symbol,
-                    report::with_error(m.limit().value, half_width(m)));
+                    report::with_error(m.limit().value, m.bracket.half_width()));
     if (!m.exact) return {Standing::finding, text + "."};
     const double off = m.limit().value - *m.exact;
     const std::string exact = fmt::format("{:.7g}", *m.exact);
@@ -90,7 +76,7 @@ void add_thesis(const LimitStudy& study, const char* symbol,
         return std::abs(m.limit().value - *study.thesis) <= error_of(m);
     };
     const auto& models = study.models;
-    const bool any = std::any_of(models.begin(), models.end(), agrees);
+    const bool any = std::ranges::any_of(models, agrees);
     std::string off;
     for (const ModelLimit& m : models)
         if (!agrees(m))
@@ -102,9 +88,9 @@ void add_thesis(const LimitStudy& study, const char* symbol,
                                     off.empty() ? " agrees" : " lies ", off)});
 }
 
-report::DocumentTable limit_table(const LimitStudy& study, const Symbols& symbols) {
+report::DocumentTable limit_table(const LimitStudy& study) {
     report::DocumentTable table{.id = "limits",
-                                .title = fmt::format("Limits in {}", symbols.varied)};
+                                .title = fmt::format("Limits in {}", study.varied().symbol)};
     table.columns = report::columns("model", "limit:7", "last shakedown:8", "first ratcheting:8",
                                     "by pressures:8", "exact, uncoupled:8", "u at the limit:4");
     table.note =
@@ -117,20 +103,14 @@ report::DocumentTable limit_table(const LimitStudy& study, const Symbols& symbol
     for (const ModelLimit& m : study.models) {
         const auto shift = m.shift_ratio();
         table.rows.push_back(
-            {report::display_name(m.model), report::WithError{m.limit().value, half_width(m)},
-             m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
+            {report::display_name(m.model),
+             report::WithError{m.limit().value, m.bracket.half_width()}, m.bracket.last_shakedown,
+             m.bracket.first_ratcheting, m.by_pressures,
              m.exact ? report::Cell{*m.exact} : report::Cell{"–"},
              shift ? report::Cell{report::WithError{shift->value, shift->value - shift->low}}
                    : report::Cell{"–"}});
     }
     return table;
-}
-
-std::vector<LimitRun> sorted_runs(const ModelLimit& m) {
-    std::vector<LimitRun> runs = m.runs;
-    std::sort(runs.begin(), runs.end(),
-              [](const LimitRun& a, const LimitRun& b) { return a.value < b.value; });
-    return runs;
 }
 
 /// u of MDR over what is varied, up to its limit: (3.2.16) with kappa = 3/2.
@@ -145,51 +125,43 @@ report::Curve settled_shift_of_mdr(const LimitStudy& study) {
         const double x = limit * (1 - std::pow(1 - static_cast<double>(i) / n, 2));
         const auto u = load ? theory::settled_shift_ratio(study.given, x)
                             : theory::settled_shift_ratio(x, study.given);
-        if (!u) continue;
-        curve.x.push_back(x);
-        curve.y.push_back(*u);
+        if (u) curve.add(x, *u);
     }
     return curve;
 }
 
-/// The runs of a model in one state that have a place [x, y], in a colour.
-template <class PlaceOf>
-report::Curve runs_curve(const ModelLimit& m, State state, const std::string& name,
-                         report::Curve::Kind kind, std::size_t colour, const PlaceOf& place_of) {
-    report::Curve curve{.name = name, .kind = kind, .colour = static_cast<int>(colour)};
-    for (const LimitRun& run : sorted_runs(m))
-        if (run.state == state) place_of(run, curve);
-    return curve;
-}
-
-report::Figure shift_figure(const LimitStudy& study, const Symbols& symbols) {
+report::Figure shift_figure(const LimitStudy& study) {
     report::Figure figure{
         .id = "shift",
         .title = "Where the contact comes to rest",
         .caption = fmt::format(
             "Shift after the last period of the runs that shake down, at {} = {:.4g}.{}",
-            symbols.given, study.given,
+            study.fixed().symbol, study.given,
             is_fold(study) ? " It approaches the limit as a square root: just below it, a little "
                              "more of it lets the contact go much farther."
                            : ""),
-        .x = {symbols.axis},
+        .x = {study.variable == LimitVariable::load ? "tangential load f_T"
+                                                    : "rolling amplitude w"},
         .y = {"final shift u = U/U_max"}};
-    for (std::size_t i = 0; i < study.models.size(); ++i)
-        figure.curves.push_back(runs_curve(
-            study.models[i], State::shakedown, report::display_name(study.models[i].model),
-            report::Curve::Kind::line_and_points, i, [](const LimitRun& run, report::Curve& curve) {
-                curve.add(run.value, run.final_shift_ratio);
-            }));
+    for (std::size_t i = 0; i < study.models.size(); ++i) {
+        report::Curve& curve = figure.curves.emplace_back(
+            report::Curve{.name = report::display_name(study.models[i].model),
+                          .kind = report::Curve::Kind::line_and_points,
+                          .colour = static_cast<int>(i)});
+        for (const LimitRun& run : study.models[i].runs)
+            if (run.state == State::shakedown) curve.add(run.value, run.final_shift_ratio);
+    }
     if (study.round && study.given <= 1) figure.curves.push_back(settled_shift_of_mdr(study));
     return figure;
 }
 
-report::Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
-    report::Figure figure{.id = "periods",
-                          .title = "How many periods the verdict takes",
-                          .caption = "Runs on both sides of the limit.",
-                          .x = {fmt::format("distance of {} from the limit", symbols.varied), true},
-                          .y = {"periods until the verdict", true}};
+report::Figure period_figure(const LimitStudy& study) {
+    report::Figure figure{
+        .id = "periods",
+        .title = "How many periods the verdict takes",
+        .caption = "Runs on both sides of the limit.",
+        .x = {fmt::format("distance of {} from the limit", study.varied().symbol), true},
+        .y = {"periods until the verdict", true}};
     if (is_fold(study))
         figure.caption +=
             " The nearer, the longer: as the distance to the power -1/2, for the contact creeps "
@@ -198,26 +170,28 @@ report::Figure period_figure(const LimitStudy& study, const Symbols& symbols) {
     for (std::size_t i = 0; i < study.models.size(); ++i)
         for (const State state : {State::shakedown, State::ratcheting}) {
             const ModelLimit& m = study.models[i];
-            figure.curves.push_back(runs_curve(
-                m, state,
-                fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
-                report::Curve::Kind::points, 2 * i + (state == State::shakedown ? 0 : 1),
-                [&](const LimitRun& run, report::Curve& curve) {
-                    // Nearer than the half width the distance is not known.
-                    const double distance = std::abs(run.value - m.limit().value);
-                    if (distance > half_width(m)) curve.add(distance, run.periods);
-                }));
+            report::Curve& curve = figure.curves.emplace_back(report::Curve{
+                .name =
+                    fmt::format("{}, {}", report::display_name(m.model), contact::name_of(state)),
+                .kind = report::Curve::Kind::points,
+                .colour = static_cast<int>(2 * i + (state == State::shakedown ? 0 : 1))});
+            for (const LimitRun& run : m.runs) {
+                // Nearer than the half width the distance is not known.
+                const double distance = std::abs(run.value - m.limit().value);
+                if (run.state == state && distance > m.bracket.half_width())
+                    curve.add(distance, run.periods);
+            }
         }
     return figure;
 }
 
-report::DocumentTable run_table(const LimitStudy& study, const Symbols& symbols) {
+report::DocumentTable run_table(const LimitStudy& study) {
     report::DocumentTable table{.id = "runs", .title = "All runs"};
-    table.columns = report::columns("model", symbols.varied + std::string(":8"), "verdict",
+    table.columns = report::columns("model", study.varied().symbol + std::string(":8"), "verdict",
                                     "periods:6", "U [um]:5", "u [U_max]:5");
     table.note = "Shift after the last period, in micrometres and over each model's own U_max.";
     for (const ModelLimit& m : study.models)
-        for (const LimitRun& run : sorted_runs(m))
+        for (const LimitRun& run : m.runs)
             table.rows.push_back({report::display_name(m.model), run.value,
                                   contact::name_of(run.state), static_cast<double>(run.periods),
                                   1e6 * run.final_shift, run.final_shift_ratio});
@@ -226,27 +200,27 @@ report::DocumentTable run_table(const LimitStudy& study, const Symbols& symbols)
 
 }  // namespace
 
-report::Document limit_document(const LimitStudy& study) {
-    const Symbols symbols = symbols_of(study);
+report::Document limit_document(LimitStudy study) {
+    for (ModelLimit& m : study.models) std::ranges::sort(m.runs, {}, &LimitRun::value);
     report::Document document{
         .kind = "Limit of shakedown",
         .title = study.title,
         .lead = fmt::format(
             "Up to which {} does the contact, rolling to and fro at {} = {:.4g}, come to rest? "
             "Each model is computed from the start at one value after another.",
-            symbols.varied, symbols.given, study.given),
-        .settings = {{symbols.given, fmt::format("{:.6g}", study.given)},
+            study.varied().symbol, study.fixed().symbol, study.given),
+        .settings = {{study.fixed().symbol, fmt::format("{:.6g}", study.given)},
                      {"rolling direction to the load",
                       fmt::format("{:.4g}°", study.angle * 180 / std::numbers::pi)}}};
     for (const ModelLimit& m : study.models)
-        document.verdicts.push_back(model_verdict(m, symbols.varied));
+        document.verdicts.push_back(model_verdict(m, study.varied().symbol));
     add_differences(study, document.verdicts);
-    add_thesis(study, symbols.varied, document.verdicts);
-    document.sections.push_back({.id = "limits",
-                                 .heading = "Limits",
-                                 .figures = {shift_figure(study, symbols)},
-                                 .tables = {limit_table(study, symbols)}});
-    document.sections.push_back(
+    add_thesis(study, study.varied().symbol, document.verdicts);
+    document.sections = {
+        {.id = "limits",
+         .heading = "Limits",
+         .figures = {shift_figure(study)},
+         .tables = {limit_table(study)}},
         {.id = "judging",
          .heading = "How each run was judged",
          .paragraphs =
@@ -255,8 +229,8 @@ report::Document limit_document(const LimitStudy& study) {
               "when points stick throughout a period and the increments are below a hundredth of "
               "the tolerance. What is neither when the periods are over stays undecided, and the "
               "limit lies anywhere in the band of such values."},
-         .figures = {period_figure(study, symbols)},
-         .tables = {run_table(study, symbols)}});
+         .figures = {period_figure(study)},
+         .tables = {run_table(study)}}};
     return document;
 }
 

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "comparisons/quantities/quantities.h"
+#include <cmath>
+
 #include "comparisons/shakedown/limit.h"
 #include "report/csv.h"
 #include "report/format.h"
@@ -14,11 +15,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-const char* name_of(LimitVariable variable) {
-    return variable == LimitVariable::load ? quantities::tangential_ratio.key
-                                           : quantities::amplitude_ratio.key;
-}
-
 json run_json(const LimitRun& run) {
     return {{"value", run.value},
             {quantities::state.key, contact::name_of(run.state)},
@@ -28,12 +24,11 @@ json run_json(const LimitRun& run) {
 }
 
 json to_json(const ModelLimit& m) {
-    const auto& band = m.bracket.undecided;
     const auto shift = m.shift_ratio();
     return {{"limit", m.limit().value},
             {"last_shakedown", m.bracket.last_shakedown},
             {"first_ratcheting", m.bracket.first_ratcheting},
-            {"undecided", band ? json{band->first, band->second} : json()},
+            {"undecided", m.bracket.undecided},
             {"limit_by_pressures", m.by_pressures},
             {"exact_uncoupled_limit", m.exact},
             {"final_shift_ratio_at_limit",
@@ -49,13 +44,11 @@ json to_json(const ModelLimit& m) {
 json limit_json(const std::string& version, const LimitStudy& study) {
     json models = json::object();
     for (const ModelLimit& m : study.models) models[m.model] = to_json(m);
-    const bool load = study.variable == LimitVariable::load;
-    return {
-        {"version", version},
-        {"limit_of", name_of(study.variable)},
-        {load ? quantities::amplitude_ratio.key : quantities::tangential_ratio.key, study.given},
-        {"thesis", study.thesis},
-        {"models", models}};
+    return {{"version", version},
+            {"limit_of", study.varied().key},
+            {study.fixed().key, study.given},
+            {"thesis", study.thesis},
+            {"models", models}};
 }
 
 std::string limit_csv(const LimitStudy& study) {
@@ -64,22 +57,18 @@ std::string limit_csv(const LimitStudy& study) {
                                          "exact_uncoupled_limit", "final_shift_ratio_at_limit",
                                          "final_shift_ratio_low", "final_shift_ratio_high"});
     for (const ModelLimit& m : study.models) {
-        const auto shift = m.shift_ratio();
-        using Value = std::optional<double>;
-        text += report::csv_row(
-            std::string(m.model), std::string(name_of(study.variable)), m.limit().value,
-            m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures, m.exact,
-            shift ? Value(shift->value) : Value(), shift ? Value(shift->low) : Value(),
-            shift ? Value(shift->high) : Value());
+        const auto [value, low, high] = m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
+        text +=
+            report::csv_row(m.model, study.varied().key, m.limit().value, m.bracket.last_shakedown,
+                            m.bracket.first_ratcheting, m.by_pressures, m.exact, value, low, high);
     }
     return text;
 }
 
 std::string limit_text(const LimitStudy& study) {
-    const bool load = study.variable == LimitVariable::load;
     std::string text =
         fmt::format("limit of shakedown in {} at {} = {:.6g}\n{:<10} {:>11} {:>11} {:>11} {:>11}\n",
-                    load ? "f_T" : "w", load ? "w" : "f_T", study.given, "", "shakes down",
+                    study.varied().symbol, study.fixed().symbol, study.given, "", "shakes down",
                     "ratchets", "pressures", "exact");
     for (const ModelLimit& m : study.models)
         text += fmt::format("{:<10} {:>11.7g} {:>11.7g} {:>11.7g} {:>11}\n", m.model,

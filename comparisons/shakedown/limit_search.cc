@@ -43,7 +43,7 @@ class LimitSearch {
         : case_(c),
           make_(make),
           variable_(question.variable),
-          tolerance_(question.tolerance.value_or(default_limit_tolerance(name))),
+          tolerance_(question.tolerance.value_or(name == "mdr" ? 1e-6 : 1e-3)),
           say_(say) {
         found_.model = name;
         case_.rolling->periods = static_cast<int>(std::ceil(30 / std::sqrt(tolerance_)));
@@ -166,10 +166,6 @@ class LimitSearch {
 };
 
 }  // namespace
-
-double default_limit_tolerance(const std::string& model) {
-    return model == "mdr" ? 1e-6 : 1e-3;
-}
 
 ModelLimit search_limit(const Case& c, const std::string& model, const ModelMaker& make,
                         const LimitQuestion& question, const SayLimit& say) {

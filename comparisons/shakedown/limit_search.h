@@ -13,11 +13,10 @@ namespace tricontact::comparisons {
 
 struct LimitQuestion {
     LimitVariable variable = LimitVariable::load;
-    std::optional<double> tolerance = {};  ///< of the bracket; empty: default_limit_tolerance
+    /// Of the bracket; empty: 1e-6 where springs are independent (`mdr`), 1e-3 elsewhere, what a
+    /// run per bisection affords.
+    std::optional<double> tolerance = {};
 };
-
-/// 1e-6 where springs are independent (`mdr`), 1e-3 elsewhere: what a run per bisection affords.
-double default_limit_tolerance(const std::string& model);
 
 /// Case -> model: whose limit is looked for.
 using ModelMaker = std::function<std::unique_ptr<contact::Model>(const contact::Case&)>;

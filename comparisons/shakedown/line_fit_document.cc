@@ -18,10 +18,6 @@ namespace {
 /// Loads from which a settled point counts as near its limit.
 constexpr double near_line_limit = 0.97;
 
-double itself(double x) {
-    return x;
-}
-
 /// u_sd of the half-space at load f.
 double exact_shift(double w, double f, double lambda) {
     const auto stick = theory::line_stick_half_width(w, f);
@@ -30,110 +26,81 @@ double exact_shift(double w, double f, double lambda) {
 
 constexpr int of_thesis_line = 0, exact_line = 1;  // kinds of forms
 
-class LineFigures {
-  public:
-    LineFigures(const StudyFit& fit, double lambda) : lambda_(lambda), of_(fit, "", "", 1e3) {}
-
-    std::vector<report::Figure> all() const {
-        return with_model_points(
-            {stick_widths(), settled(), limits(), limit_shifts(), increments()});
+report::Figure stick_widths(const ThesisFigures& of) {
+    std::vector<Form> forms;
+    const auto add = [&](const char* name, double w, auto force, int kind) {
+        const double widest = (1 - w) * (1 - 1e-9);  // at 1 - w itself nothing slips
+        const auto force_at = [=](double c) { return force(w, c); };
+        forms.push_back({name, 0, widest, force_at, std::identity(), kind});
+    };
+    for (const double w : of.amplitudes()) {
+        add("exact, half-space", w, theory::line_stick_force, exact_line);
+        add("thesis (3.5.24)", w, theory::thesis_line_stick_force, of_thesis_line);
     }
+    return of.figure("3.40", "Half width that sticks after shakedown",
+                     "Lines: exact on the half-space, and the thesis' (3.5.24), for the "
+                     "amplitudes of the points up to the limit.",
+                     "f_T", "c_sd/a", forms, over_load(quantities::stick_ratio));
+}
 
-  private:
-    report::Figure stick_widths() const {
-        report::Figure f =
-            of_.figure("3.40", "Half width that sticks after shakedown",
-                       "Lines: exact on the half-space, and the thesis' (3.5.24), for the "
-                       "amplitudes of the points up to the limit.",
-                       "f_T", "c_sd/a");
-        const auto add = [&](const char* name, double w, auto force, int colour) {
-            const double widest = (1 - w) * (1 - 1e-9);  // at 1 - w itself nothing slips
-            of_.add_form(
-                f, name, 0, widest, [=](double c) { return force(w, c); }, itself, colour);
+report::Figure settled(const ThesisFigures& of, double lambda) {
+    std::set<double> amplitudes = of.amplitudes();
+    amplitudes.insert(0);
+    std::vector<Form> forms;
+    for (const double w : amplitudes) {
+        const double limit = theory::line_shakedown_limit(w);
+        const auto exact = [=](double load) {
+            return exact_shift(w, std::min(load, limit), lambda);
         };
-        for (const double w : of_.amplitudes()) {
-            add("exact, half-space", w, theory::line_stick_force, exact_line);
-            add("thesis (3.5.24)", w, theory::thesis_line_stick_force, of_thesis_line);
-        }
-        of_.add_points(f, over_load(quantities::stick_ratio));
-        return f;
+        const auto thesis = [=](double load) {
+            return theory::thesis_line_settled_shift_ratio(w, std::min(load, limit)).value();
+        };
+        forms.push_back({"exact, half-space", 0, limit, std::identity(), exact, exact_line});
+        forms.push_back({"thesis (3.5.26)", 0, limit, std::identity(), thesis, of_thesis_line});
     }
+    return of.figure("3.43", "Settled shift over the load",
+                     "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
+                     "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
+                     "the limit; the lowest is u_stat (w = 0).",
+                     "f_T", "u_sd [U_max]", forms, over_load(quantities::settled_shift_ratio));
+}
 
-    report::Figure settled() const {
-        report::Figure f =
-            of_.figure("3.43", "Settled shift over the load",
-                       "Lines: exact on the half-space, and u_sd = 1 − (1 − f_T)^0.92 + 0.3 "
-                       "f_T w of the thesis (3.5.26), for the amplitudes of the points up to "
-                       "the limit; the lowest is u_stat (w = 0).",
-                       "f_T", "u_sd [U_max]");
-        std::set<double> amplitudes = of_.amplitudes();
-        amplitudes.insert(0);
-        for (const double w : amplitudes) {
-            const double limit = theory::line_shakedown_limit(w);
-            of_.add_form(
-                f, "exact, half-space", 0, limit, itself,
-                [&](double load) { return exact_shift(w, std::min(load, limit), lambda_); },
-                exact_line);
-            of_.add_form(
-                f, "thesis (3.5.26)", 0, limit, itself,
-                [&](double load) {
-                    return theory::thesis_line_settled_shift_ratio(w, std::min(load, limit))
-                        .value();
-                },
-                of_thesis_line);
-        }
-        of_.add_points(f, over_load(quantities::settled_shift_ratio));
-        return f;
-    }
+report::Figure limits(const ThesisFigures& of) {
+    return of.figure(
+        "3.44", "Largest amplitude that settles",
+        "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
+        "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
+        "f_T,lim", "w_lim",
+        {{"exact, half-space", 0, 1, theory::line_shakedown_limit, std::identity(), exact_line},
+         {"thesis (3.5.28)", 0, 1, std::identity(), theory::thesis_line_amplitude_limit,
+          of_thesis_line}},
+        amplitude_over_limit());
+}
 
-    report::Figure limits() const {
-        report::Figure f =
-            of_.figure("3.44", "Largest amplitude that settles",
-                       "Points: f_T,lim from each model's own pressures. Exact: (3.5.27) under "
-                       "Hertz' pressure. Thesis: its fit w_lim = 1 − f^0.73 (3.5.28).",
-                       "f_T,lim", "w_lim");
-        of_.add_form(f, "exact, half-space", 0, 1, theory::line_shakedown_limit, itself,
-                     exact_line);
-        of_.add_form(f, "thesis (3.5.28)", 0, 1, itself, theory::thesis_line_amplitude_limit,
-                     of_thesis_line);
-        of_.add_points(f, amplitude_over_limit());
-        return f;
-    }
+report::Figure limit_shifts(const ThesisFigures& of, double lambda) {
+    const auto exact = [=](double w) { return theory::line_settled_shift_ratio(w, 0, lambda); };
+    return of.figure("3.45", "Shift at the limit",
+                     fmt::format("Points: settled shifts at {} of the model's limit or more. "
+                                 "Thesis: its fit u_lim = f^0.87 (3.5.29).",
+                                 near_line_limit),
+                     "f_T,lim", "u_lim [U_max]",
+                     {{"exact, half-space", 0, 1, theory::line_shakedown_limit, exact, exact_line},
+                      {"thesis (3.5.29)", 0, 1, std::identity(),
+                       theory::thesis_line_limit_shift_ratio, of_thesis_line}},
+                     settled_near_limit(near_line_limit));
+}
 
-    report::Figure limit_shifts() const {
-        report::Figure f =
-            of_.figure("3.45", "Shift at the limit",
-                       fmt::format("Points: settled shifts at {} of the model's limit or more. "
-                                   "Thesis: its fit u_lim = f^0.87 (3.5.29).",
-                                   near_line_limit),
-                       "f_T,lim", "u_lim [U_max]");
-        of_.add_form(
-            f, "exact, half-space", 0, 1, theory::line_shakedown_limit,
-            [&](double w) { return theory::line_settled_shift_ratio(w, 0, lambda_); }, exact_line);
-        of_.add_form(f, "thesis (3.5.29)", 0, 1, itself, theory::thesis_line_limit_shift_ratio,
-                     of_thesis_line);
-        of_.add_points(f, settled_near_limit(near_line_limit));
-        return f;
-    }
-
-    report::Figure increments() const {
-        report::Figure f =
-            of_.figure("3.46", "Shift per period over the load",
-                       "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
-                       "amplitudes of the points.",
-                       "f_T", "Δu [U_max]");
-        for (const double w : of_.amplitudes())
-            of_.add_form(
-                f, "thesis (3.5.30)", theory::line_shakedown_limit(w), 1, itself,
-                [&](double load) { return theory::thesis_line_increment(w, load); },
-                of_thesis_line);
-        of_.add_points(f, over_load(quantities::shift_increment_ratio));
-        return f;
-    }
-
-    double lambda_;
-    ThesisFigures of_;
-};
+report::Figure increments(const ThesisFigures& of) {
+    std::vector<Form> forms;
+    for (const double w : of.amplitudes())
+        forms.push_back({"thesis (3.5.30)", theory::line_shakedown_limit(w), 1, std::identity(),
+                         [=](double load) { return theory::thesis_line_increment(w, load); },
+                         of_thesis_line});
+    return of.figure("3.46", "Shift per period over the load",
+                     "Lines: the thesis' Δu = 0.64 f_T (w − w_lim) (3.5.30) for the "
+                     "amplitudes of the points.",
+                     "f_T", "Δu [U_max]", forms, over_load(quantities::shift_increment_ratio));
+}
 
 report::WithError cell(const Computed& value) {
     return {value.value, value.error};
@@ -219,25 +186,26 @@ report::Document line_fit_document(const StudyFit& fit, double shift_factor) {
         .kind = "Line contacts of a sweep",
         .title = fit.title,
         .lead =
-            "Settled shifts, limits and increments of a rolling cylinder beside "
-            "the exact solution on the half-space and the fits of the thesis. w, "
-            "f_T and u are ratios to each model's own half width, friction limit "
-            "and U_max.",
+            "Settled shifts, limits and increments of a rolling cylinder beside the exact solution "
+            "on the half-space and the fits of the thesis. w, f_T and u are ratios to each model's "
+            "own half width, friction limit and U_max.",
         .settings = fit.settings,
         .files = {{"all numbers (JSON)", "fit.json"}},
         .command = fit.command,
         .version = fit.version};
     if (!fit.caveat.empty())
         document.verdicts.push_back({report::Verdict::Standing::cannot_tell, fit.caveat});
-    report::DocumentSection section{
-        .id = "thesis",
-        .heading = "Figures of the thesis",
-        .paragraphs = {"Closed forms are dashed. Bars are numerical errors."},
-        .figures = LineFigures(fit, shift_factor).all()};
-    for (report::DocumentTable table :
-         {settled_table(fit, shift_factor), stick_table(fit), increment_table(fit, shift_factor)})
-        if (!table.rows.empty()) section.tables.push_back(std::move(table));
-    document.sections.push_back(std::move(section));
+    const ThesisFigures of(fit, "", "", 1e3);
+    document.sections.push_back(
+        {.id = "thesis",
+         .heading = "Figures of the thesis",
+         .paragraphs = {"Closed forms are dashed. Bars are numerical errors."},
+         .figures = with_model_points({stick_widths(of), settled(of, shift_factor), limits(of),
+                                       limit_shifts(of, shift_factor), increments(of)}),
+         .tables = {settled_table(fit, shift_factor), stick_table(fit),
+                    increment_table(fit, shift_factor)}});
+    std::erase_if(document.sections.front().tables,
+                  [](const report::DocumentTable& table) { return table.rows.empty(); });
     return document;
 }
 

@@ -64,10 +64,10 @@ void fit(MappingGroup& group, double confidence) {
         times_f.push_back(-w * u * p.limit_ratio);
     }
     group.constant = fit_form("f_T = 1 - kappa w u_sd - (1 - u_sd)^(3/2)", {"kappa"}, {product}, f,
-                              offset, confidence, least_points_of_constant);
+                              confidence, least_points_of_constant, offset);
     group.plane = fit_form("f_T = 1 - (k_0 + k_w w + k_f f_T/f_T,lim) w u_sd - (1 - u_sd)^(3/2)",
-                           {"k_0", "k_w", "k_f"}, {product, times_w, times_f}, f, offset,
-                           confidence, least_points_of_plane);
+                           {"k_0", "k_w", "k_f"}, {product, times_w, times_f}, f, confidence,
+                           least_points_of_plane, offset);
 }
 
 MappingUse use_of(const MappingGroup& group, const std::string& name, double kappa) {
@@ -127,7 +127,7 @@ OneMapping one_of(const MappingGroup& group) {
     const auto n = group.points.size(), n_telling = static_cast<std::size_t>(one.n_telling);
     const bool all_have_bars = static_cast<std::size_t>(one.n_with_bars) == n;
     one.is_known = all_have_bars && n_telling >= least_points_of_constant && 2 * n_telling >= n;
-    using enum OneMapping::Finding;
+    using enum report::Verdict::Standing;
     if (one.is_negligible)
         one.finding = holds;
     else if (!is_fitted || one.low > one.high)
@@ -137,27 +137,25 @@ OneMapping one_of(const MappingGroup& group) {
     return one;
 }
 
-bool less_kappa(const MappingPoint& a, const MappingPoint& b) {
-    return a.kappa.value < b.kappa.value;
+double kappa_of(const MappingPoint& p) {
+    return p.kappa.value;
 }
 
 }  // namespace
 
 double MappingGroup::smallest() const {
-    return std::min_element(points.begin(), points.end(), less_kappa)->kappa.value;
+    return std::ranges::min(points, {}, kappa_of).kappa.value;
 }
 
 double MappingGroup::largest() const {
-    return std::max_element(points.begin(), points.end(), less_kappa)->kappa.value;
+    return std::ranges::max(points, {}, kappa_of).kappa.value;
 }
 
 std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence) {
     auto groups = groups_of<MappingGroup>(points);
     for (MappingGroup& group : groups) {
-        for (const RollingPoint* p : points_of(points, group)) {
-            if (!has_mapping(*p)) continue;
-            group.points.push_back(mapping_point(*p));
-        }
+        for (const RollingPoint* p : points_of(points, group))
+            if (has_mapping(*p)) group.points.push_back(mapping_point(*p));
         fit(group, confidence);
         add_uses(group);
         group.one = one_of(group);

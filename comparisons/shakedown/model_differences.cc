@@ -28,7 +28,7 @@ struct ModelAndGroup {
 /// What changes nothing of a limit: it is compared once per amplitude.
 bool is_repeated(const ModelDifference& difference, const PointDifference& candidate) {
     return difference.quantity == &quantities::limit_tangential_ratio &&
-           std::any_of(difference.points.begin(), difference.points.end(), [&](const auto& p) {
+           std::ranges::any_of(difference.points, [&](const auto& p) {
                return p.amplitude_ratio == candidate.amplitude_ratio &&
                       p.first.value == candidate.first.value &&
                       p.second.value == candidate.second.value;
@@ -43,8 +43,8 @@ ModelDifference compared(const Quantity& quantity, const std::vector<const Rolli
                            .group = first.front()->group,
                            .points = {}};
     for (const RollingPoint* a : first) {
-        const auto b = std::find_if(second.begin(), second.end(),
-                                    [&](const RollingPoint* p) { return p->point == a->point; });
+        const auto b = std::ranges::find_if(
+            second, [&](const RollingPoint* p) { return p->point == a->point; });
         if (b == second.end()) continue;
         const Computed *value = a->find(quantity), *other = (*b)->find(quantity);
         if (!value || !other || other->value == 0) continue;
@@ -74,19 +74,18 @@ const PointDifference& ModelDifference::worst() const {
     const auto rank = [](const PointDifference& p) {
         return std::pair(differs(p.first, p.second), std::abs(p.relative()));
     };
-    return *std::max_element(points.begin(), points.end(),
-                             [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return *std::ranges::max_element(
+        points, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
 }
 
 int ModelDifference::n_with_bars() const {
-    return static_cast<int>(std::count_if(points.begin(), points.end(), [](const auto& p) {
-        return p.first.has_bar() && p.second.has_bar();
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        points, [](const auto& p) { return p.first.has_bar() && p.second.has_bar(); }));
 }
 
 int ModelDifference::n_different() const {
-    return static_cast<int>(std::count_if(
-        points.begin(), points.end(), [](const auto& p) { return differs(p.first, p.second); }));
+    return static_cast<int>(
+        std::ranges::count_if(points, [](const auto& p) { return differs(p.first, p.second); }));
 }
 
 std::vector<ModelDifference> model_differences(const std::vector<RollingPoint>& points) {

@@ -1,11 +1,9 @@
 #include "comparisons/shakedown/ratcheting_fit.h"
 
 #include <algorithm>
-#include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/rolling_points.h"
@@ -16,8 +14,6 @@ namespace tricontact::comparisons {
 namespace {
 
 constexpr std::size_t least_amplitudes = 2, least_points = 3;
-
-using Members = std::vector<const RollingPoint*>;
 
 const Quantity& increment = quantities::shift_increment_ratio;
 
@@ -36,19 +32,17 @@ double thesis_ratio(const RollingPoint& p) {
 }
 
 /// Du = eta (w - w_lim) through the origin, or with u_stat^(1/2) taken out of eta.
-std::optional<FittedForm> slope_form(const std::vector<const RatchetingPoint*>& points,
-                                     bool with_root, double confidence, std::size_t least) {
+std::optional<FittedForm> slope_form(const std::vector<RatchetingPoint>& points, bool with_root,
+                                     double confidence, std::size_t least) {
     std::vector<double> column, observed;
-    for (const RatchetingPoint* p : points) {
-        const double excess = p->at.amplitude_ratio - p->amplitude_limit.value;
-        column.push_back(with_root
-                             ? std::sqrt(p->at.at(quantities::static_shift_ratio).value) * excess
-                             : excess);
-        observed.push_back(p->at.at(increment).value);
+    for (const RatchetingPoint& p : points) {
+        const double excess = p.at.amplitude_ratio - p.amplitude_limit.value;
+        column.push_back(
+            with_root ? std::sqrt(p.at.at(quantities::static_shift_ratio).value) * excess : excess);
+        observed.push_back(p.at.at(increment).value);
     }
     const char* form = with_root ? "Du = c u_stat^(1/2) (w - w_lim)" : "Du = eta (w - w_lim)";
-    return fit_form(form, {with_root ? "c" : "eta"}, {column}, observed,
-                    std::vector<double>(observed.size(), 0.), confidence, least);
+    return fit_form(form, {with_root ? "c" : "eta"}, {column}, observed, confidence, least);
 }
 
 std::optional<FittedForm> eta_form(const std::vector<RatchetingLoad>& loads, double confidence) {
@@ -58,8 +52,7 @@ std::optional<FittedForm> eta_form(const std::vector<RatchetingLoad>& loads, dou
         column.push_back(std::sqrt(load.static_shift_ratio));
         observed.push_back(load.slope->fit.parameters.front().value);
     }
-    return fit_form("eta = c u_stat^(1/2)", {"c"}, {column}, observed,
-                    std::vector<double>(observed.size(), 0.), confidence, least_points);
+    return fit_form("eta = c u_stat^(1/2)", {"c"}, {column}, observed, confidence, least_points);
 }
 
 void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& limit) {
@@ -72,20 +65,21 @@ void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& li
 }
 
 void add_loads(RatchetingGroup& group, double confidence) {
-    std::map<long, std::vector<const RatchetingPoint*>> by_load;
-    for (const RatchetingPoint& p : group.points) by_load[load_key(p.at)].push_back(&p);
+    std::map<long, std::vector<RatchetingPoint>> by_load;
+    for (const RatchetingPoint& p : group.points) by_load[load_key(p.at)].push_back(p);
     for (const auto& [key, points] : by_load)
         group.loads.push_back(
-            {.tangential_ratio = points.front()->at.tangential_ratio,
-             .static_shift_ratio = points.front()->at.at(quantities::static_shift_ratio).value,
-             .amplitude_limit = points.front()->amplitude_limit,
+            {.tangential_ratio = points.front().at.tangential_ratio,
+             .static_shift_ratio = points.front().at.at(quantities::static_shift_ratio).value,
+             .amplitude_limit = points.front().amplitude_limit,
              .slope = slope_form(points, false, confidence, least_amplitudes)});
 }
 
-std::vector<const RatchetingPoint*> all_of(const RatchetingGroup& group) {
-    std::vector<const RatchetingPoint*> points;
-    for (const RatchetingPoint& p : group.points) points.push_back(&p);
-    return points;
+/// Below it the limit is nearly 1, or 0, whatever k is.
+constexpr double least_weight = 0.01;
+
+double weight_of(const LimitPoint& p) {
+    return p.amplitude_ratio * (1 - p.amplitude_ratio) * (1 + p.amplitude_ratio);
 }
 
 }  // namespace
@@ -94,9 +88,8 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
                                              double confidence) {
     auto groups = groups_of<RatchetingGroup>(points);
     for (RatchetingGroup& group : groups) {
-        const Members members = points_of(points, group);
         std::vector<LimitPoint> limits;
-        for (const RollingPoint* p : members) {
+        for (const RollingPoint* p : points_of(points, group)) {
             limits.push_back({p->amplitude_ratio, p->at(quantities::limit_tangential_ratio)});
             if (p->state != contact::State::ratcheting) continue;
             const Computed* limit = p->find(quantities::limit_amplitude_ratio);
@@ -106,41 +99,23 @@ std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& po
         }
         group.limit = fit_limit(limits, confidence);
         add_loads(group, confidence);
-        group.root = slope_form(all_of(group), true, confidence, least_points);
+        group.root = slope_form(group.points, true, confidence, least_points);
         group.root_of_eta = eta_form(group.loads, confidence);
     }
     return groups;
 }
 
-namespace {
-
-/// Below it the limit is nearly 1, or 0, whatever k is.
-constexpr double least_weight = 0.01;
-
-double weight_of(double w) {
-    return w * (1 - w) * (1 + w);
-}
-
-std::vector<LimitPoint> usable(std::vector<LimitPoint> limits) {
-    std::erase_if(limits,
-                  [](const LimitPoint& p) { return weight_of(p.amplitude_ratio) < least_weight; });
-    std::sort(limits.begin(), limits.end(), [](const LimitPoint& a, const LimitPoint& b) {
-        return a.amplitude_ratio < b.amplitude_ratio;
-    });
-    return limits;
-}
-
-}  // namespace
-
-std::optional<FittedForm> fit_limit(const std::vector<LimitPoint>& limits, double confidence) {
+std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence) {
+    std::erase_if(limits, [](const LimitPoint& p) { return weight_of(p) < least_weight; });
+    std::ranges::sort(limits, {}, &LimitPoint::amplitude_ratio);
     std::vector<double> column, observed, offset;
-    for (const LimitPoint& p : usable(limits)) {
-        column.push_back(-weight_of(p.amplitude_ratio));
+    for (const LimitPoint& p : limits) {
+        column.push_back(-weight_of(p));
         observed.push_back(p.limit.value);
         offset.push_back(1 - std::pow(p.amplitude_ratio, 3));
     }
-    return fit_form("f_T,lim = 1 - k w (1 - w^2) - w^3", {"k"}, {column}, observed, offset,
-                    confidence, 2);
+    return fit_form("f_T,lim = 1 - k w (1 - w^2) - w^3", {"k"}, {column}, observed, confidence, 2,
+                    offset);
 }
 
 }  // namespace tricontact::comparisons

@@ -19,7 +19,7 @@ struct LimitPoint {
 /// One number k for f_T,lim = 1 - k w (1 - w^2) - w^3, which has the ends right whatever the
 /// pressures: k = 3/2 for Hertz' (exact, see theory::shakedown_limit, which ends there), else a
 /// fit. Empty below two points.
-std::optional<FittedForm> fit_limit(const std::vector<LimitPoint>& limits, double confidence);
+std::optional<FittedForm> fit_limit(std::vector<LimitPoint> limits, double confidence);
 
 /// A ratcheting point with eta = Du/(w - w_lim) (3.3.1), w_lim being the model's own limit.
 struct RatchetingPoint {

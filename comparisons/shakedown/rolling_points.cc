@@ -23,82 +23,64 @@ bool depends_on_steps(const Quantity& q) {
     return q.told_in == contact::State::ratcheting;
 }
 
-/// Runs of one model and point, coarse to fine.
-class Runs {
-  public:
-    void add(const RollingRun& run) { runs_[{run.level, run.steps_per_quarter}] = &run; }
+/// Runs of one model and point by level and steps, coarse to fine.
+using Runs = std::map<std::pair<int, int>, const RollingRun*>;
 
-    RollingPoint point() const {
-        const RollingRun& finest = *runs_.rbegin()->second;
-        const Results& results = finest.results;
-        RollingPoint p{.model = finest.model,
-                       .group = finest.group,
-                       .point = finest.point,
-                       .angle = finest.angle,
-                       .amplitude_ratio = *results.number(quantities::amplitude_ratio),
-                       .tangential_ratio = *results.number(quantities::tangential_ratio),
-                       .state = results.state().value_or(contact::State::undecided)};
-        for (const Quantity* q : point_quantities()) {
-            const bool followed = !depends_on_steps(*q) || finest.steps_per_quarter > 1;
-            if (results.told(*q) && followed) p.values[q] = over_levels(*q);
+/// Of the finest steps on each level, or, where they count, extrapolated to steps of no length.
+Computed over_levels(const Runs& runs, const Quantity& q) {
+    std::map<int, std::map<int, double>> by_level;
+    for (const auto& [resolution, run] : runs)
+        if (const auto value = run->results.told(q))
+            by_level[resolution.first][resolution.second] = *value;
+    std::vector<double> sizes, values;
+    double step_error = 0;
+    for (auto& [level, by_steps] : by_level) {
+        Computed value{by_steps.rbegin()->second, 0};
+        if (depends_on_steps(q)) {
+            by_steps.erase(1);  // turning points alone: too coarse to extrapolate from
+            if (by_steps.empty()) continue;
+            value = value_of_steps(by_steps);
         }
-        add_error_of_stopping(results, p);
-        return p;
+        sizes.push_back(std::pow(2., -level / 2.));
+        values.push_back(value.value);
+        step_error = value.error;
     }
+    Computed result = value_of_levels(sizes, values);
+    result.error += step_error;
+    return result;
+}
 
-  private:
-    static void add_error_of_stopping(const Results& results, RollingPoint& p) {
-        const auto error = results.number(quantities::settled_shift_error_ratio);
-        const auto unit = results.number(quantities::unit_shift);
-        if (const auto u = p.values.find(&quantities::settled_shift_ratio); u != p.values.end())
-            u->second.error += error.value_or(NAN);
-        if (const auto u = p.values.find(&quantities::settled_shift); u != p.values.end())
-            u->second.error += error.value_or(NAN) * unit.value_or(NAN);
+void add_error_of_stopping(const Results& results, RollingPoint& p) {
+    const double error = results.number(quantities::settled_shift_error_ratio).value_or(NAN);
+    const double unit = results.number(quantities::unit_shift).value_or(NAN);
+    for (const auto& [q, size] : {std::pair(&quantities::settled_shift_ratio, 1.),
+                                  std::pair(&quantities::settled_shift, unit)})
+        if (const auto u = p.values.find(q); u != p.values.end()) u->second.error += error * size;
+}
+
+RollingPoint point_of(const Runs& runs) {
+    const RollingRun& finest = *runs.rbegin()->second;
+    const Results& results = finest.results;
+    RollingPoint p{.model = finest.model,
+                   .group = finest.group,
+                   .point = finest.point,
+                   .angle = finest.angle,
+                   .amplitude_ratio = *results.number(quantities::amplitude_ratio),
+                   .tangential_ratio = *results.number(quantities::tangential_ratio),
+                   .state = results.state().value_or(contact::State::undecided)};
+    for (const Quantity* q : point_quantities()) {
+        const bool followed = !depends_on_steps(*q) || finest.steps_per_quarter > 1;
+        if (results.told(*q) && followed) p.values[q] = over_levels(runs, *q);
     }
-
-    /// Of the finest steps on each level, or, where they count, extrapolated to steps of no length.
-    Computed over_levels(const Quantity& q) const {
-        std::map<int, std::map<int, double>> by_level;
-        for (const auto& [resolution, run] : runs_)
-            if (const auto value = run->results.told(q))
-                by_level[resolution.first][resolution.second] = *value;
-        std::vector<double> sizes, values;
-        double step_error = 0;
-        for (const auto& [level, by_steps] : by_level) {
-            Computed value{by_steps.rbegin()->second, 0};
-            if (depends_on_steps(q)) {
-                std::vector<int> steps;
-                std::vector<double> list;
-                for (const auto& [n, of_steps] : by_steps) {
-                    if (n == 1) continue;  // turning points alone: too coarse to extrapolate from
-                    steps.push_back(n);
-                    list.push_back(of_steps);
-                }
-                if (list.empty()) continue;
-                value = value_of_steps(steps, list);
-            }
-            sizes.push_back(std::pow(2., -level / 2.));
-            values.push_back(value.value);
-            step_error = value.error;
-        }
-        Computed result = value_of_levels(sizes, values);
-        result.error += step_error;
-        return result;
-    }
-
-    std::map<std::pair<int, int>, const RollingRun*> runs_;  // by level and steps
-};
+    add_error_of_stopping(results, p);
+    return p;
+}
 
 bool is_multiple_of_pi(double angle) {
     return std::abs(std::remainder(angle, std::numbers::pi)) < 1e-9;  // rounding of "180 deg"
 }
 
 }  // namespace
-
-const Computed* RollingPoint::find(const Quantity& q) const {
-    const auto found = values.find(&q);
-    return found == values.end() ? nullptr : &found->second;
-}
 
 const std::vector<const Quantity*>& point_quantities() {
     using namespace quantities;
@@ -130,10 +112,10 @@ std::vector<RollingPoint> rolling_points(const std::vector<RollingRun>& runs) {
         if (!can_be_used(run)) continue;
         const std::string key = run.model + '\n' + run.point;
         if (!points.contains(key)) order.push_back(key);
-        points[key].add(run);
+        points[key][{run.level, run.steps_per_quarter}] = &run;
     }
     std::vector<RollingPoint> result;
-    for (const std::string& key : order) result.push_back(points.at(key).point());
+    for (const std::string& key : order) result.push_back(point_of(points.at(key)));
     return result;
 }
 

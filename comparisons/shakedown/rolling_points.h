@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -35,10 +34,10 @@ struct RollingPoint {
     /// Of point_quantities(), where the finest run tells them; the bar of a settled shift includes
     /// what was still to come when the run ended. The shift per period, of ratcheting, needs steps
     /// finer than the turning points.
-    std::map<const Quantity*, Computed> values = {};
+    ByQuantity<Computed> values = {};
 
     /// Null where undefined.
-    const Computed* find(const Quantity& q) const;
+    const Computed* find(const Quantity& q) const { return found(values, &q); }
     /// Throws std::out_of_range where undefined.
     const Computed& at(const Quantity& q) const { return values.at(&q); }
 };
@@ -63,9 +62,8 @@ template <class Group>
 std::vector<Group> groups_of(const std::vector<RollingPoint>& points) {
     std::vector<Group> groups;
     for (const RollingPoint& p : points)
-        if (std::none_of(groups.begin(), groups.end(), [&](const Group& g) {
-                return g.model == p.model && g.group == p.group;
-            })) {
+        if (std::ranges::none_of(
+                groups, [&](const Group& g) { return g.model == p.model && g.group == p.group; })) {
             Group& group = groups.emplace_back();
             group.model = p.model;
             group.group = p.group;

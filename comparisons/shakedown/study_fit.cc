@@ -8,144 +8,129 @@
 
 namespace tricontact::comparisons {
 
-namespace {
-
 using json = nlohmann::ordered_json;
 
-json computed(const Computed& value) {
-    return {{"value", value.value}, {"numerical_error", value.error}};
+// What the library writes lists and optional values by.
+
+static void to_json(json& out, const Computed& value) {
+    out = {{"value", value.value}, {"numerical_error", value.error}};
 }
 
-json point_json(const RollingPoint& p);
-json point_json(const MappingPoint& p);
-json point_json(const RatchetingPoint& p);
-json point_json(const PointDifference& p);
-
-template <class Point>
-json points_json(const std::vector<Point>& points) {
-    return report::list_of(points, [](const Point& p) { return point_json(p); });
-}
-
-json form_json(const std::optional<FittedForm>& form) {
-    if (!form) return nullptr;
+static void to_json(json& out, const FittedForm& form) {
     json parameters = json::object();
-    for (std::size_t k = 0; k < form->parameters.size(); ++k) {
-        const statistics::Estimate& e = form->fit.parameters[k];
-        parameters[form->parameters[k]] = {{"value", e.value},
-                                           {"standard_error", e.standard_error},
-                                           {"low", e.low},
-                                           {"high", e.high}};
+    for (std::size_t k = 0; k < form.parameters.size(); ++k) {
+        const statistics::Estimate& e = form.fit.parameters[k];
+        parameters[form.parameters[k]] = {{"value", e.value},
+                                          {"standard_error", e.standard_error},
+                                          {"low", e.low},
+                                          {"high", e.high}};
     }
-    return {{"form", form->form},
-            {"parameters", parameters},
-            {"explained_sum_of_squares", form->of_left_side.explained},
-            {"residual_sum_of_squares", form->of_left_side.residual},
-            {"r_squared", form->of_left_side.r_squared},
-            {"r_squared_about_zero", form->fit.r_squared()},
-            {"observations", form->fit.fitted.size()},
-            {"degrees_of_freedom", form->fit.degrees_of_freedom}};
+    out = {{"form", form.form},
+           {"parameters", parameters},
+           {"explained_sum_of_squares", form.of_left_side.explained},
+           {"residual_sum_of_squares", form.of_left_side.residual},
+           {"r_squared", form.of_left_side.r_squared},
+           {"r_squared_about_zero", form.fit.r_squared()},
+           {"observations", form.fit.fitted.size()},
+           {"degrees_of_freedom", form.fit.degrees_of_freedom}};
 }
 
-json point_json(const RollingPoint& p) {
-    json point{{"model", p.model},
-               {"group", p.group},
-               {quantities::amplitude_ratio.key, p.amplitude_ratio},
-               {quantities::tangential_ratio.key, p.tangential_ratio},
-               {quantities::state.key, contact::name_of(p.state)}};
-    for (const Quantity* q : point_quantities())
-        point[q->key] = p.find(*q) ? computed(p.at(*q)) : json();
-    return point;
+static void to_json(json& out, const RollingPoint& p) {
+    out = {{"model", p.model},
+           {"group", p.group},
+           {quantities::amplitude_ratio.key, p.amplitude_ratio},
+           {quantities::tangential_ratio.key, p.tangential_ratio},
+           {quantities::state.key, contact::name_of(p.state)}};
+    for (const Quantity* q : point_quantities()) out[q->key] = p.find(*q) ? json(p.at(*q)) : json();
 }
 
-json use_json(const MappingUse& use) {
-    return {{"name", use.name},
-            {quantities::kappa.key, use.kappa},
-            {"median_error", use.median},
-            {"worst_error", use.worst},
-            {"worst_amplitude_ratio", use.worst_amplitude_ratio},
-            {"worst_tangential_ratio", use.worst_tangential_ratio},
-            {"points", use.n},
-            {"points_said_to_ratchet", use.n_ratcheting},
-            {"points_with_numerical_error", use.n_with_bars},
-            {"points_beyond_numerical_error", use.n_beyond_bars}};
+static void to_json(json& out, const MappingUse& use) {
+    out = {{"name", use.name},
+           {quantities::kappa.key, use.kappa},
+           {"median_error", use.median},
+           {"worst_error", use.worst},
+           {"worst_amplitude_ratio", use.worst_amplitude_ratio},
+           {"worst_tangential_ratio", use.worst_tangential_ratio},
+           {"points", use.n},
+           {"points_said_to_ratchet", use.n_ratcheting},
+           {"points_with_numerical_error", use.n_with_bars},
+           {"points_beyond_numerical_error", use.n_beyond_bars}};
 }
 
-json one_json(const OneMapping& one) {
+static void to_json(json& out, const OneMapping& one) {
     static constexpr const char* names[] = {"holds", "fails", "cannot tell"};
     const bool some = one.low <= one.high;
-    return {{"finding", names[static_cast<int>(one.finding)]},
-            {"kappa_low", some ? json(one.low) : json()},
-            {"kappa_high", some ? json(one.high) : json()},
-            {"points_with_numerical_error", one.n_with_bars},
-            {"points_that_know_kappa_to_10_percent", one.n_telling},
-            {"misses_less_than_0.1_percent", one.is_negligible}};
+    out = {{"finding", names[static_cast<int>(one.finding)]},
+           {"kappa_low", some ? json(one.low) : json()},
+           {"kappa_high", some ? json(one.high) : json()},
+           {"points_with_numerical_error", one.n_with_bars},
+           {"points_that_know_kappa_to_10_percent", one.n_telling},
+           {"misses_less_than_0.1_percent", one.is_negligible}};
 }
 
-json point_json(const MappingPoint& p) {
-    return {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
-            {quantities::tangential_ratio.key, p.at.tangential_ratio},
-            {"over_limit", p.limit_ratio},
-            {quantities::kappa.key, computed(p.kappa)}};
+static void to_json(json& out, const MappingPoint& p) {
+    out = {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
+           {quantities::tangential_ratio.key, p.at.tangential_ratio},
+           {"over_limit", p.limit_ratio},
+           {quantities::kappa.key, p.kappa}};
 }
 
-json group_json(const MappingGroup& group) {
-    return {{"model", group.model},
-            {"group", group.group},
-            {"points", points_json(group.points)},
-            {"one_kappa", one_json(group.one)},
-            {"constant", form_json(group.constant)},
-            {"plane", form_json(group.plane)},
-            {"settled_shifts_by_one_kappa", report::list_of(group.uses, use_json)}};
+static void to_json(json& out, const MappingGroup& group) {
+    out = {{"model", group.model},
+           {"group", group.group},
+           {"points", group.points},
+           {"one_kappa", group.one},
+           {"constant", group.constant},
+           {"plane", group.plane},
+           {"settled_shifts_by_one_kappa", group.uses}};
 }
 
-json point_json(const RatchetingPoint& p) {
-    return {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
-            {quantities::tangential_ratio.key, p.at.tangential_ratio},
-            {quantities::limit_amplitude_ratio.key, computed(p.amplitude_limit)},
-            {quantities::eta.key, computed(p.eta)},
-            {"thesis_increment_over_model", p.thesis_ratio}};
+static void to_json(json& out, const RatchetingPoint& p) {
+    out = {{quantities::amplitude_ratio.key, p.at.amplitude_ratio},
+           {quantities::tangential_ratio.key, p.at.tangential_ratio},
+           {quantities::limit_amplitude_ratio.key, p.amplitude_limit},
+           {quantities::eta.key, p.eta},
+           {"thesis_increment_over_model", p.thesis_ratio}};
 }
 
-json load_json(const RatchetingLoad& load) {
-    return {{quantities::tangential_ratio.key, load.tangential_ratio},
-            {quantities::static_shift_ratio.key, load.static_shift_ratio},
-            {quantities::limit_amplitude_ratio.key, computed(load.amplitude_limit)},
-            {"slope", form_json(load.slope)}};
+static void to_json(json& out, const RatchetingLoad& load) {
+    out = {{quantities::tangential_ratio.key, load.tangential_ratio},
+           {quantities::static_shift_ratio.key, load.static_shift_ratio},
+           {quantities::limit_amplitude_ratio.key, load.amplitude_limit},
+           {"slope", load.slope}};
 }
 
-json group_json(const RatchetingGroup& group) {
-    return {{"model", group.model},
-            {"group", group.group},
-            {"limit", form_json(group.limit)},
-            {"points", points_json(group.points)},
-            {"loads", report::list_of(group.loads, load_json)},
-            {"root", form_json(group.root)},
-            {"root_of_eta", form_json(group.root_of_eta)},
-            {"points_by_turning_points_only", group.n_turning_points_only}};
+static void to_json(json& out, const RatchetingGroup& group) {
+    out = {{"model", group.model},
+           {"group", group.group},
+           {"limit", group.limit},
+           {"points", group.points},
+           {"loads", group.loads},
+           {"root", group.root},
+           {"root_of_eta", group.root_of_eta},
+           {"points_by_turning_points_only", group.n_turning_points_only}};
 }
 
-json point_json(const PointDifference& p) {
-    return {{quantities::amplitude_ratio.key, p.amplitude_ratio},
-            {quantities::tangential_ratio.key, p.tangential_ratio},
-            {"first", computed(p.first)},
-            {"second", computed(p.second)},
-            {"relative_difference", p.relative()},
-            {"relative_error", p.bar()},
-            {"differs", differs(p.first, p.second)}};
+static void to_json(json& out, const PointDifference& p) {
+    out = {{quantities::amplitude_ratio.key, p.amplitude_ratio},
+           {quantities::tangential_ratio.key, p.tangential_ratio},
+           {"first", p.first},
+           {"second", p.second},
+           {"relative_difference", p.relative()},
+           {"relative_error", p.bar()},
+           {"differs", differs(p.first, p.second)}};
 }
 
-json difference_json(const ModelDifference& d) {
-    return {{"quantity", d.quantity->symbol},
-            {"first", d.first},
-            {"second", d.second},
-            {"group", d.group},
-            {"median_magnitude", d.median()},
-            {"worst", d.worst().relative()},
-            {"points_that_differ", d.n_different()},
-            {"points", points_json(d.points)}};
+static void to_json(json& out, const ModelDifference& d) {
+    out = {{"quantity", d.quantity->symbol},
+           {"first", d.first},
+           {"second", d.second},
+           {"group", d.group},
+           {"median_magnitude", d.median()},
+           {"worst", d.worst().relative()},
+           {"points_that_differ", d.n_different()},
+           {"points", d.points}};
 }
-
-}  // namespace
 
 void evaluate(StudyFit& fit) {
     fit.mapping = mapping_fits(fit.points, fit.confidence);
@@ -155,24 +140,19 @@ void evaluate(StudyFit& fit) {
 
 std::string relaxing_caveat() {
     return "The substrate relaxes, while the formulas of kappa and eta are those of an elastic "
-           "one: "
-           "what is fitted belongs to this drive's speed and rest under load, part of each shift "
-           "is "
-           "creep, and the constants of the thesis are no reference for it";
+           "one: what is fitted belongs to this drive's speed and rest under load, part of each "
+           "shift is creep, and the constants of the thesis are no reference for it";
 }
 
 std::string fit_json(const StudyFit& fit) {
-    const json all = {
-        {"tricontact", fit.version},
-        {"title", fit.title},
-        {"confidence", fit.confidence},
-        {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
-        {"points", points_json(fit.points)},
-        {quantities::kappa.key,
-         report::list_of(fit.mapping, [](const auto& g) { return group_json(g); })},
-        {quantities::eta.key,
-         report::list_of(fit.ratcheting, [](const auto& g) { return group_json(g); })},
-        {"differences", report::list_of(fit.differences, difference_json)}};
+    const json all = {{"tricontact", fit.version},
+                      {"title", fit.title},
+                      {"confidence", fit.confidence},
+                      {"caveat", fit.caveat.empty() ? json() : json(fit.caveat)},
+                      {"points", fit.points},
+                      {quantities::kappa.key, fit.mapping},
+                      {quantities::eta.key, fit.ratcheting},
+                      {"differences", fit.differences}};
     return all.dump(2) + '\n';
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 
+#include "comparisons/quantities/quantity.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "theory/cattaneo_mindlin.h"
@@ -169,6 +171,12 @@ inline void add_snapshots(contact::History& history, const Options& options, boo
         at(n - 0.25, -options.w);
         at(n, 0);
     }
+}
+
+/// The quantity with a key.
+inline const comparisons::Quantity& quantity_of(std::string_view key) {
+    return **std::ranges::find_if(comparisons::all_quantities(),
+                                  [=](const comparisons::Quantity* q) { return q->key == key; });
 }
 
 /// MDR (line) and BEM (grid), with snapshots.

@@ -49,7 +49,7 @@ TEST(Results, AreThoseOfTheClosedForm) {
     EXPECT_EQ(results.state(), contact::State::shakedown);
     EXPECT_EQ(results.periods(), 12);
     EXPECT_FALSE(results.number(eta));
-    EXPECT_FALSE(results.number(*find_quantity("frequency_Hz")));  // elastic
+    EXPECT_FALSE(results.number(quantities::frequency));  // elastic
 }
 
 TEST(Results, AShiftThatStillMovesHasNotSettled) {
@@ -69,7 +69,7 @@ TEST(Results, AShiftThatStillMovesHasNotSettled) {
 
 TEST(Results, LargestSlipPathIsThatOfTheLastPeriod) {
     contact::History history = synthetic::settling_history("bem");
-    const Quantity& path = *find_quantity("largest_slip_path_m");
+    const Quantity& path = synthetic::quantity_of("largest_slip_path_m");
     EXPECT_FALSE(Results(synthetic::unit_case(), history).number(path));  // the model knows none
     history.slip_path_per_period = {3e-6, 2e-6};
     EXPECT_EQ(Results(synthetic::unit_case(), history).number(path), 2e-6);
@@ -77,7 +77,7 @@ TEST(Results, LargestSlipPathIsThatOfTheLastPeriod) {
 
 TEST(Results, LargestFrictionWorkPerAreaIsThatOfTheLastPeriod) {
     contact::History history = synthetic::settling_history("bem");
-    const Quantity& work = *find_quantity("largest_friction_work_J_per_m2");
+    const Quantity& work = synthetic::quantity_of("largest_friction_work_J_per_m2");
     EXPECT_FALSE(Results(synthetic::unit_case(), history).number(work));
     history.friction_work_per_period = {5., 4.};
     EXPECT_EQ(Results(synthetic::unit_case(), history).number(work), 4.);

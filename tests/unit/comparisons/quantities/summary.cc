@@ -136,7 +136,7 @@ TEST(Summary, WorstForceResidualOfAllSteps) {
     contact::History history = synthetic::settling_history("bem");
     history.steps[17].force_residual = 3e-9;
     EXPECT_DOUBLE_EQ(*Results(synthetic::unit_case(), history)
-                          .number(*find_quantity("max_force_residual_ratio")),
+                          .number(synthetic::quantity_of("max_force_residual_ratio")),
                      3e-9);
 }
 

@@ -179,14 +179,8 @@ TEST(Refinement, IsMadeOfWhatAllLevelsHave) {
 /// Keys of what is refined of a case whose levels all gave this.
 std::set<std::string> refined_of(const contact::Case& c, const contact::History& history) {
     const Results values(c, history);
-    RefinedLevels levels{.model = "fem",
-                         .key = "fem.size",
-                         .sizes = {4, 2, 1},
-                         .cpu_s = {1, 2, 3},
-                         .values = {values, values, values},
-                         .wide = {},
-                         .exact = {},
-                         .exact_name = {}};
+    const RefinedLevels levels{
+        {"fem", "fem.size", {4, 2, 1}, {1, 2, 3}, {}, 0}, {values, values, values}, {}, {}, 0};
     std::set<std::string> keys;
     for (const RefinedQuantity& q : make_refinement(levels).quantities)
         keys.insert(q.quantity->key);

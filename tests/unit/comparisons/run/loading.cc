@@ -25,19 +25,20 @@ Case rig() {
     return c;
 }
 
-LoadingOutcome settled(double static_shift, double shift) {
+RunValues settled(double static_shift, double shift) {
     return {static_shift, State::shakedown, shift, 0};
 }
-LoadingOutcome ratcheting(double static_shift, double increment) {
+RunValues ratcheting(double static_shift, double increment) {
     return {static_shift, State::ratcheting, 20 * increment, increment};
 }
 
 std::vector<LoadingVariant> variants() {
-    const LoadingOutcome run = settled(1.5e-4, 2e-4);
-    return {{"bem-layer", "contact.kinematics", "linear", "deformed", {1.5e-4}, {{1.53e-4}}, ""},
-            {"bem-layer", "contact.coupling", "true", "false", run, settled(1.485e-4, 1.9e-4), ""},
-            {"bem-layer", "load.press", "friction", "frictionless", run, {}, "no end"},
-            {"fem", "load.press_steps", "20", "1", run, ratcheting(1.56e-4, 1e-4), ""}};
+    const RunValues run = settled(1.5e-4, 2e-4);
+    return {
+        {"bem-layer", "contact.kinematics", "linear", "deformed", {1.5e-4}, RunValues{1.53e-4}, ""},
+        {"bem-layer", "contact.coupling", "true", "false", run, settled(1.485e-4, 1.9e-4), ""},
+        {"bem-layer", "load.press", "friction", "frictionless", run, {}, "no end"},
+        {"fem", "load.press_steps", "20", "1", run, ratcheting(1.56e-4, 1e-4), ""}};
 }
 
 std::string joined(const std::vector<std::string>& sentences) {
@@ -65,7 +66,7 @@ TEST(LoadingVariant, ComparesWhatTheVerdictsHaveInCommon) {
     EXPECT_DOUBLE_EQ(v.rolled_ratio().value(), 1.5);
     v.run = settled(0, 0);  // no tangential force
     EXPECT_FALSE(v.static_ratio());
-    v.run = v.other.value() = {1e-4};
+    v.run = v.other.value() = RunValues{1e-4};
     EXPECT_FALSE(v.rolled_ratio());
 }
 

@@ -93,7 +93,7 @@ TEST(RelaxationStudy, TwinIsElasticAndKnowsNoTimes) {
 }
 
 RunValues shifts(State state, double static_shift, double final_shift, double increment) {
-    return {static_shift, final_shift, increment, 0.6, state};
+    return {static_shift, state, final_shift, increment, 0.6};
 }
 
 TEST(RelaxationStudy, ComparesOnlyWhatIsAlike) {

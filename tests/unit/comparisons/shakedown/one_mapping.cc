@@ -14,7 +14,7 @@ OneMapping one_of(const std::vector<RollingPoint>& points) {
     return mapping_fits(points, 0.95).at(0).one;
 }
 
-using Finding = OneMapping::Finding;
+using Finding = report::Verdict::Standing;
 
 // kappa from .45 at w = .1 to 1.14 at w = .74: without numerical errors nobody can say that the
 // points differ, and one kappa does not hold either; with small errors it fails.
@@ -74,8 +74,7 @@ TEST(FittedForm, SumsOfSquaresHaveTheNamesOfTheField) {
         x.push_back(60 + i);
         y.push_back(130 + i);
     }
-    const auto form =
-        fit_form("y = B x", {"B"}, {x}, y, std::vector<double>(x.size(), 0.), 0.95, 3);
+    const auto form = fit_form("y = B x", {"B"}, {x}, y, 0.95, 3);
     EXPECT_NEAR(form->fit.parameters[0].value, 2.07438016528926, 1e-13);
     EXPECT_NEAR(form->of_left_side.residual, 127.272727272727, 1e-9);
     EXPECT_NEAR(form->fit.residual_sum_of_squares, 127.272727272727, 1e-9);

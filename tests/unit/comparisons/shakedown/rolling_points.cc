@@ -27,12 +27,12 @@ TEST(NumericalBar, LevelsOfKnownOrder) {
 
 TEST(NumericalBar, StepsOfFirstOrder) {
     const auto at = [](int n) { return 0.4 - 0.03 / n + 0.02 / (n * n); };
-    const Computed two = value_of_steps({6, 12}, {at(6), at(12)});
+    const Computed two = value_of_steps({{6, at(6)}, {12, at(12)}});
     EXPECT_NEAR(two.value, 0.4, two.error);
     EXPECT_LT(two.error, 0.03 / 12);
-    const Computed three = value_of_steps({6, 12, 24}, {at(6), at(12), at(24)});
+    const Computed three = value_of_steps({{6, at(6)}, {12, at(12)}, {24, at(24)}});
     EXPECT_NEAR(three.value, 0.4, three.error);
-    EXPECT_FALSE(value_of_steps({6}, {at(6)}).has_bar());
+    EXPECT_FALSE(value_of_steps({{6, at(6)}}).has_bar());
 }
 
 TEST(RollingPoints, LevelsAndStepsOfAPointAreOne) {
