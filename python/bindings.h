@@ -3,13 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <chrono>
-#include <optional>
 #include <string>
-#include <vector>
-
-#include "contact/case.h"
-#include "contact/history.h"
-#include "contact/surface.h"
 
 namespace tricontact::python {
 
@@ -22,20 +16,27 @@ void add_roll(pybind11::module_& module);
 void add_theory(pybind11::module_& module);
 void add_walk(pybind11::module_& module);
 
-/// A dictionary as the text of a TOML file: its dictionaries are tables. Throws
-/// pybind11::type_error for values that TOML has not.
-std::string toml_text(const pybind11::dict& values);
-/// A value as it stands behind a key in TOML. Throws pybind11::type_error.
-std::string toml_value(const pybind11::handle& value);
+/// The class of a contact pressed without friction.
+template <class Scales>
+void add_scales(pybind11::module_& module, const char* name, const char* text) {
+    pybind11::class_<Scales>(module, name, text)
+        .def_readonly("contact_radius", &Scales::contact_radius, "a [m]")
+        .def_readonly("indentation", &Scales::indentation, "d [m]")
+        .def_readonly("normal_force", &Scales::normal_force, "F_N [N]")
+        .def_readonly("peak_pressure", &Scales::peak_pressure, "p0 [Pa]")
+        .def_readonly("unit_shift", &Scales::unit_shift, "U_max [m]");
+}
+
+/// What a function of tricontact._toml, in Python, makes of values.
+template <class Result, class Values>
+Result toml(const char* function, const Values& values) {
+    return pybind11::module_::import("tricontact._toml")
+        .attr(function)(values)
+        .template cast<Result>();
+}
 
 /// What json.loads makes of a text.
 pybind11::object from_json(const std::string& text);
-
-/// The case with these models, if any, instead of its own, checked as a case file that names them.
-contact::Case with_models(const contact::Case& c,
-                          const std::optional<std::vector<std::string>>& models);
-/// As asked for, or all cores. Throws pybind11::value_error.
-int thread_count(std::optional<int> threads);
 
 /// Lets Ctrl-C and other signals through while C++ computes without Python's lock. Asks only so
 /// often that other threads, which then hold the lock, do not delay the computation.

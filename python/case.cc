@@ -2,12 +2,9 @@
 
 #include <pybind11/stl.h>
 
-#include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "io/case/case_reader.h"
-#include "io/keys/messages.h"
 #include "io/keys/toml_document.h"
 #include "python/bindings.h"
 #include "walking/input/walk_reader.h"
@@ -16,7 +13,6 @@ namespace tricontact::python {
 
 namespace py = pybind11;
 using contact::Case;
-using contact::HalfSpaceScales;
 using walking::WalkCase;
 
 namespace {
@@ -25,10 +21,7 @@ constexpr const char* dict_name = "<dict>";  // stands for the file in messages
 
 /// {"rolling.periods": 3} as the program's --set has them.
 std::vector<std::string> overrides_of(const py::dict& overrides) {
-    std::vector<std::string> texts;
-    for (const auto& [key, value] : overrides)
-        texts.push_back(py::str(key).cast<std::string>() + '=' + toml_value(value));
-    return texts;
+    return toml<std::vector<std::string>>("overrides", overrides);
 }
 
 /// What both kinds of case have, given their readers and writer.
@@ -48,7 +41,8 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
         .def_static(
             "from_dict",
             [parse](const py::dict& values, const py::dict& overrides) {
-                return parse(toml_text(values), dict_name, overrides_of(overrides));
+                return parse(toml<std::string>("document", values), dict_name,
+                             overrides_of(overrides));
             },
             py::arg("values"), py::arg("overrides") = py::dict(),
             "Read a case from what a case file would hold, sections as dictionaries.\n\n"
@@ -65,53 +59,12 @@ py::class_<C> add_kind(py::module_& module, const char* name, const char* text, 
         });
 }
 
-[[noreturn]] void refuse(const std::string& what) {
-    throw py::type_error(what + "; TOML has texts, numbers, true and false, and lists of them");
-}
-
-std::string key_text(const py::handle& key) {
-    if (!py::isinstance<py::str>(key))
-        refuse("keys are texts, not " + py::repr(key).cast<std::string>());
-    const auto text = key.cast<std::string>();
-    const bool bare = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return c < 128 && (std::isalnum(c) || c == '_' || c == '-');
-    });
-    return bare ? text : io::toml_string(text);
-}
-
-std::string list_text(const py::handle& values) {
-    std::string text;
-    for (const py::handle value : values) text += (text.empty() ? "" : ", ") + toml_value(value);
-    return '[' + text + ']';
-}
-
-bool is_dict(const py::handle& value) {
-    return py::isinstance<py::dict>(value);
-}
-
-/// Keys of a table first: those behind a table's heading would be that table's.
-void add_table(std::string& text, const std::string& path, const py::dict& values) {
-    for (const auto& [key, value] : values)
-        if (!is_dict(value)) text += key_text(key) + " = " + toml_value(value) + '\n';
-    for (const auto& [key, value] : values) {
-        if (!is_dict(value)) continue;
-        const std::string below = path + (path.empty() ? "" : ".") + key_text(key);
-        text += '[' + below + "]\n";
-        add_table(text, below, py::reinterpret_borrow<py::dict>(value));
-    }
-}
-
 }  // namespace
 
 void add_case(py::module_& module) {
-    py::class_<HalfSpaceScales>(
+    add_scales<contact::HalfSpaceScales>(
         module, "HalfSpaceScales",
-        "What ratios refer to: the body pressed without friction on the half-space.")
-        .def_readonly("contact_radius", &HalfSpaceScales::contact_radius, "a [m]")
-        .def_readonly("indentation", &HalfSpaceScales::indentation, "d [m]")
-        .def_readonly("normal_force", &HalfSpaceScales::normal_force, "F_N [N]")
-        .def_readonly("peak_pressure", &HalfSpaceScales::peak_pressure, "p0 [Pa]")
-        .def_readonly("unit_shift", &HalfSpaceScales::unit_shift, "U_max [m]");
+        "What ratios refer to: the body pressed without friction on the half-space.");
 
     add_kind<Case>(
         module, "Case", "A frictional contact, checked and resolved.",
@@ -135,24 +88,6 @@ void add_case(py::module_& module) {
             return walking::parse_walk_case(text, name, overrides);
         },
         walking::write_walk_case);
-}
-
-std::string toml_value(const py::handle& value) {
-    if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-    if (py::isinstance<py::str>(value)) return io::toml_string(value.cast<std::string>());
-    if (py::isinstance<py::int_>(value)) return py::str(value).cast<std::string>();
-    if (py::isinstance<py::float_>(value)) return io::toml_number(value.cast<double>());
-    if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
-        return list_text(value);
-    // What NumPy has: its numbers and arrays turn into Python's.
-    if (py::hasattr(value, "tolist")) return toml_value(value.attr("tolist")());
-    refuse(py::repr(value).cast<std::string>() + " is no value for a key");
-}
-
-std::string toml_text(const py::dict& values) {
-    std::string text;
-    add_table(text, "", values);
-    return text;
 }
 
 }  // namespace tricontact::python

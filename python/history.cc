@@ -10,7 +10,6 @@ namespace tricontact::python {
 
 namespace py = pybind11;
 using contact::History;
-using contact::Scales;
 using contact::Snapshot;
 using contact::StepRecord;
 
@@ -66,12 +65,8 @@ py::object state_of(const History& history) {
 }  // namespace
 
 void add_history(py::module_& module) {
-    py::class_<Scales>(module, "Scales", "A model's own pressed state: what its ratios refer to.")
-        .def_readonly("normal_force", &Scales::normal_force, "F_N [N]")
-        .def_readonly("contact_radius", &Scales::contact_radius, "a [m]")
-        .def_readonly("indentation", &Scales::indentation, "d [m]")
-        .def_readonly("peak_pressure", &Scales::peak_pressure, "p0 [Pa]")
-        .def_readonly("unit_shift", &Scales::unit_shift, "U_max [m]");
+    add_scales<contact::Scales>(module, "Scales",
+                                "A model's own pressed state: what its ratios refer to.");
 
     py::class_<Snapshot>(module, "Snapshot", "The contact surface at a phase of the load path.")
         .def_readonly("phase", &Snapshot::phase, "Rolling periods since the start.")

@@ -27,6 +27,26 @@ struct Result {
     std::string summary;
 };
 
+/// With these models, if any, instead of its own, checked as a case file that names them.
+Case with_models(const Case& c, const std::optional<std::vector<std::string>>& models) {
+    if (!models) return c;
+    return io::parse_case(io::write_case(c), "case",
+                          {"models=" + toml<std::string>("value", *models)});
+}
+
+/// As asked for, or all cores.
+int thread_count(std::optional<int> threads) {
+    if (threads.value_or(1) < 1) throw py::value_error("threads: must be at least 1");
+    return threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+}
+
+/// Calls what Python wants to be called, if anything.
+void tell(const py::object& on_step, const std::string& model, int step, int steps) {
+    if (on_step.is_none()) return;
+    const py::gil_scoped_acquire lock;
+    on_step(model, step, steps);
+}
+
 Result run(const Case& given, const std::optional<std::vector<std::string>>& models,
            std::optional<int> threads, bool studies, const py::object& on_step) {
     const Case c = with_models(given, models);
@@ -35,7 +55,6 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
     options.threads = thread_count(threads);
     options.quiet = true;
     options.studies = studies;
-    const bool tells = !on_step.is_none();
 
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
@@ -44,9 +63,7 @@ Result run(const Case& given, const std::optional<std::vector<std::string>>& mod
         const contact::Observer observer = [&](const contact::StepRecord&, contact::Model&,
                                                const contact::Progress& progress) {
             check_signals();
-            if (!tells) return;
-            const py::gil_scoped_acquire lock;
-            on_step(name, progress.step, progress.steps_at_most);
+            tell(on_step, name, progress.step, progress.steps_at_most);
         };
         return app::history_of(name, c, options.threads, say, observer, study);
     };
@@ -82,11 +99,8 @@ void add_results(py::module_& module) {
         module, "Results",
         "What one model came to: the quantities of summary.json; None: undefined.");
     for (const comparisons::Quantity* q : comparisons::all_quantities()) {
-        const std::string text = std::string(q->meaning) + " Defined " + q->defined + ". Unit: " +
-                                 (*q->unit   ? q->unit
-                                  : *q->over ? q->over
-                                             : "1") +
-                                 ".";
+        const std::string text = std::string(q->meaning) + " Defined " + q->defined +
+                                 ". Unit: " + comparisons::unit_of(*q) + ".";
         results.def_property_readonly(
             q->key, [q](const comparisons::Results& r) { return std::visit(ToPython{}, r[*q]); },
             text.c_str());
@@ -95,16 +109,13 @@ void add_results(py::module_& module) {
 
 rolling::RollingReport roll_all(const contact::Case& c, int points, int threads,
                                 const py::object& on_step) {
-    const bool tells = !on_step.is_none();
     const py::gil_scoped_release free_the_lock;
     SignalCheck check_signals;
     rolling::RollingReport report{.c = c, .runs = {}, .version = files::version};
     for (const std::string& model : c.models) {
         const auto progress = [&](int step, int steps) {
             check_signals();
-            if (!tells) return;
-            const py::gil_scoped_acquire lock;
-            on_step(model, step, steps);
+            tell(on_step, model, step, steps);
         };
         report.runs.push_back(app::roll(
             model, c, {.points = points, .threads = threads, .progress = progress, .show = {}}));
@@ -132,17 +143,6 @@ py::tuple roll(const contact::Case& given, const std::optional<std::vector<std::
 }
 
 }  // namespace
-
-Case with_models(const Case& c, const std::optional<std::vector<std::string>>& models) {
-    if (!models) return c;
-    const auto list = py::cast<py::object>(py::cast(*models));
-    return io::parse_case(io::write_case(c), "case", {"models=" + toml_value(list)});
-}
-
-int thread_count(std::optional<int> threads) {
-    if (threads.value_or(1) < 1) throw py::value_error("threads: must be at least 1");
-    return threads.value_or(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
-}
 
 void add_run(py::module_& module) {
     add_results(module);

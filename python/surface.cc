@@ -92,15 +92,8 @@ py::array positions(const py::object& self, int axis) {
 }
 
 const char* layout_of(const Surface& s) {
-    switch (s.layout) {
-        case Surface::Layout::grid:
-            return "grid";
-        case Surface::Layout::line:
-            return "line";
-        case Surface::Layout::nodes:
-            break;
-    }
-    return "nodes";
+    if (s.layout == Surface::Layout::grid) return "grid";
+    return s.layout == Surface::Layout::line ? "line" : "nodes";
 }
 
 }  // namespace
