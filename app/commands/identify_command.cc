@@ -191,8 +191,9 @@ void print(const IdentificationStudy& study) {
         const auto& found = model.found;
         std::cout << fmt::format(
             "{:<11} {:<32} {:<26} {:>8.5f}  {}\n", model.name,
-            found.young ? experiments::shown_young(model) : "given",
-            found.friction ? experiments::shown_friction(model) : "given", found.r_squared,
+            found.young ? experiments::shown(model, experiments::Property::young) : "given",
+            found.friction ? experiments::shown(model, experiments::Property::friction) : "given",
+            found.r_squared,
             found.goodness
                 ? fmt::format("chi^2 = {:.3g}, {} degrees of freedom", found.sum_of_squares,
                               found.degrees_of_freedom)

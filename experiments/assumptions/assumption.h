@@ -79,6 +79,13 @@ std::vector<Given> given_by(const std::vector<RigQuantity<Rig>>& table, std::str
     return given;
 }
 
+/// A formula with the numbers of a rig put in, see given() of each kind.
+template <class Rig>
+Calculation calculate(const Rig& rig, const Formula& f) {
+    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
+                     f.function);
+}
+
 /// A given quantity of a calculation that has the value `wanted` if only this quantity changes.
 struct Substitute {
     std::string symbol;

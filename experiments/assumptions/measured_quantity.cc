@@ -2,7 +2,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
@@ -11,11 +13,8 @@ namespace tricontact::experiments {
 
 namespace {
 
-struct Halves {
-    std::string_view value, error;  // error empty: there is none
-};
-
-Halves split(std::string_view text) {
+// Value, and error if there is one.
+std::pair<std::string_view, std::optional<std::string_view>> split(std::string_view text) {
     for (const std::string_view sign : {"±", "+-"})
         if (const auto at = text.find(sign); at != std::string_view::npos)
             return {io::trimmed(text.substr(0, at)), io::trimmed(text.substr(at + sign.size()))};
@@ -62,35 +61,29 @@ std::string half_digit_of(std::string_view digits) {
     const auto point = mantissa.find('.');
     const std::size_t decimals = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;
     std::string half = "0." + std::string(decimals, '0') + "5";
-    if (exponent != std::string_view::npos) half += digits.substr(exponent);
-    return half;
+    return exponent == std::string_view::npos ? half : half.append(digits.substr(exponent));
 }
 
 }  // namespace
 
 MeasuredQuantity parse_measured_quantity(std::string_view text, io::Dimension dimension) {
-    const Halves halves = split(text);
-    const Numeral value = numeral_of(halves.value, dimension);
-    const bool has_error = text.size() > halves.value.size() && !halves.error.empty();
-    if (!has_error) {
-        if (halves.value != io::trimmed(text)) refuse("the error behind ± is missing", dimension);
-        if (dimension == io::Dimension::none && !value.rest.empty())
-            refuse("a pure number has no unit", dimension);
-        return {{in_si(value.digits, value.rest, dimension), 0},
-                in_si(half_digit_of(value.digits), value.rest, dimension),
-                0};
+    const auto [value_text, error_text] = split(text);
+    const Numeral value = numeral_of(value_text, dimension);
+    Numeral error{"0", value.rest};
+    if (error_text) {
+        if (error_text->empty()) refuse("the error behind ± is missing", dimension);
+        error = numeral_of(*error_text, dimension);
+        if (!value.rest.empty())
+            refuse("the unit of value and error stands once, behind the error", dimension);
     }
-    const Numeral error = numeral_of(halves.error, dimension);
-    if (!value.rest.empty())
-        refuse("the unit of value and error stands once, behind the error", dimension);
-    if (dimension == io::Dimension::none && !error.rest.empty())
-        refuse("a pure number has no unit", dimension);
     const std::string_view unit = error.rest;
+    if (dimension == io::Dimension::none && !unit.empty())
+        refuse("a pure number has no unit", dimension);
     const double standard_error = in_si(error.digits, unit, dimension);
     if (!(standard_error >= 0)) refuse("an error must not be negative", dimension);
     return {{in_si(value.digits, unit, dimension), standard_error},
             in_si(half_digit_of(value.digits), unit, dimension),
-            in_si(half_digit_of(error.digits), unit, dimension)};
+            error_text ? in_si(half_digit_of(error.digits), unit, dimension) : 0};
 }
 
 }  // namespace tricontact::experiments

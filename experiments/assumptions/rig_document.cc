@@ -18,18 +18,12 @@ using report::Figure;
 using report::Verdict;
 using Agreement = PrintedCheck::Agreement;
 
-std::string missing_text(const Assumption& assumption) {
-    std::string text;
-    for (const std::string& one : assumption.missing)
-        text += (text.empty() ? "Not given: " : ", ") + one;
-    return text.empty() ? text : text + '.';
-}
-
 // What follows, and what is missing.
 std::vector<std::string> remarks(const Assumption& assumption) {
     std::vector<std::string> parts;
-    for (const std::string& part : {assumption.consequence, missing_text(assumption)})
-        if (!part.empty()) parts.push_back(part);
+    if (!assumption.consequence.empty()) parts.push_back(assumption.consequence);
+    if (!assumption.missing.empty())
+        parts.push_back(fmt::format("Not given: {}.", fmt::join(assumption.missing, ", ")));
     return parts;
 }
 
@@ -80,10 +74,6 @@ DocumentSection section_of(const Assumption& assumption) {
     return section;
 }
 
-bool is_flagged(const PrintedCheck& check) {
-    return check.agreement == Agreement::differs || !check.error_agrees;
-}
-
 std::string flag_sentence(const PrintedCheck& check) {
     std::string text = fmt::format("{}, printed as {} in {}", check.calculation->symbol,
                                    check.printed.text, check.printed.source);
@@ -102,7 +92,7 @@ std::string flag_sentence(const PrintedCheck& check) {
 DocumentSection printed_section(const std::vector<PrintedCheck>& printed) {
     DocumentSection section{.id = "printed", .heading = "Printed numbers that follow from others"};
     for (const PrintedCheck& check : printed)
-        if (check.calculation && is_flagged(check))
+        if (check.calculation && (check.agreement == Agreement::differs || !check.error_agrees))
             section.paragraphs.push_back(flag_sentence(check));
     DocumentTable table{
         .id = "printed_numbers",
@@ -218,10 +208,6 @@ constexpr contact::Sentence<PrintedSubject> printed_sentences[] = {
          return fmt::format("Printed with an error that does not follow: {}.", s.wrong_error);
      }}};
 
-Verdict printed_verdict(const std::vector<PrintedCheck>& printed) {
-    return {Verdict::Standing::finding, told(printed_sentences, subject_of(printed))};
-}
-
 }  // namespace
 
 report::Document rig_document(const RigReport& report) {
@@ -240,7 +226,8 @@ report::Document rig_document(const RigReport& report) {
             add_figures(document.sections.back(), *report.curves);
     }
     if (!report.printed.empty()) {
-        document.verdicts.push_back(printed_verdict(report.printed));
+        document.verdicts.push_back(
+            {.sentence = told(printed_sentences, subject_of(report.printed))});
         document.sections.push_back(printed_section(report.printed));
     }
     return document;

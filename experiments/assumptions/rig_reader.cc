@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "experiments/assumptions/measured_quantity.h"
 #include "io/case/case_keys.h"
@@ -24,12 +23,8 @@ using Target = std::variant<std::monostate, Estimate*, std::optional<Estimate>*>
 struct RigKey : io::Key {
     RigKey(std::string_view name, io::Dimension of, const io::Range& admissible,
            std::string_view shown, Target place)
-        : Key{.path = name,
-              .dimension = of,
-              .range = admissible,
-              .required = std::holds_alternative<Estimate*>(place),
-              .example = shown,
-              .text = {}},
+        : Key(io::quantity_key(name, of, admissible, shown, {},
+                               {.required = std::holds_alternative<Estimate*>(place)})),
           target(place) {}
     Target target;
 };
@@ -257,12 +252,6 @@ RollingRig read_rolling(const io::Document& document) {
     return rig;
 }
 
-WalkingRig read_walking(const io::Document& document) {
-    WalkingRig rig;
-    if (document.find_section("oscillation")) rig.oscillation = WalkingRig::Oscillation{};
-    return read(rig, document, {});
-}
-
 }  // namespace
 
 const std::vector<PrintedKey>& printed_keys(const RollingRig&) {
@@ -313,7 +302,9 @@ Rig parse_rig(std::string_view text, const std::string& name) {
     const io::Entry& kind =
         document.required("rig", "add rig = \"rolling\" or rig = \"micro-walking\" at the top");
     if (io::read_choice(kind_key(), kind).word == "rolling") return read_rolling(document);
-    return read_walking(document);
+    WalkingRig rig;
+    if (document.find_section("oscillation")) rig.oscillation = WalkingRig::Oscillation{};
+    return read(rig, document, {});
 }
 
 Rig read_rig(const std::string& path) {

@@ -1,7 +1,6 @@
 // What the drive does: slowly enough, and rolling only.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "contact/number_text.h"
@@ -22,13 +21,26 @@ double product(const Values& x) {
     return x[0] * x[1];
 }
 
-constexpr Formula smallest_amplitude("smallest_amplitude", "W", "w a", "(3.1.4)", "m", "w a'",
-                                     product);
-constexpr Formula pivot_amplitude("pivot_amplitude", "W", "w a", "(3.1.4)", "m", "w' a'", product);
-
 constexpr Formula wobble_ratio("wobble_ratio", "DU R/(mu a^2)", "DU R/(mu a^2)", "(3.1.5)", "1",
                                "DU R mu a'",
                                [](const Values& x) { return x[0] * x[1] / (x[2] * x[3] * x[3]); });
+// The speed that belongs to the printed frequency.
+constexpr Formula drive_speed("drive_speed", "v", "4 W f_0, f_0 as printed", "section 5.1.5", "m/s",
+                              "W f_0'", [](const Values& x) { return 4 * x[0] * x[1]; });
+constexpr Formula frequency_ratio("frequency_ratio", "f_1/f_0", "f_1/f_0", "section 5.1.5", "1",
+                                  "f_1 f_0", [](const Values& x) { return x[0] / x[1]; });
+constexpr Formula wave_ratio("wave_ratio", "T_c c_s/D_c",
+                             "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a",
+                             "(2.3.1)", "1", "E_2 nu_2 rho f_0 a", [](const Values& x) {
+                                 return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) /
+                                        (x[3] * 2 * x[4]);
+                             });
+constexpr Formula pivot_height_error("pivot_height_error", "Dh", "DU R/W", "(5.1.11)", "m",
+                                     "DU R W'", [](const Values& x) { return x[0] * x[1] / x[2]; });
+// What the printed height error would do.
+constexpr Formula pivot_displacement("pivot_displacement", "DU", "Dh W/R, Dh as printed",
+                                     "(5.1.11)", "m", "Dh' R W'",
+                                     [](const Values& x) { return x[0] * x[2] / x[1]; });
 
 // Of f_1/f_0.
 constexpr contact::Sentence<double> inertia_sentences[] = {
@@ -48,59 +60,35 @@ constexpr contact::Sentence<double> inertia_sentences[] = {
              significant(1 / ratio, 3));
      }}};
 
-std::vector<Given> joined(std::vector<Given> some, const std::vector<Given>& more) {
-    some.insert(some.end(), more.begin(), more.end());
-    return some;
-}
-
-/// Of the printed value of this name, if the rig has it.
-std::vector<Given> printed_given(const RollingRig& rig, const char* name, const char* symbol,
-                                 const char* unit) {
-    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
-    if (found == rig.printed.end()) return {};
-    return {{symbol, found->value, unit}};
-}
-
 }  // namespace
+
+constinit const Formula smallest_amplitude("smallest_amplitude", "W", "w a", "(3.1.4)", "m", "w a'",
+                                           product);
+constinit const Formula pivot_amplitude("pivot_amplitude", "W", "w a", "(3.1.4)", "m", "w' a'",
+                                        product);
+constinit const Formula excitation_frequency("excitation_frequency", "f_0", "v/(4 W)",
+                                             "section 5.1.5", "Hz", "v W",
+                                             [](const Values& x) { return x[0] / (4 * x[1]); });
 
 Assumption quasi_static_drive(const RollingRig& rig) {
     using enum Criterion::Relation;
-    const Calculation amplitude = calculate(rig, smallest_amplitude);
-    const std::vector<Given> w{{"W", amplitude.result, "m"}};
-    const Calculation excitation =
-        calculate("excitation_frequency", "f_0", "v/(4 W)", "section 5.1.5", "Hz",
-                  joined(given(rig, "v"), w), [](const auto& x) { return x[0] / (4 * x[1]); });
-    const std::vector<Given> f0{{"f_0", excitation.result, "Hz"}};
     Assumption a{
         .name = "quasi_static_drive",
         .title = "Quasi-static drive",
         .claim = "The drive is quasi-static: inertia of the rig and elastic waves are negligible",
-        .background = {amplitude, excitation}};
-    // The speed that belongs to the printed frequency.
-    if (const auto print = printed_given(rig, "excitation_frequency", "f_0", "Hz"); !print.empty())
-        a.background.push_back(calculate("drive_speed", "v", "4 W f_0, f_0 as printed",
-                                         "section 5.1.5", "m/s", joined(w, print),
-                                         [](const auto& x) { return 4 * x[0] * x[1]; }));
+        .background = {calculate(rig, smallest_amplitude), calculate(rig, excitation_frequency)}};
+    if (printed_of(rig, "excitation_frequency"))
+        a.background.push_back(calculate(rig, drive_speed));
     if (rig.drive.eigenfrequency) {
-        a.criteria.push_back(
-            {calculate("frequency_ratio", "f_1/f_0", "f_1/f_0", "section 5.1.5", "1",
-                       joined(given(rig, "f_1"), f0), [](const auto& x) { return x[0] / x[1]; }),
-             at_least, least_frequency_ratio,
-             "inertia changes the motion by (f_0/f_1)^2: 1 % at 10"});
+        a.criteria.push_back({calculate(rig, frequency_ratio), at_least, least_frequency_ratio,
+                              "inertia changes the motion by (f_0/f_1)^2: 1 % at 10"});
         a.consequence = told(inertia_sentences, a.deciding_value());
     } else {
         a.missing.push_back("drive.eigenfrequency");
     }
     if (rig.substrate.density)
-        a.criteria.push_back(
-            {calculate("wave_ratio", "T_c c_s/D_c",
-                       "sqrt(G_2/rho)/(f_0 D_c), G_2 = E_2/(2 (1 + nu_2)), D_c = 2 a", "(2.3.1)",
-                       "1", joined(joined(given(rig, "E_2 nu_2 rho"), f0), given(rig, "a")),
-                       [](const auto& x) {
-                           return std::sqrt(x[0] / (2 * (1 + x[1])) / x[2]) / (x[3] * 2 * x[4]);
-                       }),
-             at_least, least_wave_ratio,
-             "shear waves cross the contact a hundred times within a period"});
+        a.criteria.push_back({calculate(rig, wave_ratio), at_least, least_wave_ratio,
+                              "shear waves cross the contact a hundred times within a period"});
     else
         a.missing.push_back("substrate.density");
     return a;
@@ -114,18 +102,11 @@ Assumption ideal_rolling(const RollingRig& rig) {
         a.missing = {"pivot.displacement"};
         return a;
     }
-    a.criteria.push_back({calculate(rig, wobble_ratio), Criterion::Relation::at_most,
-                          largest_wobble, "measured shifts are of the order mu a^2/R"});
-    a.background.push_back(calculate(rig, pivot_amplitude));
-    const std::vector<Given> w{{"W", a.background.back().result, "m"}};
-    a.background.push_back(calculate("pivot_height_error", "Dh", "DU R/W", "(5.1.11)", "m",
-                                     joined(given(rig, "DU R"), w),
-                                     [](const auto& x) { return x[0] * x[1] / x[2]; }));
-    // What the printed height error would do.
-    if (const auto print = printed_given(rig, "pivot_height_error", "Dh", "m"); !print.empty())
-        a.background.push_back(calculate("pivot_displacement", "DU", "Dh W/R, Dh as printed",
-                                         "(5.1.11)", "m", joined(joined(print, given(rig, "R")), w),
-                                         [](const auto& x) { return x[0] * x[2] / x[1]; }));
+    a.criteria = {{calculate(rig, wobble_ratio), Criterion::Relation::at_most, largest_wobble,
+                   "measured shifts are of the order mu a^2/R"}};
+    a.background = {calculate(rig, pivot_amplitude), calculate(rig, pivot_height_error)};
+    if (printed_of(rig, "pivot_height_error"))
+        a.background.push_back(calculate(rig, pivot_displacement));
     a.consequence = fmt::format(
         "Shifts wobble by {} of mu a^2/R within a period; read with the roller upright they are "
         "not touched.",

@@ -37,6 +37,12 @@ const std::vector<RigQuantity<RollingRig>>& rolling_quantities() {
         {"w", "1", [](Rolling r) { return r.drive.smallest_amplitude_ratio; }},
         {"w'", "1", [](Rolling r) { return r.pivot->amplitude_ratio; }},
         {"DU", "m", [](Rolling r) { return r.pivot->displacement; }},
+        {"W", "m", [](Rolling r) { return calculate(r, smallest_amplitude).result; }},
+        {"W'", "m", [](Rolling r) { return calculate(r, pivot_amplitude).result; }},
+        {"f_0", "Hz", [](Rolling r) { return calculate(r, excitation_frequency).result; }},
+        // As printed.
+        {"f_0'", "Hz", [](Rolling r) { return printed_of(r, "excitation_frequency")->value; }},
+        {"Dh'", "m", [](Rolling r) { return printed_of(r, "pivot_height_error")->value; }},
         {"a", "m", half_size},
         // That which amplitude ratios refer to.
         {"a'", "m",
@@ -73,9 +79,9 @@ std::vector<Given> given(const RollingRig& rig, std::string_view keys) {
     return given_by(rolling_quantities(), keys, rig);
 }
 
-Calculation calculate(const RollingRig& rig, const Formula& f) {
-    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
-                     f.function);
+const PrintedValue* printed_of(const RollingRig& rig, std::string_view name) {
+    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
+    return found == rig.printed.end() ? nullptr : &*found;
 }
 
 std::vector<Given> contact_given(const RollingRig& rig, const char* keys) {

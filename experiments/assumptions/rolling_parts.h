@@ -15,8 +15,10 @@ namespace tricontact::experiments {
 
 /// By the keys of rolling_formulas.cc.
 std::vector<Given> given(const RollingRig& rig, std::string_view keys);
-/// A formula with the rig's numbers put in.
-Calculation calculate(const RollingRig& rig, const Formula& formula);
+/// The printed value of this name; null: the rig has none.
+const PrintedValue* printed_of(const RollingRig& rig, std::string_view name);
+/// W [m], the least of the drive and that at which the pivot was measured; f_0 [Hz].
+extern const Formula smallest_amplitude, pivot_amplitude, excitation_frequency;
 
 /// What Hertz' contact follows from, and that with the layer, whose roller is rigid. A cylinder has
 /// L behind.

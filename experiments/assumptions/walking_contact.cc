@@ -18,7 +18,7 @@ constexpr double largest_relative_error = 0.2;
 constexpr const char* factor_reason = "estimates within a factor of two";
 
 double hertz_diameter_of(const Values& x) {
-    return std::cbrt(6 * x[4] * x[5] / effective_modulus_of(x));
+    return std::cbrt(6 * x[4] * x[5] / pair_of(x).effective_modulus());
 }
 
 double quotient(const Values& x) {
@@ -41,7 +41,7 @@ constexpr Formula diameter_of_frequency("contact_diameter", "D_c, frequency",
                                         "k_x/G*, k_x = m/tau^2", "(5.2.6), (5.2.7)", "m",
                                         "E_1 nu_1 E_2 nu_2 m tau", [](const Values& x) {
                                             return x[4] / (x[5] * x[5]) /
-                                                   effective_shear_modulus_of(x);
+                                                   pair_of(x).effective_shear_modulus();
                                         });
 
 constexpr Formula stiffness_of_time("contact_stiffness", "k_x", "m/tau^2", "(5.2.30)", "N/m",
@@ -58,8 +58,8 @@ constexpr Formula characteristic_time("characteristic_time", "tau, means", "omeg
 
 constexpr Formula stiffness_ratio("kappa2", "kappa_2", "k_z/k_x = E*/G*", "(5.2.29)", "1",
                                   material_keys, [](const Values& x) {
-                                      return effective_modulus_of(x) /
-                                             effective_shear_modulus_of(x);
+                                      return pair_of(x).effective_modulus() /
+                                             pair_of(x).effective_shear_modulus();
                                   });
 
 constexpr Formula slenderness("kappa3", "kappa_3", "a/b", "tables 4.3.1, 4.3.2", "1", "a b",

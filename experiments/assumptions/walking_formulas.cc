@@ -1,7 +1,5 @@
-#include <cmath>
 #include <numbers>
 
-#include "contact/substrates/material.h"
 #include "experiments/assumptions/walking_parts.h"
 
 namespace tricontact::experiments {
@@ -9,10 +7,6 @@ namespace tricontact::experiments {
 namespace {
 
 using Walking = const WalkingRig&;
-
-contact::MaterialPair pair_of(const Values& x) {
-    return {contact::Material{x[0], x[1]}, contact::Material{x[2], x[3]}};
-}
 
 // Four contacts under planes at 45 degrees carry m g together.
 double spot_force(double mass) {
@@ -61,29 +55,20 @@ std::vector<Given> given(const WalkingRig& rig, std::string_view keys) {
     return given_by(walking_quantities(), keys, rig);
 }
 
-Calculation calculate(const WalkingRig& rig, const Formula& f) {
-    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
-                     f.function);
-}
-
-double effective_modulus_of(const Values& x) {
-    return pair_of(x).effective_modulus();
-}
-
-double effective_shear_modulus_of(const Values& x) {
-    return pair_of(x).effective_shear_modulus();
+contact::MaterialPair pair_of(const Values& x) {
+    return {contact::Material{x[0], x[1]}, contact::Material{x[2], x[3]}};
 }
 
 constinit const Formula tangential_stiffness("tangential_stiffness", "k_x",
                                              "G* D_c, 1/G* = sum (2 - nu_i)/(4 G_i)", "(5.2.3)",
                                              "N/m", "E_1 nu_1 E_2 nu_2 D_c", [](const Values& x) {
-                                                 return effective_shear_modulus_of(x) * x[4];
+                                                 return pair_of(x).effective_shear_modulus() * x[4];
                                              });
 
 constinit const Formula normal_stiffness("normal_stiffness", "k_z",
                                          "E* D_c, 1/E* = sum (1 - nu_i)/(2 G_i)", "(5.2.3)", "N/m",
                                          "E_1 nu_1 E_2 nu_2 D_c", [](const Values& x) {
-                                             return effective_modulus_of(x) * x[4];
+                                             return pair_of(x).effective_modulus() * x[4];
                                          });
 
 constinit const Formula half_width("half_width", "b", "l_1/2 + l_2", "table 5.2.1", "m", "l_1 l_2",

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/substrates/material.h"
 #include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/rig.h"
 
@@ -13,14 +14,11 @@ inline constexpr double gravity = 9.81;  ///< [m/s^2]
 
 /// By the keys of walking_formulas.cc.
 std::vector<Given> given(const WalkingRig& rig, std::string_view keys);
-/// A formula with the rig's numbers put in.
-Calculation calculate(const WalkingRig& rig, const Formula& formula);
 
 /// E_1, nu_1, E_2, nu_2 of disc and substrate.
 inline constexpr const char* material_keys = "E_1 nu_1 E_2 nu_2";
-/// Of values that begin in this order [Pa].
-double effective_modulus_of(const Values& x);
-double effective_shear_modulus_of(const Values& x);
+/// Of values that begin in this order.
+contact::MaterialPair pair_of(const Values& x);
 
 /// k_x, k_z [N/m] of one contact; b [m], half the distance of the discs' outer faces; a [m], height
 /// of the axis over the contacts at 45 degrees.

@@ -134,6 +134,10 @@ LeastSquares BestSumOfSquares::best_friction(double young) const {
     });
 }
 
+double BestSumOfSquares::profile(Property property, double value) const {
+    return (property == Property::young ? best_friction(value) : best_young(value)).sum;
+}
+
 LeastSquares BestSumOfSquares::best() const {
     if (!task_.friction_is_free) return best_young(task_.start.friction);
     return least_along_friction([&](double friction) { return best_young(friction); });

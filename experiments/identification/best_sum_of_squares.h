@@ -22,10 +22,9 @@ class BestSumOfSquares {
 
     /// Infinite where the model is not defined.
     double at(const Properties& properties) const;
-    /// The best E (if free) for this mu; throws contact::NotConverged, contact::InputError.
-    LeastSquares best_young(double friction) const;
-    /// The best mu (if free) for this E.
-    LeastSquares best_friction(double young) const;
+    /// The least sum with this value of a property, the other one at its best if it is free. Throws
+    /// contact::NotConverged, contact::InputError.
+    double profile(Property property, double value) const;
     /// The best of all.
     LeastSquares best() const;
 
@@ -35,6 +34,8 @@ class BestSumOfSquares {
 
   private:
     double scaled_young(double guess, double friction) const;
+    LeastSquares best_young(double friction) const;
+    LeastSquares best_friction(double young) const;
     template <class Along>
     LeastSquares least_along_friction(const Along& along) const;
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 
 #include "contact/error.h"
@@ -35,58 +34,34 @@ double level(const IdentificationTask& task, double least, int n_held, int degre
     return least * (1 + n_held * f / degrees_of_freedom);
 }
 
-/// Profile of one property, and where it leaves a level.
-class Likelihood {
-  public:
-    Likelihood(const BestSumOfSquares& squares, const IdentificationTask& task, Property property,
-               double best)
-        : squares_(squares), task_(task), property_(property), best_(best) {}
-
-    double sum(double value) const {
-        return property_ == Property::young ? squares_.best_friction(value).sum
-                                            : squares_.best_young(value).sum;
-    }
-
-    Interval interval(double level) const { return {edge(level, false), edge(level, true)}; }
-
-  private:
-    double farthest(bool upwards) const {
-        if (property_ == Property::young)
-            return upwards ? best_ * largest_young_ratio : best_ / largest_young_ratio;
-        return upwards ? task_.least_friction * largest_friction_ratio : task_.least_friction;
-    }
-    double open(bool upwards) const {
-        if (upwards) return contact::infinity;
-        return property_ == Property::young ? 0 : task_.least_friction;
-    }
-
+/// Where the profile of a property leaves a level; where it does not, the bound of the property.
+double edge(const BestSumOfSquares& squares, const IdentificationTask& task, Property property,
+            double best, double level, bool upwards) {
+    const bool young = property == Property::young;
+    const double farthest = young && upwards ? best * largest_young_ratio
+                            : young          ? best / largest_young_ratio
+                                    : task.least_friction * (upwards ? largest_friction_ratio : 1);
     // Outwards by growing steps in the logarithm, then the root between the last two.
-    double edge(double level, bool upwards) const {
-        const double end = std::abs(std::log(farthest(upwards) / best_));
-        const double sign = upwards ? 1 : -1;
-        const auto value = [&](double x) { return best_ * std::exp(sign * x); };
-        // An infinite sum has no root finder: a large one has its edge at the same place.
-        const auto excess = [&](double x) { return std::min(sum(value(x)) - level, 1e300); };
-        double inside = 0, below = excess(inside), step = first_step;
-        if (below >= 0) return best_;  // exact observations, to rounding
-        while (inside < end) {
-            const double outside = std::min(end, inside + step);
-            const double beyond = excess(outside);
-            if (beyond >= 0)
-                return value(
-                    contact::bracketed_root(excess, inside, outside, below, beyond, edge_bits));
-            inside = outside;
-            below = beyond;
-            step *= step_growth;
-        }
-        return open(upwards);
+    const double end = std::abs(std::log(farthest / best));
+    const auto value = [&](double x) { return best * std::exp(upwards ? x : -x); };
+    // An infinite sum has no root finder: a large one has its edge at the same place.
+    const auto excess = [&](double x) {
+        return std::min(squares.profile(property, value(x)) - level, 1e300);
+    };
+    double inside = 0, below = excess(inside), step = first_step;
+    if (below >= 0) return best;  // exact observations, to rounding
+    while (inside < end) {
+        const double outside = std::min(end, inside + step);
+        const double beyond = excess(outside);
+        if (beyond >= 0)
+            return value(
+                contact::bracketed_root(excess, inside, outside, below, beyond, edge_bits));
+        inside = outside;
+        below = beyond;
+        step *= step_growth;
     }
-
-    const BestSumOfSquares& squares_;
-    const IdentificationTask& task_;
-    Property property_;
-    double best_;
-};
+    return upwards ? contact::infinity : young ? 0 : task.least_friction;
+}
 
 std::vector<Property> free_properties(const IdentificationTask& task) {
     std::vector<Property> properties;
@@ -216,8 +191,10 @@ Identification identify(const IdentificationTask& task) {
         const double value = best.at[property];
         auto& estimate = found[property];
         estimate = estimate_of(value, fit ? &fit->parameters[k++] : nullptr);
-        estimate->likelihood =
-            Likelihood(squares, task, property, value).interval(found.level_of_interval[0]);
+        const auto edge_at = [&](bool upwards) {
+            return edge(squares, task, property, value, found.level_of_interval[0], upwards);
+        };
+        estimate->likelihood = {edge_at(false), edge_at(true)};
     }
     const bool both_told = found.young && found.friction &&
                            std::isfinite(found.young->standard_error) &&
@@ -246,11 +223,10 @@ Profile profile_of(const IdentificationTask& task, const Identification& found, 
     const auto [low, high] = estimate->likelihood;
     const double from = std::max(lowest, low - profile_margin * (best - low));
     const double to = std::min(best * widest_profile, high + profile_margin * (high - best));
-    const Likelihood likelihood(squares, task, property, best);
     Profile profile;
     for (int i = 0; i < n_points; ++i) {
         profile.value.push_back(from + (to - from) * i / (n_points - 1));
-        profile.sum_of_squares.push_back(likelihood.sum(profile.value.back()));
+        profile.sum_of_squares.push_back(squares.profile(property, profile.value.back()));
     }
     return profile;
 }

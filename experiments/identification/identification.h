@@ -3,7 +3,6 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tricontact::experiments {

@@ -33,14 +33,6 @@ struct Scaled {
     std::string label(const std::string& name) const { return name + " [" + unit.symbol + ']'; }
 };
 
-/// Both axes of what was measured.
-struct Axes {
-    Scaled given, observed;
-    explicit Axes(const IdentificationStudy& study)
-        : given(study.given_values, study.given.unit),
-          observed(study.observed_values, study.observed.unit) {}
-};
-
 // Normal errors are known ones; half widths of the observed values' intervals.
 std::vector<double> error_bars(const IdentificationStudy& study) {
     std::vector<double> bars;
@@ -60,7 +52,8 @@ std::vector<double> ordered(const std::vector<double>& x, const std::vector<doub
 }
 
 report::Figure fit_figure(const IdentificationStudy& study) {
-    const Axes axes(study);
+    const Scaled given(study.given_values, study.given.unit),
+        observed(study.observed_values, study.observed.unit);
     const auto& x = study.given_values;
     report::Figure figure{
         .id = "fit",
@@ -70,37 +63,31 @@ report::Figure fit_figure(const IdentificationStudy& study) {
             "{:g} %{}.",
             100 * study.models.front().found.confidence,
             study.standard_errors.empty() ? "" : "; bars: the same of the observed values"),
-        .x = {axes.given.label(study.given.name)},
-        .y = {axes.observed.label(study.observed.name)}};
-    int colour = 0;
+        .x = {given.label(study.given.name)},
+        .y = {observed.label(study.observed.name)}};
     for (const IdentifiedModel& model : study.models) {
         const bool curved = !model.curve.empty();
         figure.curves.push_back(
             {.name = model.name,
-             .x = axes.given(curved ? study.curve_points : ordered(x, x)),
-             .y = axes.observed(curved ? model.curve : ordered(x, model.found.fitted)),
-             .colour = colour});
+             .x = given(curved ? study.curve_points : ordered(x, x)),
+             .y = observed(curved ? model.curve : ordered(x, model.found.fitted))});
         const auto& widths = model.found.fitted_half_widths;
-        if (!widths.empty()) {
-            std::vector<double> low, high;
-            for (std::size_t i = 0; i < widths.size(); ++i) {
-                low.push_back(model.found.fitted[i] - widths[i]);
-                high.push_back(model.found.fitted[i] + widths[i]);
-            }
-            figure.bands.push_back({.name = model.name,
-                                    .x = axes.given(ordered(x, x)),
-                                    .low = axes.observed(ordered(x, low)),
-                                    .high = axes.observed(ordered(x, high)),
-                                    .colour = colour});
+        if (widths.empty()) continue;
+        std::vector<double> low, high;
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            low.push_back(model.found.fitted[i] - widths[i]);
+            high.push_back(model.found.fitted[i] + widths[i]);
         }
-        ++colour;
+        figure.bands.push_back({.name = model.name,
+                                .x = given(ordered(x, x)),
+                                .low = observed(ordered(x, low)),
+                                .high = observed(ordered(x, high))});
     }
     figure.curves.push_back({.name = "measured",
-                             .x = axes.given(x),
-                             .y = axes.observed(study.observed_values),
-                             .y_error = axes.observed(error_bars(study)),
-                             .kind = report::Curve::Kind::points,
-                             .colour = colour});
+                             .x = given(x),
+                             .y = observed(study.observed_values),
+                             .y_error = observed(error_bars(study)),
+                             .kind = report::Curve::Kind::points});
     return figure;
 }
 
@@ -108,25 +95,22 @@ report::Figure residual_figure(const IdentificationStudy& study) {
     std::vector<double> all;
     for (const IdentifiedModel& model : study.models)
         all.insert(all.end(), model.found.residuals.begin(), model.found.residuals.end());
-    const Axes axes(study);
-    const Scaled scale(all, study.observed.unit);
+    const Scaled given(study.given_values, study.given.unit), scale(all, study.observed.unit);
     report::Figure figure{
         .id = "residuals",
         .title = "What the models leave unexplained",
         .caption =
             "Observed minus fitted. Without a pattern the rest is noise; a wave or "
             "a bend is a model that does not fit.",
-        .x = {axes.given.label(study.given.name)},
+        .x = {given.label(study.given.name)},
         .y = {scale.label("residual")}};
-    int colour = 0;
     for (const IdentifiedModel& model : study.models)
         figure.curves.push_back({.name = model.name,
-                                 .x = axes.given(study.given_values),
+                                 .x = given(study.given_values),
                                  .y = scale(model.found.residuals),
                                  .y_error = scale(error_bars(study)),
-                                 .kind = report::Curve::Kind::points,
-                                 .colour = colour++});
-    const auto [low, high] = std::ranges::minmax(axes.given(study.given_values));
+                                 .kind = report::Curve::Kind::points});
+    const auto [low, high] = std::ranges::minmax(given(study.given_values));
     figure.curves.push_back({.name = "", .x = {low, high}, .y = {0, 0}, .theory = true});
     return figure;
 }
@@ -160,16 +144,12 @@ std::optional<report::Figure> profile_figure(const IdentificationStudy& study, P
                                100 * study.models.front().found.confidence),
         .x = {young ? scale.label("modulus E") : "friction coefficient mu"},
         .y = {"excess of the sum of squares"}};
-    int colour = 0;
-    for (const IdentifiedModel& model : study.models) {
+    for (const IdentifiedModel& model : study.models)
         if (const auto& profile = model.profiles[property])
             figure.curves.push_back({.name = model.name,
                                      .x = scale(profile->value),
                                      .y = relative(profile->sum_of_squares, model.found,
-                                                   model.found.level_of_interval[0]),
-                                     .colour = colour});
-        ++colour;
-    }
+                                                   model.found.level_of_interval[0])});
     const auto [low, high] = std::ranges::minmax(scale(all));
     figure.curves.push_back(
         {.name = "edge of the interval", .x = {low, high}, .y = {1, 1}, .theory = true});

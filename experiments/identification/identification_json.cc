@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "experiments/identification/identification_report.h"
 #include "report/json_number.h"

@@ -175,11 +175,6 @@ std::string in_words_of_the_file(std::string text) {
     return text;
 }
 
-bool is_half_space_alone(const Input& input) {
-    return std::ranges::all_of(input.models,
-                               [](const auto& model) { return model == "half-space"; });
-}
-
 /// The rig as a case: what is to be found has a guess.
 contact::Case rig_of(const Input& input, const io::Document& document) {
     io::Document rig = document;
@@ -212,7 +207,8 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
         // Frictionless contact knows no coupling.
         guesses.push_back(io::overriding("contact.coupling", false, place));
     }
-    if (sheared && is_half_space_alone(input))
+    const auto n_half_spaces = std::ranges::count(input.models, "half-space");
+    if (sheared && n_half_spaces == std::ssize(input.models))
         guesses.push_back(io::overriding("contact.coupling", false, place));
     if (input.young_is_free)
         guesses.push_back(io::overriding(
@@ -273,12 +269,13 @@ std::string_view name_of(Measurement measurement) {
     return std::ranges::find(words, static_cast<int>(measurement), &io::Choice::enumerator)->word;
 }
 
-Input parse_identification(std::string_view text, const std::string& name) {
-    const io::Document document = io::parse_document(text, name, is_nested_in_measurement);
+Input read_identification(const std::string& path) {
+    const io::Document document = io::parse_document(
+        io::read_input_file(path, "identification file"), path, is_nested_in_measurement);
     io::require_kind(io::FileKind::measurement, document);
     check_measurement_keys(document);
     Input input;
-    input.name = name;
+    input.name = path;
     for (const char* path : {"measurement", "models", "data"}) required(document, path);
     io::read_given(own_keys(), input, document);
     input.data_file = document.path_of(input.data_file);
@@ -297,10 +294,6 @@ Input parse_identification(std::string_view text, const std::string& name) {
     check_friction(input, document);
     input.rig_errors = read_rig_errors(document);
     return input;
-}
-
-Input read_identification(const std::string& path) {
-    return parse_identification(io::read_input_file(path, "identification file"), path);
 }
 
 }  // namespace tricontact::experiments

@@ -51,9 +51,6 @@ std::string_view name_of(IdentificationInput::Measurement measurement);
 /// one line: `file:line:column: key = value: rule; remedy`.
 IdentificationInput read_identification(const std::string& path);
 
-/// Same for a text; `name` stands for the file in messages and for the folder of the table.
-IdentificationInput parse_identification(std::string_view text, const std::string& name);
-
 /// Reads `input.data_file`: the columns of the measurement and, if it is there, that of the
 /// observed values' standard errors, `<observed>_error`. Throws contact::InputError.
 void read_measured_table(IdentificationInput& input);

@@ -73,8 +73,7 @@ struct IdentificationStudy {
 const IdentifiedModel& reference_model(const IdentificationStudy& study);
 
 /// "4.22 MPa (4.15 to 4.31)", the full interval; "above 0.12" where it is open.
-std::string shown_young(const IdentifiedModel& model);
-std::string shown_friction(const IdentifiedModel& model);
+std::string shown(const IdentifiedModel& model, Property property);
 
 /// The answer in sentences: the properties, the half-space's bias, whether the models explain what
 /// was measured, what cannot be told.

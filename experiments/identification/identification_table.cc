@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "experiments/identification/identification_reader.h"
-#include "io/keys/messages.h"
 #include "io/tables/csv_table.h"
 
 namespace tricontact::experiments {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
@@ -19,21 +18,9 @@ constexpr double least_goodness = 0.01;
 // A property that moves by less than this is not called different.
 constexpr double least_bias = 0.005;
 
-std::string shown(const IdentifiedModel& model, Property property, const std::string& unit) {
-    const auto text = [&](double value) {
-        return unit.empty() ? report::significant(value, 3) : report::quantity(value, unit, 3);
-    };
-    const auto [low, high] = full_interval(model, property);
-    if (std::isinf(high) && low <= 0) return "cannot be told";
-    if (std::isinf(high)) return "above " + text(low);
-    if (low <= 0) return "below " + text(high);
-    return fmt::format("{} ({} to {})", text(model.found[property]->value), text(low), text(high));
-}
-
 /// "E = 4.2 MPa (4.1 MPa to 4.3 MPa)", "mu above 0.3".
 std::string named(const std::string& name, const std::string& value) {
-    const bool number = value.find_first_of("0123456789") == 0;
-    return name + (number ? " = " : " ") + value;
+    return name + (value.find_first_of("0123456789") == 0 ? " = " : " ") + value;
 }
 
 /// What the interval holds beside the errors of the observed values.
@@ -48,9 +35,9 @@ std::string what_else(const IdentificationStudy& study, const IdentifiedModel& m
 report::Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
     const Identification& found = model.found;
     std::string sentence = model.name + ": ";
-    if (found.young) sentence += named("E", shown_young(model));
+    if (found.young) sentence += named("E", shown(model, Property::young));
     if (found.young && found.friction) sentence += ", ";
-    if (found.friction) sentence += named("mu", shown_friction(model));
+    if (found.friction) sentence += named("mu", shown(model, Property::friction));
     sentence += fmt::format("; intervals of {:g} %, from the likelihood{}.", 100 * found.confidence,
                             what_else(study, model));
     if (&model == &reference_model(study) && study.models.size() > 1)
@@ -154,20 +141,23 @@ std::optional<report::Verdict> fit_tells_nothing(const IdentificationStudy& stud
 }  // namespace
 
 const IdentifiedModel& reference_model(const IdentificationStudy& study) {
-    constexpr std::array<const char*, 4> order{"fem", "bem-layer", "layer", "half-space"};
-    for (const char* name : order) {
+    for (const char* name : {"fem", "bem-layer", "layer"}) {
         const auto found = std::ranges::find(study.models, name, &IdentifiedModel::name);
         if (found != study.models.end()) return *found;
     }
-    return study.models.front();
+    return study.models.front();  // the half-space alone
 }
 
-std::string shown_young(const IdentifiedModel& model) {
-    return shown(model, Property::young, "Pa");
-}
-
-std::string shown_friction(const IdentifiedModel& model) {
-    return shown(model, Property::friction, "");
+std::string shown(const IdentifiedModel& model, Property property) {
+    const auto text = [&](double value) {
+        return property == Property::young ? report::quantity(value, "Pa", 3)
+                                           : report::significant(value, 3);
+    };
+    const auto [low, high] = full_interval(model, property);
+    if (std::isinf(high) && low <= 0) return "cannot be told";
+    if (std::isinf(high)) return "above " + text(low);
+    if (low <= 0) return "below " + text(high);
+    return fmt::format("{} ({} to {})", text(model.found[property]->value), text(low), text(high));
 }
 
 double input_standard_error(const IdentifiedModel& model, Property property) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "experiments/records/experiment_report.h"
@@ -37,13 +36,10 @@ std::vector<report::Curve> with_models(const ExperimentEvaluation& e,
                                        .x = counts(shift.size()),
                                        .y = of(shift),
                                        .y_error = errors,
-                                       .kind = report::Curve::Kind::points,
-                                       .colour = 0}};
+                                       .kind = report::Curve::Kind::points}};
     for (const ModelPrediction& p : e.predictions)
-        curves.push_back({.name = report::display_name(p.model),
-                          .x = counts(p.shift.size()),
-                          .y = of(p.shift),
-                          .colour = static_cast<int>(curves.size())});
+        curves.push_back(
+            {.name = report::display_name(p.model), .x = counts(p.shift.size()), .y = of(p.shift)});
     return curves;
 }
 
@@ -167,24 +163,18 @@ report::Figure limit_figure(const RunEvaluation& run, const LimitReading& limit)
 }
 
 report::DocumentSection limit_section(const ExperimentEvaluation& e) {
-    report::DocumentSection section{
-        .id = "limit", .heading = "Limit", .tables = {stages_table(e), limits_table(e)}};
+    report::DocumentSection section{.id = "limit", .heading = "Limit", .tables = limit_tables(e)};
     for (std::size_t i = 0; i < e.runs.size(); ++i)
         if (e.limits[i] && section.figures.empty())
             section.figures.push_back(limit_figure(e.runs[i], *e.limits[i]));
-    if (e.normalised) section.tables.push_back(normalised_table(e));
-    if (!e.model_limits.empty()) section.tables.push_back(model_stages_table(e));
     return section;
 }
 
 report::DocumentSection values_section(const ExperimentEvaluation& e) {
-    report::DocumentSection section{.id = "values",
-                                    .heading = "Shift over the periods",
-                                    .figures = {periods_figure(e), increments_figure(e)},
-                                    .tables = {values_table(e)}};
-    if (e.normalised) section.tables.push_back(normalised_table(e));
-    if (!e.deviations.empty()) section.tables.push_back(deviations_table(e));
-    return section;
+    return {.id = "values",
+            .heading = "Shift over the periods",
+            .figures = {periods_figure(e), increments_figure(e)},
+            .tables = values_tables(e)};
 }
 
 report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
@@ -226,12 +216,10 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
         document.sections.push_back(values_section(e));
         document.sections.push_back(criteria_section(e));
     }
-    report::DocumentSection measurement{.id = "measurement",
-                                        .heading = "Records and their noise",
-                                        .figures = {records_figure(e)},
-                                        .tables = {noise_table(e)}};
-    if (e.wobble && e.normalised) measurement.tables.push_back(wobble_table(e));
-    document.sections.push_back(measurement);
+    document.sections.push_back({.id = "measurement",
+                                 .heading = "Records and their noise",
+                                 .figures = {records_figure(e)},
+                                 .tables = noise_tables(e)});
     return document;
 }
 

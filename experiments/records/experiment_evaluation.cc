@@ -59,37 +59,27 @@ void check_amplitudes(const std::vector<RunEvaluation>& runs) {
 }
 
 void put_together(ExperimentEvaluation& e) {
-    std::vector<Estimate> settled, increment;
-    std::vector<std::vector<Estimate>> shift(static_cast<std::size_t>(e.periods) + 1);
-    for (const RunEvaluation& run : e.runs) {
-        for (std::size_t n = 0; n < shift.size(); ++n)
-            shift[n].push_back(value_at(run, n, e.confidence));
-        settled.push_back(run.stages.front().settling.settled);
-        increment.push_back(run.stages.front().increment);
-    }
-    for (const auto& of_runs : shift)
-        e.shift.push_back(repeated(of_runs, e.confidence).at_confidence);
-    for (std::size_t n = 1; n < shift.size(); ++n) {
+    const auto over_runs = [&](auto&& of_run) {
         std::vector<Estimate> of_runs;
-        for (const RunEvaluation& run : e.runs)
-            of_runs.push_back(increment_at(run, n, e.confidence));
-        e.period_increments.push_back(repeated(of_runs, e.confidence).at_confidence);
+        for (const RunEvaluation& run : e.runs) of_runs.push_back(of_run(run));
+        return repeated(of_runs, e.confidence);
+    };
+    const auto last = static_cast<std::size_t>(e.periods);
+    for (std::size_t n = 0; n <= last; ++n) {
+        const auto shift = over_runs([&](auto& run) { return value_at(run, n, e.confidence); });
+        e.shift.push_back(shift.at_confidence);
+        if (n == 0) e.static_shift = shift;
+        if (n == last) e.final_shift = shift;
     }
+    for (std::size_t n = 1; n <= last; ++n)
+        e.period_increments.push_back(
+            over_runs([&](auto& run) { return increment_at(run, n, e.confidence); }).at_confidence);
     std::vector<Estimate> wobble;
     for (const RunEvaluation& run : e.runs)
         if (run.wobble) wobble.push_back(*run.wobble);
     if (!wobble.empty()) e.wobble = repeated(wobble, e.confidence);
-    e.static_shift = repeated(shift.front(), e.confidence);
-    e.final_shift = repeated(shift.back(), e.confidence);
-    e.settled_shift = repeated(settled, e.confidence);
-    e.increment = repeated(increment, e.confidence);
-}
-
-// Drift that was subtracted in one period, mean of the runs [m].
-double subtracted_per_period(const ExperimentEvaluation& e) {
-    double sum = 0;
-    for (const RunEvaluation& run : e.runs) sum += run.drift.value * run.stages.front().period;
-    return sum / static_cast<double>(e.runs.size());
+    e.settled_shift = over_runs([](auto& run) { return run.stages.front().settling.settled; });
+    e.increment = over_runs([](auto& run) { return run.stages.front().increment; });
 }
 
 void read_limits(ExperimentEvaluation& e) {
@@ -188,7 +178,9 @@ void add_prediction(ExperimentEvaluation& e, ModelPrediction prediction) {
         d.has_errors = !prediction.raised.empty();
         if (e.rolled_as.hold) {
             d.rest_is_missing = !e.rolled_as.hold_is_known;
-            d.creep = n_drifted * subtracted_per_period(e);
+            double drifted = 0;  // in one period
+            for (const auto& run : e.runs) drifted += run.drift.value * run.stages[0].period;
+            d.creep = n_drifted * (drifted / static_cast<double>(e.runs.size()));
         }
         e.deviations.push_back(std::move(d));
     };

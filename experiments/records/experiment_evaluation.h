@@ -132,8 +132,6 @@ ExperimentEvaluation evaluate_experiment(const Experiment& experiment);
 /// The case with F_T [N] and W [m] in place of their ratios, which stand for this F_N [N] and W:
 /// what a rig sets is a force and a length, which an error of mu or F_N does not move.
 contact::Case as_the_rig_sets(contact::Case c, double normal_force, double amplitude);
-/// The same by Hertz' scales.
-contact::Case as_the_rig_sets(const contact::Case& c, const contact::HalfSpaceScales& hertz);
 
 /// Adds f_T, w and the shifts over U_max, errors of the case's numbers propagated (A.1.4), F_T and
 /// W as the rig sets them: `of_case` is asked of such a case. Where nothing that a number depends

@@ -73,15 +73,12 @@ Case as_the_rig_sets(Case c, double normal_force, double amplitude) {
     return c;
 }
 
-Case as_the_rig_sets(const Case& c, const contact::HalfSpaceScales& hertz) {
-    const double amplitude =
-        c.rolling ? contact::rolling_amplitude(*c.rolling, hertz.contact_radius) : 0;
-    return as_the_rig_sets(c, hertz.normal_force, amplitude);
-}
-
 void normalise(ExperimentEvaluation& e, const Case& given,
                const std::vector<CaseQuantity>& quantities) {
-    const Case c = as_the_rig_sets(given, contact::half_space_scales(given));
+    const contact::HalfSpaceScales hertz = contact::half_space_scales(given);
+    const double amplitude =
+        given.rolling ? contact::rolling_amplitude(*given.rolling, hertz.contact_radius) : 0;
+    const Case c = as_the_rig_sets(given, hertz.normal_force, amplitude);
     const Propagation propagated(c, quantities);
     const auto over_unit = [](const Case& k, double shift) {
         return shift / contact::half_space_scales(k).unit_shift;

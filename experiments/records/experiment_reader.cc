@@ -1,7 +1,6 @@
 #include "experiments/records/experiment_reader.h"
 
 #include <algorithm>
-#include <array>
 
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
@@ -13,13 +12,6 @@
 namespace tricontact::experiments {
 
 namespace {
-
-// Up to a day of three columns at 20 samples per second.
-const io::CsvForm& form() {
-    static const io::CsvForm form{"record", "time [s], shift [um], drive [mm]", 2'000'000,
-                                  "leave out every second row", 100};
-    return form;
-}
 
 const std::vector<io::PlacedKey<ExperimentInput>>& keys() {
     using enum io::Dimension;
@@ -67,7 +59,10 @@ bool is_nested_in_experiment(std::string_view path) {
 }
 
 Record read_record(const std::string& path) {
-    const io::CsvTable table = io::read_csv_table(path, form());
+    // Up to a day of three columns at 20 samples per second.
+    const io::CsvTable table =
+        io::read_csv_table(path, {"record", "time [s], shift [um], drive [mm]", 2'000'000,
+                                  "leave out every second row", 100});
     Record record{.name = table.name(),
                   .time = table.values("time", io::Dimension::time),
                   .shift = table.values("shift", io::Dimension::length),

@@ -34,21 +34,16 @@ std::string runs(const ExperimentEvaluation& e) {
     return e.runs.size() == 1 ? "one run" : fmt::format("{} runs", e.runs.size());
 }
 
-int count(const ExperimentEvaluation& e, State StageEvaluation::*verdict, State state) {
-    return static_cast<int>(std::ranges::count_if(
-        e.runs, [&](const RunEvaluation& run) { return run.stages.front().*verdict == state; }));
+// Runs of this verdict by the walk.
+auto count(const ExperimentEvaluation& e, State state) {
+    return std::ranges::count(e.runs, state,
+                              [](const RunEvaluation& run) { return run.stages.front().by_walk; });
 }
 
 // Of the run that walks most.
-const StageEvaluation& largest_walk(const ExperimentEvaluation& e) {
-    return std::ranges::max_element(
-               e.runs, {},
-               [](const RunEvaluation& run) { return run.stages.front().settling.increment.high; })
-        ->stages.front();
-}
-
 std::string walk(const ExperimentEvaluation& e) {
-    const StageEvaluation& stage = largest_walk(e);
+    const auto high = [](const RunEvaluation& r) { return r.stages[0].settling.increment.high; };
+    const StageEvaluation& stage = std::ranges::max_element(e.runs, {}, high)->stages.front();
     const Estimate& increment = stage.settling.increment;
     if (e.state == State::ratcheting)
         return fmt::format("the residual ratcheting beside the transient is {} per period ({})",
@@ -69,13 +64,10 @@ report::Verdict state_verdict(const ExperimentEvaluation& e) {
         return {Standing::cannot_tell,
                 fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
                             "{} settle and {} ratchet.",
-                            e.periods, walk(e), runs(e),
-                            count(e, &StageEvaluation::by_walk, State::shakedown),
-                            count(e, &StageEvaluation::by_walk, State::ratcheting))};
+                            e.periods, walk(e), runs(e), count(e, State::shakedown),
+                            count(e, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
-    const std::string where =
-        n == 1 ? ""
-               : fmt::format(" in {} of {} runs", count(e, &StageEvaluation::by_walk, e.state), n);
+    const std::string where = n == 1 ? "" : fmt::format(" in {} of {} runs", count(e, e.state), n);
     return {expected ? Standing::holds : Standing::fails, state + where + ": " + walk(e) + "."};
 }
 
@@ -234,10 +226,6 @@ report::Verdict drift_verdict(const ExperimentEvaluation& e) {
                         changes, runs(e))};
 }
 
-std::string slope(const Estimate& e) {
-    return report::with_error(mm * e.value, mm * e.half_width(), 3) + " µm/mm";
-}
-
 /// Where the pivot is over the contact, as far as that is more than its error.
 std::string pivot_text(const Estimate& height) {
     const std::string size =
@@ -249,12 +237,14 @@ std::string pivot_text(const Estimate& height) {
 
 report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
     const Estimate height = pivot_height(e, p.wobble);
+    const Estimate& slope = e.wobble->at_confidence;
     return {
         Standing::finding,
-        fmt::format("The shift follows the drive by {}, of which {} has {} itself; by the rest {} "
-                    "(5.1.11, one standard error).",
-                    slope(e.wobble->at_confidence), report::display_name(p.model),
-                    report::significant(mm * p.wobble, 3), pivot_text(height))};
+        fmt::format("The shift follows the drive by {} µm/mm, of which {} has {} itself; by the "
+                    "rest {} (5.1.11, one standard error).",
+                    report::with_error(mm * slope.value, mm * slope.half_width(), 3),
+                    report::display_name(p.model), report::significant(mm * p.wobble, 3),
+                    pivot_text(height))};
 }
 
 }  // namespace

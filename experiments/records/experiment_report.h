@@ -26,18 +26,15 @@ std::string word(contact::State state);
 /// From metres to the units in which people read shifts and amplitudes.
 inline constexpr double um = 1e6, nm = 1e9, mm = 1e3;
 
-// Tables of an experiment's report.
-
-report::DocumentTable values_table(const ExperimentEvaluation& e);      ///< u_stat, u_sd, Du
-report::DocumentTable normalised_table(const ExperimentEvaluation& e);  ///< over Hertz' scales
-report::DocumentTable deviations_table(const ExperimentEvaluation& e);  ///< of the models
-report::DocumentTable criteria_table(
-    const ExperimentEvaluation& e);  ///< walk and curvature, per run
-report::DocumentTable stages_table(
-    const ExperimentEvaluation& e);  ///< verdict per amplitude and run
-report::DocumentTable limits_table(const ExperimentEvaluation& e);  ///< W_lim and U_lim per run
-report::DocumentTable model_stages_table(const ExperimentEvaluation& e);  ///< models' verdicts
-report::DocumentTable wobble_table(const ExperimentEvaluation& e);        ///< with the models' own
-report::DocumentTable noise_table(const ExperimentEvaluation& e);  ///< noise, drift, wobble per run
+// Tables of an experiment's report, those of a section each.
+/// u_stat, u_sd, Du; over Hertz' scales; of the models.
+std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e);
+/// Walk and curvature, per run.
+report::DocumentTable criteria_table(const ExperimentEvaluation& e);
+/// Verdict per amplitude and run, W_lim and U_lim per run, over Hertz' scales, the models'
+/// verdicts.
+std::vector<report::DocumentTable> limit_tables(const ExperimentEvaluation& e);
+/// Noise, drift and wobble per run; beside the models' own wobble.
+std::vector<report::DocumentTable> noise_tables(const ExperimentEvaluation& e);
 
 }  // namespace tricontact::experiments

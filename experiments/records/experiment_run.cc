@@ -7,7 +7,6 @@
 
 #include "contact/error.h"
 #include "contact/verdict.h"
-#include "experiments/records/drive_timeline.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -25,17 +24,6 @@ constexpr double drifts_differ = 3;   // standard errors
 struct Part {
     std::vector<double> time, shift, offset;
 };
-
-Part part_of(const RunEvaluation& run, const std::vector<double>& offset, double from, double to) {
-    Part part;
-    const auto begin = std::ranges::lower_bound(run.time, from) - run.time.begin();
-    const auto end = std::ranges::upper_bound(run.time, to) - run.time.begin();
-    if (end <= begin) return part;
-    part.time.assign(run.time.begin() + begin, run.time.begin() + end);
-    part.shift.assign(run.shift.begin() + begin, run.shift.begin() + end);
-    part.offset.assign(offset.begin() + begin, offset.begin() + end);
-    return part;
-}
 
 std::vector<double> mean_weights(std::size_t n) {
     return std::vector<double>(n, 1 / static_cast<double>(n));
@@ -124,7 +112,16 @@ class Corrections {
         add(stage, upright, part, weights_of_polynomial_at(0, part.offset, 2));
     }
 
-    Part rest(double from, double to) const { return part_of(run_, timeline_.offset, from, to); }
+    Part rest(double from, double to) const {
+        Part part;
+        const auto begin = std::ranges::lower_bound(run_.time, from) - run_.time.begin();
+        const auto end = std::ranges::upper_bound(run_.time, to) - run_.time.begin();
+        if (end <= begin) return part;
+        part.time.assign(run_.time.begin() + begin, run_.time.begin() + end);
+        part.shift.assign(run_.shift.begin() + begin, run_.shift.begin() + end);
+        part.offset.assign(timeline_.offset.begin() + begin, timeline_.offset.begin() + end);
+        return part;
+    }
 
   private:
     void subtract_zero(double first) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 #include "experiments/records/experiment_report.h"
@@ -35,8 +34,6 @@ std::string numbers_with_errors(const ExperimentEvaluation& e) {
 std::string percents(double level) {
     return fmt::format("{:.4g} %", 100 * level);
 }
-
-}  // namespace
 
 report::DocumentTable values_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
@@ -108,28 +105,6 @@ report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
                               !d.differs()   ? "cannot tell"
                               : *d.differs() ? "yes"
                                              : "no"});
-    return table;
-}
-
-report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
-    report::DocumentTable table{
-        .id = "criteria_by_run",
-        .title = "Both criteria",
-        .note = "Intervals at " + percents(verdict_confidence) +
-                ". Residual: of the values upright about transient and walk; "
-                "noise: what their errors explain. Curvature of all samples: as "
-                "the thesis takes it, without an interval, since neighbours in the "
-                "record are not independent.",
-        .columns = report::columns("run", "walk Du [µm]", "verdict by the walk", "q:2",
-                                   "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
-                                   "curvature of all samples:3")};
-    for (const RunEvaluation& run : e.runs) {
-        const StageEvaluation& s = run.stages.front();
-        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
-                              s.settling.ratio, um * s.settling.residual_deviation,
-                              um * s.shift_error[s.shift_error.size() / 2],
-                              interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});
-    }
     return table;
 }
 
@@ -229,6 +204,50 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
              run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm)) : report::Cell(nan)});
     }
     return table;
+}
+
+}  // namespace
+
+std::vector<report::DocumentTable> values_tables(const ExperimentEvaluation& e) {
+    std::vector<report::DocumentTable> tables{values_table(e)};
+    if (e.normalised) tables.push_back(normalised_table(e));
+    if (!e.deviations.empty()) tables.push_back(deviations_table(e));
+    return tables;
+}
+
+report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
+    report::DocumentTable table{
+        .id = "criteria_by_run",
+        .title = "Both criteria",
+        .note = "Intervals at " + percents(verdict_confidence) +
+                ". Residual: of the values upright about transient and walk; "
+                "noise: what their errors explain. Curvature of all samples: as "
+                "the thesis takes it, without an interval, since neighbours in the "
+                "record are not independent.",
+        .columns = report::columns("run", "walk Du [µm]", "verdict by the walk", "q:2",
+                                   "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
+                                   "curvature of all samples:3")};
+    for (const RunEvaluation& run : e.runs) {
+        const StageEvaluation& s = run.stages.front();
+        table.rows.push_back({run.name, interval(s.settling.increment, um), word(s.by_walk),
+                              s.settling.ratio, um * s.settling.residual_deviation,
+                              um * s.shift_error[s.shift_error.size() / 2],
+                              interval(s.curvature, 1), word(s.by_curvature), s.sampled_curvature});
+    }
+    return table;
+}
+
+std::vector<report::DocumentTable> limit_tables(const ExperimentEvaluation& e) {
+    std::vector<report::DocumentTable> tables{stages_table(e), limits_table(e)};
+    if (e.normalised) tables.push_back(normalised_table(e));
+    if (!e.model_limits.empty()) tables.push_back(model_stages_table(e));
+    return tables;
+}
+
+std::vector<report::DocumentTable> noise_tables(const ExperimentEvaluation& e) {
+    std::vector<report::DocumentTable> tables{noise_table(e)};
+    if (e.wobble && e.normalised) tables.push_back(wobble_table(e));
+    return tables;
 }
 
 }  // namespace tricontact::experiments

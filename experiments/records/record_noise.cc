@@ -9,19 +9,6 @@ namespace tricontact::experiments {
 
 namespace {
 
-struct Spread {
-    double mean = 0, sum_of_squares = 0;
-};
-
-Spread spread_of(const std::vector<double>& x) {
-    Spread s;
-    s.mean = std::accumulate(x.begin(), x.end(), 0.) / static_cast<double>(x.size());
-    for (const double value : x) s.sum_of_squares += (value - s.mean) * (value - s.mean);
-    if (!(s.sum_of_squares > 0))
-        throw std::invalid_argument("a straight line needs two different places");
-    return s;
-}
-
 constexpr double independent = 1e-10;  // of squared norms: what is left of a dependent power
 
 // Over the places of the values; the last element belongs to the place that is asked for.
@@ -96,9 +83,13 @@ std::vector<double> weights_of_polynomial_at(double place, const std::vector<dou
 }
 
 std::vector<double> weights_of_slope(const std::vector<double>& x) {
-    const Spread s = spread_of(x);
+    const double mean = std::accumulate(x.begin(), x.end(), 0.) / static_cast<double>(x.size());
+    double sum_of_squares = 0;
+    for (const double value : x) sum_of_squares += (value - mean) * (value - mean);
+    if (!(sum_of_squares > 0))
+        throw std::invalid_argument("a straight line needs two different places");
     std::vector<double> weights;
-    for (const double value : x) weights.push_back((value - s.mean) / s.sum_of_squares);
+    for (const double value : x) weights.push_back((value - mean) / sum_of_squares);
     return weights;
 }
 

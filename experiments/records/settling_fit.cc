@@ -79,9 +79,8 @@ SettlingFit fit_settling(const std::vector<double>& shift, double confidence) {
     result.settled = profile(settling, 0, confidence);
     result.ratio = best.ratio;
     result.fitted = best.fit.fitted;
-    result.degrees_of_freedom = best.fit.degrees_of_freedom - 1;
-    result.residual_deviation =
-        std::sqrt(best.fit.residual_sum_of_squares / result.degrees_of_freedom);
+    const int freedom = best.fit.degrees_of_freedom - 1;  // N + 1 - 4
+    result.residual_deviation = std::sqrt(best.fit.residual_sum_of_squares / freedom);
     return result;
 }
 

@@ -22,7 +22,6 @@ struct SettlingFit {
     double ratio = 0;               ///< q of the fit with a walk
     std::vector<double> fitted;     ///< of that fit [m]
     double residual_deviation = 0;  ///< of that fit [m]
-    int degrees_of_freedom = 0;     ///< of that fit, dof above: N + 1 - 4
 };
 
 /// Fewest periods: six values determine four parameters and their errors.

@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <vector>
 
-#include "contact/error.h"
 #include "experiments/records/drive_timeline.h"
 
 namespace tricontact::experiments {
@@ -18,10 +14,7 @@ constexpr double least_correlation = 0.3;    // noise alone has 1/sqrt(samples),
 constexpr double smoothing = 1. / 20;        // of a period: speeds are means over it
 constexpr double refined_within = 0.5 / 20;  // of the first estimate
 
-[[noreturn]] void refuse(const Record& record, const std::string& rule) {
-    throw contact::InputError(
-        fmt::format("{}: {}; record the drive, or give drive.period", record.name, rule));
-}
+constexpr const char* remedy = "record the drive, or give drive.period";
 
 /// Mean speeds on a regular grid, their mean subtracted.
 class Speeds {
@@ -72,7 +65,7 @@ class Speeds {
 double shift_period(const Record& record, double start, int periods) {
     const double longest = (record.time.back() - start) / periods;
     if (!(longest > 0) || start < record.time.front())
-        refuse(record, "the rolling does not begin within the record");
+        refuse_record(record, "the rolling does not begin within the record", remedy);
     const double step = longest / samples_per_period;
     const Speeds speeds(record, start, step);
     std::vector<double> rho;
@@ -85,7 +78,8 @@ double shift_period(const Record& record, double start, int periods) {
         peaks.push_back(lag);
         highest = std::max(highest, rho[lag]);
     }
-    if (highest < least_correlation) refuse(record, "no period stands out in the shift");
+    if (highest < least_correlation)
+        refuse_record(record, "no period stands out in the shift", remedy);
     std::erase_if(peaks, [&](std::size_t lag) { return rho[lag] < nearly_equal * highest; });
     const double first = static_cast<double>(peaks.back()) * step;
 
