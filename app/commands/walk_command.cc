@@ -18,7 +18,6 @@ using walking::report_recording;
 using walking::Snapshot;
 using walking::Walk;
 using walking::WalkCase;
-using walking::WalkReport;
 
 const std::string walk_again = std::string("tricontact walk ") + resolved_case_name;
 
@@ -46,17 +45,16 @@ void write_animation(const std::string& output, const WalkCase& walk_case, const
 }
 
 void write_page(const CommandOptions& options, const WalkCase& walk_case, const Walk& walk) {
-    WalkReport report{.walk_case = walk_case,
-                      .walk = walk,
-                      .files = {{"all numbers", "summary.json"},
-                                {"means of the run, window by window", "windows.csv"},
-                                {"motion and forces at its end", "motion.csv"},
-                                {"the case, resolved", resolved_case_name}},
-                      .command = walk_again,
-                      .version = files::version};
+    report::Document document = walking::walk_document({walk_case, walk});
+    document.files = {{"all numbers", "summary.json"},
+                      {"means of the run, window by window", "windows.csv"},
+                      {"motion and forces at its end", "motion.csv"},
+                      {"the case, resolved", resolved_case_name}};
+    document.command = walk_again;
+    document.version = files::version;
     if (walk_case.output.frames > 0)
-        report.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
-    options.write("report.html", report::document_html(walking::walk_document(report)));
+        document.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
+    options.write("report.html", report::document_html(document));
 }
 
 void walk_machine(CommandOptions options) {

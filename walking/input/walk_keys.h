@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "io/keys/key.h"
@@ -13,7 +11,7 @@ namespace tricontact::walking {
 using WalkKey = io::PlacedKey<WalkCase>;
 
 /// All keys in the order in which they are written.
-std::span<const WalkKey> walk_keys();
+const std::vector<WalkKey>& walk_keys();
 const io::KeyList& walk_key_list();
 
 /// Whether the key describes a machine with dimensions, whose kappas follow.
@@ -21,8 +19,5 @@ bool is_dimensional(const io::Key& key);
 
 /// Groups of alternative keys of walking cases: exactly one of each group, or its default.
 enum WalkKeyGroup { no_walk_group = 0, lever_arm, spot_stiffness, end_of_run };
-
-/// Declarations of the section [machine].
-void add_machine_keys(std::vector<WalkKey>& keys);
 
 }  // namespace tricontact::walking

@@ -15,13 +15,6 @@ namespace tricontact::walking {
 
 namespace {
 
-void check_machine_there(const io::Document& document) {
-    if (io::is_walk_case(document)) return;
-    io::fail(document.name + ":1:1", "",
-             "missing section [machine]: no case of the walking machine",
-             "add a section [machine] with its kappas");
-}
-
 // Makes those parts of the case that the document has, so that their fields have a place.
 void make_optional_parts(WalkCase& c, const io::Document& document) {
     for (const io::Entry& entry : document.entries)
@@ -53,26 +46,7 @@ void derive_kappas(WalkCase& c) {
     if (c.input.duration) c.time.end = *c.input.duration / characteristic_time(machine);
 }
 
-WalkCase resolve(const io::Document& document) {
-    check_machine_there(document);
-    const io::KeyList& keys = walk_key_list();
-    io::check_known(document, keys);
-    check_one_kind(document);
-    WalkCase c;
-    make_optional_parts(c, document);
-    for (const WalkKey& key : walk_keys()) io::read_or_default(key, key.field(c), document, keys);
-    check_spots(c, document);
-    derive_spots(c);
-    derive_kappas(c);
-    check_walk_case(c, document);
-    return c;
-}
-
 constexpr double most_steps = 1e12;  // months of computing
-
-bool is_kappa(const io::Key& key) {
-    return key.section() == "machine" && key.name().starts_with("kappa");
-}
 
 // Of kappas that follow from dimensions: what overflowed, or became 0 where it divides.
 void check_kappas(const Kappas& k, const io::Document& document) {
@@ -106,19 +80,15 @@ void check_excitation(const Excitation& excitation, const io::Document& document
                    "give excitation.moment or excitation.force, or omit it");
 }
 
-// The key that says how fast the base moves.
-std::string velocity_key(const WalkCase& c) {
-    return c.dimensional ? "machine.base_velocity" : "machine.kappa6";
-}
-
 void check_start(const WalkCase& c, const io::Document& document) {
     if (c.machine.kappas.kappa6 > 0) return;
+    const std::string velocity = c.dimensional ? "machine.base_velocity" : "machine.kappa6";
     for (const auto& [key, value] : {std::pair("start.x_velocity", c.start.x_velocity),
                                      std::pair("start.z_velocity", c.start.z_velocity),
                                      std::pair("start.phi_velocity", c.start.phi_velocity)})
         if (value != 0)
             io::refuse(document, key,
-                       "velocities are in units of the base's, and " + velocity_key(c) + " = 0",
+                       "velocities are in units of the base's, and " + velocity + " = 0",
                        "let the base move, or omit this key");
 }
 
@@ -142,44 +112,11 @@ void check_time(const WalkCase& c, const io::Document& document) {
             "take an earlier end or a larger time.step");
 }
 
-}  // namespace
-
-WalkCase parse_walk_case(std::string_view text, const std::string& name,
-                         const std::vector<std::string>& overrides) {
-    io::Document document = io::parse_document(text, name);
-    io::require_kind(io::FileKind::walking, document);
-    io::apply_overrides(document, overrides, walk_key_list());
-    return resolve(document);
-}
-
-WalkCase resolve_walk_case(io::Document document, const std::vector<io::Entry>& overrides) {
-    io::apply_overrides(document, overrides, walk_key_list());
-    return resolve(document);
-}
-
-WalkCase read_walk_case(const std::string& path, const std::vector<std::string>& overrides) {
-    return parse_walk_case(io::read_input_file(path), path, overrides);
-}
-
-std::string write_walk_case(const WalkCase& c) {
-    WalkCase copy = c;  // fields are mutable places; the writer reads a copy
-    io::KeyWriter writer;
-    for (const WalkKey& key : walk_keys()) writer.add(key, key.field(copy));
-    return writer.text();
-}
-
-AnyCase read_any_case(const std::string& path, const std::vector<std::string>& overrides) {
-    const std::string text = io::read_input_file(path);
-    if (io::is_walk_case(io::parse_document(text, path)))
-        return parse_walk_case(text, path, overrides);
-    return io::parse_case(text, path, overrides);
-}
-
 void check_one_kind(const io::Document& document) {
     const io::Entry *kappa = nullptr, *dimension = nullptr;
     for (const io::Entry& entry : document.entries) {
         const io::Key& key = *walk_key_list().find(entry.path);
-        if (is_kappa(key) && !kappa) kappa = &entry;
+        if (!kappa && key.path.starts_with("machine.kappa")) kappa = &entry;
         if (is_dimensional(key) && !dimension) dimension = &entry;
     }
     if (!kappa || !dimension) return;
@@ -215,12 +152,59 @@ void check_spots(const WalkCase& c, const io::Document& document) {
                    "subtract " + io::shortest(std::ranges::min(heights)) + " from each");
 }
 
-void check_walk_case(const WalkCase& c, const io::Document& document) {
+WalkCase resolve(const io::Document& document) {
+    if (!io::is_walk_case(document))
+        io::fail(document.name + ":1:1", "",
+                 "missing section [machine]: no case of the walking machine",
+                 "add a section [machine] with its kappas");
+    const io::KeyList& keys = walk_key_list();
+    io::check_known(document, keys);
+    check_one_kind(document);
+    WalkCase c;
+    make_optional_parts(c, document);
+    for (const WalkKey& key : walk_keys()) io::read_or_default(key, key.field(c), document, keys);
+    check_spots(c, document);
+    derive_spots(c);
+    derive_kappas(c);
     check_substrate(document);
     if (c.dimensional) check_kappas(c.machine.kappas, document);
     check_excitation(c.machine.excitation, document);
     check_start(c, document);
     check_time(c, document);
+    return c;
+}
+
+}  // namespace
+
+WalkCase parse_walk_case(std::string_view text, const std::string& name,
+                         const std::vector<std::string>& overrides) {
+    io::Document document = io::parse_document(text, name);
+    io::require_kind(io::FileKind::walking, document);
+    io::apply_overrides(document, overrides, walk_key_list());
+    return resolve(document);
+}
+
+WalkCase resolve_walk_case(io::Document document, const std::vector<io::Entry>& overrides) {
+    io::apply_overrides(document, overrides, walk_key_list());
+    return resolve(document);
+}
+
+WalkCase read_walk_case(const std::string& path, const std::vector<std::string>& overrides) {
+    return parse_walk_case(io::read_input_file(path), path, overrides);
+}
+
+std::string write_walk_case(const WalkCase& c) {
+    WalkCase copy = c;  // fields are mutable places; the writer reads a copy
+    io::KeyWriter writer;
+    for (const WalkKey& key : walk_keys()) writer.add(key, key.field(copy));
+    return writer.text();
+}
+
+AnyCase read_any_case(const std::string& path, const std::vector<std::string>& overrides) {
+    const std::string text = io::read_input_file(path);
+    if (io::is_walk_case(io::parse_document(text, path)))
+        return parse_walk_case(text, path, overrides);
+    return io::parse_case(text, path, overrides);
 }
 
 }  // namespace tricontact::walking

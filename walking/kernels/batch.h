@@ -50,7 +50,6 @@ class Lane {
     Lane(const Machine& machine, const Motion& start, double step);
 
     const Machine& machine() const { return machine_; }
-    std::int64_t n_steps() const { return n_steps_; }
 
     /// Constants and state, as the kernels want them.
     double field(walking::kernels::Field field) const { return fields_[field]; }
@@ -113,10 +112,8 @@ class Batch {
     std::optional<double> tilted(std::size_t machine) const;
 
   private:
-    template <class Number, class Work>
-    void for_groups_of(bool everything, const Work& work);
-    template <class Work>
-    void for_groups(bool everything, const Work& work);
+    template <class Number>
+    void advance_groups(std::int64_t n_steps, bool everything, std::span<StretchSums> sums);
 
     std::vector<Lane> lanes_;
     std::vector<char> tilted_;

@@ -108,10 +108,8 @@ using AdvanceLanes = void(Number* fields, std::int64_t n_steps);
 template <class Number>
 struct LaneFunctions {
     int n_lanes;
-    AdvanceLanes<Number>* motion;      ///< sums up to max_rotation
-    AdvanceLanes<Number>* everything;  ///< all sums
-    AdvanceLanes<Number>* prism_motion;
-    AdvanceLanes<Number>* prism_everything;
+    /// First index: two spots, prism; second: sums up to max_rotation, all sums.
+    AdvanceLanes<Number>* advance[2][2];
 };
 
 // Of float and double.

@@ -42,7 +42,7 @@ struct Avx2<double> {
 
 template <class Number>
 LaneFunctions<Number> avx2_lanes() {
-    return lane_functions<Pack<Avx2<Number>>, 3>();
+    return lane_functions<Pack<Avx2<Number>>>();
 }
 template LaneFunctions<float> avx2_lanes();
 template LaneFunctions<double> avx2_lanes();

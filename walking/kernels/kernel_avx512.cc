@@ -44,7 +44,7 @@ struct Avx512<double> {
 
 template <class Number>
 LaneFunctions<Number> avx512_lanes() {
-    return lane_functions<Pack<Avx512<Number>>, 3>();
+    return lane_functions<Pack<Avx512<Number>>>();
 }
 template LaneFunctions<float> avx512_lanes();
 template LaneFunctions<double> avx512_lanes();

@@ -17,7 +17,7 @@ struct Plain {
 
 template <class Number>
 LaneFunctions<Number> plain_lanes() {
-    return lane_functions<Pack<Plain<Number>>, 3>();
+    return lane_functions<Pack<Plain<Number>>>();
 }
 template LaneFunctions<float> plain_lanes();
 template LaneFunctions<double> plain_lanes();

@@ -34,7 +34,7 @@ struct Sse2<double> {
 
 template <class Number>
 LaneFunctions<Number> sse2_lanes() {
-    return lane_functions<Pack<Sse2<Number>>, 3>();
+    return lane_functions<Pack<Sse2<Number>>>();
 }
 template LaneFunctions<float> sse2_lanes();
 template LaneFunctions<double> sse2_lanes();

@@ -69,13 +69,8 @@ struct PackSpotStep {
 /// Spring between -bound and bound. Wetter (2016), eqs. B.4.3 and B.4.4.
 template <class Pack>
 struct FlatContact {
-    Pack increment;
-
-    FlatContact(const PackState<Pack>& s, PackFields<Pack> k)
-        : increment(multiply_add(k[rotation_reach], s.dp, s.dx)) {}
-
-    PackSpotStep<Pack> advance(PackSpot<Pack>& spot, Pack bound, Pack /*approach*/,
-                               PackFields<Pack>) const {
+    static PackSpotStep<Pack> advance(PackSpot<Pack>& spot, Pack increment, Pack bound,
+                                      Pack /*approach*/, PackFields<Pack>) {
         const Pack trial = spot.u + increment;
         spot.u = clamp(trial, bound);
         const Pack slip = trial - spot.u;
@@ -86,13 +81,8 @@ struct FlatContact {
 /// Two springs under one bound: radial return. Eqs. B.4.7 to B.4.9.
 template <class Pack>
 struct PrismContact {
-    Pack increment;
-
-    PrismContact(const PackState<Pack>& s, PackFields<Pack> k)
-        : increment(multiply_add(k[rotation_reach], s.dp, s.dx)) {}
-
-    PackSpotStep<Pack> advance(PackSpot<Pack>& spot, Pack bound, Pack approach,
-                               PackFields<Pack> k) const {
+    static PackSpotStep<Pack> advance(PackSpot<Pack>& spot, Pack increment, Pack bound,
+                                      Pack approach, PackFields<Pack> k) {
         const Pack x = spot.u + increment,
                    along = multiply_add(k[flank_reach], approach, spot.flank);
         const Pack length = square_root(multiply_add(x, x, along * along));
@@ -123,10 +113,10 @@ PackStep<Pack> advance(PackState<Pack>& s, PackFields<Pack> k) {
     s.p = s.p + s.dp;
     s.z = s.z + s.dz;
     s.y = negative_multiply_add(k[spring], s.dx, s.y + k[base_increment]);
-    const Contact contact(s, k);
+    const Pack increment = multiply_add(k[rotation_reach], s.dp, s.dx);
     const Pack turned = k[lever] * s.dp;
-    step.left = contact.advance(s.left, s.left_bound(k), s.dz + turned, k);
-    step.right = contact.advance(s.right, s.right_bound(k), s.dz - turned, k);
+    step.left = Contact::advance(s.left, increment, s.left_bound(k), s.dz + turned, k);
+    step.right = Contact::advance(s.right, increment, s.right_bound(k), s.dz - turned, k);
 
     const Pack force = multiply_add(k[spring_lever], s.p, s.y);
     const Pack normal = step.left.normal + step.right.normal;
@@ -218,11 +208,6 @@ struct AllSums {
     }
 };
 
-template <class Pack, int n_packs>
-PackFields<Pack> fields_of_pack(typename Pack::Number* fields, int pack) {
-    return {fields + pack * Pack::size, n_packs * Pack::size};
-}
-
 /// Several packs of lanes step by step side by side: one waits for its results while others
 /// compute.
 template <class Contact, class Sums, class Pack, int... i>
@@ -232,7 +217,9 @@ void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
     PackState<Pack> states[n];
     PackStep<Pack> last[n];
     Sums sums[n];
-    const auto of = [&](int pack) { return fields_of_pack<Pack, n>(fields, pack); };
+    const auto of = [&](int pack) -> PackFields<Pack> {
+        return {fields + pack * Pack::size, n * Pack::size};
+    };
     (states[i].load(of(i)), ...);
     (sums[i].start(states[i], of(i)), ...);
     for (std::int64_t step = 1; step < n_steps; ++step)
@@ -245,19 +232,22 @@ void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
     (sums[i].store(of(i)), ...);
 }
 
-template <class Contact, class Sums, class Pack, int n_packs>
+constexpr int n_packs = 3;
+
+template <class Contact, class Sums, class Pack>
 __attribute__((flatten)) void advance_lanes(typename Pack::Number* fields, std::int64_t n_steps) {
     advance_packs<Contact, Sums, Pack>(fields, n_steps, std::make_integer_sequence<int, n_packs>());
 }
 
-template <class Pack, int n_packs>
+template <class Pack>
 LaneFunctions<typename Pack::Number> lane_functions() {
     using Flat = FlatContact<Pack>;
     using Prism = PrismContact<Pack>;
-    return {n_packs * Pack::size, advance_lanes<Flat, MotionSums<Pack>, Pack, n_packs>,
-            advance_lanes<Flat, AllSums<Pack>, Pack, n_packs>,
-            advance_lanes<Prism, MotionSums<Pack>, Pack, n_packs>,
-            advance_lanes<Prism, AllSums<Pack>, Pack, n_packs>};
+    return {
+        n_packs * Pack::size,
+        {{advance_lanes<Flat, MotionSums<Pack>, Pack>, advance_lanes<Flat, AllSums<Pack>, Pack>},
+         {advance_lanes<Prism, MotionSums<Pack>, Pack>,
+          advance_lanes<Prism, AllSums<Pack>, Pack>}}};
 }
 
 /// As many numbers as a register of the processor holds. `Instructions` are those of a unit, in a

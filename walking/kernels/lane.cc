@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -27,12 +26,6 @@ const char* obstacle(const Machine& machine) {
     return nullptr;
 }
 
-void check(const Machine& machine, const Motion& start) {
-    if (const char* reason = obstacle(machine)) throw std::invalid_argument(reason);
-    if (start.spots.size() != 2)
-        throw std::invalid_argument("the start has another number of spots than the machine");
-}
-
 }  // namespace
 
 bool fits_lane(const Machine& machine) {
@@ -41,7 +34,9 @@ bool fits_lane(const Machine& machine) {
 
 Lane::Lane(const Machine& machine, const Motion& start, double step)
     : machine_(machine), step_(step), start_time_(start.time), start_base_(start.base) {
-    check(machine, start);
+    if (const char* reason = obstacle(machine)) throw std::invalid_argument(reason);
+    if (start.spots.size() != 2)
+        throw std::invalid_argument("the start has another number of spots than the machine");
     set_constants();
     set_start(start);
 }

@@ -206,8 +206,7 @@ void ContactFlow::pass(std::size_t guard, State& state, std::vector<ContactMode>
     const std::size_t i = guard / 2;
     ContactMode& mode = modes[i];
     double* deflection = &state[first_spot + 2 * i];
-    const bool friction = guard % 2 == 1;
-    if (!friction) {
+    if (guard % 2 == 0) {
         mode.touches = !mode.touches;
         if (!machine_.mechanisms.coupling) return;
         deflection[0] = deflection[1] = 0;

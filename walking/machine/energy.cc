@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "walking/machine/motion.h"
-
 namespace tricontact::walking {
 
 namespace {
@@ -26,23 +24,21 @@ WorkingForces mean(const WorkingForces& a, const WorkingForces& b) {
 
 }  // namespace
 
-StoredEnergy stored_energy(const Machine& machine, std::span<const Spot> spots,
-                           const Motion& motion) {
+double stored_energy(const Machine& machine, std::span<const Spot> spots, const Motion& motion) {
     const Kappas& k = machine.kappas;
     const double pull = spring_force(machine, motion);
     const double rotation = motion.phi_velocity / k.kappa3;
-    StoredEnergy energy{
-        .kinetic = (motion.x_velocity * motion.x_velocity + motion.z_velocity * motion.z_velocity +
-                    k.kappa7 * rotation * rotation) /
-                   2,
-        .spring = pull * pull / (2 * k.kappa1),
-        .gravity = -k.kappa4 * motion.z};
+    const double kinetic =
+        (motion.x_velocity * motion.x_velocity + motion.z_velocity * motion.z_velocity +
+         k.kappa7 * rotation * rotation) /
+        2;
+    double contacts = 0;
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const auto& [normal, tangential, flank] = motion.spots[i];
-        energy.contacts += multiplicity(machine, spots[i]) / 2 *
-                           (k.kappa2 * normal * normal + tangential * tangential + flank * flank);
+        contacts += multiplicity(machine, spots[i]) / 2 *
+                    (k.kappa2 * normal * normal + tangential * tangential + flank * flank);
     }
-    return energy;
+    return kinetic + pull * pull / (2 * k.kappa1) + contacts - k.kappa4 * motion.z;
 }
 
 WorkingForces working_forces(const Machine& machine, std::span<const Spot> spots,
@@ -86,7 +82,7 @@ double VerletEnergy::stored_now() const {
     const auto [x, z, phi] = acceleration(machine, run_.spots(), run_.motion());
     const double rotation = phi / machine.kappas.kappa3;
     const double squares = x * x + z * z + machine.kappas.kappa7 * rotation * rotation;
-    return stored_energy(machine, run_.spots(), run_.motion()).total() -
+    return stored_energy(machine, run_.spots(), run_.motion()) -
            run_.step() * run_.step() / 8 * squares;
 }
 

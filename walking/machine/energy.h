@@ -8,19 +8,10 @@
 
 namespace tricontact::walking {
 
-/// Energy a machine holds, in units of k_x b^2.
-struct StoredEnergy {
-    double kinetic = 0;   ///< (x'^2 + z'^2 + kappa7/kappa3^2 phi'^2)/2
-    double spring = 0;    ///< f_s^2/(2 kappa1)
-    double contacts = 0;  ///< of the springs of the spots
-    double gravity = 0;   ///< -kappa4 z
-
-    double total() const { return kinetic + spring + contacts + gravity; }
-};
-
-/// `spots`: springs_of(machine), here and below.
-StoredEnergy stored_energy(const Machine& machine, std::span<const Spot> spots,
-                           const Motion& motion);
+/// Energy a machine holds, in units of k_x b^2: kinetic (x'^2 + z'^2 + kappa7/kappa3^2 phi'^2)/2,
+/// f_s^2/(2 kappa1) of the spring, that of the springs of the spots, and -kappa4 z. `spots`:
+/// springs_of(machine), here and below.
+double stored_energy(const Machine& machine, std::span<const Spot> spots, const Motion& motion);
 
 /// Forces whose work changes the stored energy, in units of k_x b and k_x b^2.
 struct WorkingForces {

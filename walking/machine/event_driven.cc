@@ -28,9 +28,9 @@ constexpr double share_of_period = 0.1;
 // rounding; it grows fivefold from one to the next.
 constexpr double share_after_event = 1e-4;
 
-double shortest_period(const Machine& machine) {
+double longest_step(const Machine& machine) {
     const double frequency = std::max(highest_frequency(machine), machine.excitation.frequency);
-    return 2 * std::numbers::pi / frequency;
+    return share_of_period * 2 * std::numbers::pi / frequency;
 }
 
 // Upper end of the bracket of the root: the guard has passed.
@@ -46,8 +46,7 @@ double upper_root(const Function& f, double a, double b, double fa, double fb) {
 constexpr double patience = 1000;
 
 bool flies(const EventDriven& run) {
-    return std::none_of(run.modes().begin(), run.modes().end(),
-                        [](const ContactMode& mode) { return mode.touches; });
+    return std::ranges::none_of(run.modes(), &ContactMode::touches);
 }
 
 // Advances to the next event but one sample at most, so that the extremes of z are met: between
@@ -75,14 +74,6 @@ void follow_to_flight(EventDriven& run, ReferenceCycle& cycle) {
         "event-driven integration: the body did not fly in 1000 units of time");
 }
 
-EnergyBalance difference(const EnergyBalance& after, const EnergyBalance& before) {
-    return {.base = after.base - before.base,
-            .excitation = after.excitation - before.excitation,
-            .geometric = after.geometric - before.geometric,
-            .dissipation = after.dissipation - before.dissipation,
-            .stored = after.stored - before.stored};
-}
-
 }  // namespace
 
 namespace odeint = boost::numeric::odeint;
@@ -94,7 +85,7 @@ EventDriven::EventDriven(const Machine& machine, const Motion& start, double tol
       tolerance_(tolerance * static_displacement(machine)),
       start_time_(start.time),
       start_base_(start.base),
-      longest_step_(share_of_period * shortest_period(machine)),
+      longest_step_(longest_step(machine)),
       next_step_(share_after_event * longest_step_),
       time_(start.time) {
     if (!(tolerance >= 1e-14 && tolerance <= 1e-4))
@@ -103,7 +94,7 @@ EventDriven::EventDriven(const Machine& machine, const Motion& start, double tol
         throw std::invalid_argument("the start has another number of spots than the machine");
     state_ = ContactFlow::state_of(start);
     modes_ = flow_.modes_of(state_);
-    start_energy_ = stored_energy(flow_.machine(), flow_.spots(), motion()).total();
+    start_energy_ = stored_energy(flow_.machine(), flow_.spots(), motion());
 }
 
 Motion EventDriven::motion() const {
@@ -114,12 +105,11 @@ Motion EventDriven::motion() const {
 EnergyBalance EventDriven::energy_balance() const {
     const double kappa4 = flow_.machine().kappas.kappa4;
     const double* works = state_.data() + state_.size() - ContactFlow::n_works;
-    return {
-        .base = kappa4 * works[0],
-        .excitation = kappa4 * works[1],
-        .geometric = kappa4 * works[2],
-        .dissipation = kappa4 * works[3],
-        .stored = stored_energy(flow_.machine(), flow_.spots(), motion()).total() - start_energy_};
+    return {.base = kappa4 * works[0],
+            .excitation = kappa4 * works[1],
+            .geometric = kappa4 * works[2],
+            .dissipation = kappa4 * works[3],
+            .stored = stored_energy(flow_.machine(), flow_.spots(), motion()) - start_energy_};
 }
 
 void EventDriven::advance_to(double time) {
@@ -161,8 +151,7 @@ double EventDriven::take_step(double end, State& next) {
         double time = time_, step = taken;
         next = state_;
         const bool converged = stepper.try_step(equations(), next, time, step) == odeint::success &&
-                               std::all_of(next.begin(), next.end(),
-                                           [](double value) { return std::isfinite(value); });
+                               std::ranges::all_of(next, [](double x) { return std::isfinite(x); });
         // A step cut short by the end says nothing about the next one.
         if (converged) next_step_ = taken < wanted ? std::max(step, wanted) : step;
         if (converged) return taken;
@@ -228,13 +217,17 @@ ReferenceCycle reference_cycle(EventDriven& run) {
     const std::size_t n_spots = run.modes().size();
     ReferenceCycle before{.stick_times = std::vector<double>(n_spots)};
     follow_to_flight(run, before);
-    const EnergyBalance balance = run.energy_balance();
+    const EnergyBalance earlier = run.energy_balance();
     ReferenceCycle cycle{.start = run.motion(),
                          .stick_times = std::vector<double>(n_spots),
                          .z_min = run.motion().z};
     follow_to_flight(run, cycle);
     for (double& time : cycle.stick_times) time /= cycle.period;
-    cycle.balance = difference(run.energy_balance(), balance);
+    cycle.balance = run.energy_balance();
+    for (const auto member :
+         {&EnergyBalance::base, &EnergyBalance::excitation, &EnergyBalance::geometric,
+          &EnergyBalance::dissipation, &EnergyBalance::stored})
+        cycle.balance.*member -= earlier.*member;
     // The work of the base is its way times the mean force.
     cycle.spring_force = cycle.balance.base / (run.motion().base - cycle.start.base);
     return cycle;

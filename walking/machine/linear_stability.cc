@@ -58,13 +58,10 @@ double carried_at(const Machine& machine, double phi) {
 
 using Row = Eigen::RowVector3d;  // derivatives with respect to x, z, phi
 
-struct SpotDerivatives {
-    Row approach, normal, tangential;
-};
-
-SpotDerivatives derivatives(const Machine& machine, const Spot& spot, const Motion& motion,
-                            const SpotDeflection& deflection) {
-    if (!(deflection.normal > 0)) return {Row::Zero(), Row::Zero(), Row::Zero()};
+/// Of a spot's normal and tangential force.
+std::pair<Row, Row> derivatives(const Machine& machine, const Spot& spot, const Motion& motion,
+                                const SpotDeflection& deflection) {
+    if (!(deflection.normal > 0)) return {Row::Zero(), Row::Zero()};
     const Kappas& k = machine.kappas;
     const bool prism = machine.model == Machine::Model::prism;
     const Row approach(0, 1, -normal_lever(spot, motion.phi / k.kappa3) / k.kappa3);
@@ -72,7 +69,7 @@ SpotDerivatives derivatives(const Machine& machine, const Spot& spot, const Moti
     const Row normal = (prism ? 1 : spot.stiffness) * k.kappa2 * approach;
     const double bound = k.kappa5 * k.kappa2 * (prism ? sqrt2 : spot.stiffness);
     const Row tangential = machine.mechanisms.coupling ? Row(bound * approach) : Row(Row::Zero());
-    return {approach, normal, tangential};
+    return {normal, tangential};
 }
 
 // Of x'', z'', phi''.
@@ -86,11 +83,11 @@ Eigen::Matrix3d jacobian(const Machine& machine, const Motion& motion) {
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Spot& spot = spots[i];
         const auto [normal, tangential] = spot_force(machine, spot, motion.spots[i]);
-        const SpotDerivatives d = derivatives(machine, spot, motion, motion.spots[i]);
-        x -= d.tangential;
-        z -= d.normal;
-        moment += k.kappa3 * d.normal * (normal_lever(spot, phi / k.kappa3) + phi) -
-                  d.tangential * (square - spot.position * phi) +
+        const auto [dn, dt] = derivatives(machine, spot, motion, motion.spots[i]);
+        x -= dt;
+        z -= dn;
+        moment += k.kappa3 * dn * (normal_lever(spot, phi / k.kappa3) + phi) -
+                  dt * (square - spot.position * phi) +
                   (normal * (spot.tip_radius + k.kappa3) + tangential * spot.position) * turn;
     }
     Eigen::Matrix3d all;

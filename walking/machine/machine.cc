@@ -54,8 +54,7 @@ double static_displacement(const Machine& machine) {
         return kappa4 / (2 * kappa2);
     // The lowest tips carry first: add one after another until the next stays clear of the ground.
     std::vector<Spot> springs = springs_of(machine);
-    std::sort(springs.begin(), springs.end(),
-              [](const Spot& a, const Spot& b) { return a.height < b.height; });
+    std::ranges::sort(springs, {}, &Spot::height);
     double stiffness = 0, moment = 0, z = 0;
     for (const Spot& spring : springs) {
         if (stiffness > 0 && z <= spring.height) break;
@@ -75,8 +74,7 @@ double sliding_force(const Machine& machine) {
 }
 
 double critical_friction(const Machine& machine) {
-    double leading = -std::numeric_limits<double>::infinity();
-    for (const Spot& spot : spots_of(machine)) leading = std::max(leading, spot.position);
+    const double leading = std::ranges::max(spots_of(machine), {}, &Spot::position).position;
     return leading * critical_friction(machine.kappas) / normal_load_factor(machine);
 }
 

@@ -45,19 +45,15 @@ Acceleration acceleration(const Machine& machine, std::span<const Spot> springs,
 }
 
 Motion between(const Motion& a, const Motion& b, double share) {
-    const auto mix = [share](double from, double to) { return from + share * (to - from); };
-    Motion motion{.time = mix(a.time, b.time),
-                  .base = mix(a.base, b.base),
-                  .x = mix(a.x, b.x),
-                  .z = mix(a.z, b.z),
-                  .phi = mix(a.phi, b.phi),
-                  .x_velocity = mix(a.x_velocity, b.x_velocity),
-                  .z_velocity = mix(a.z_velocity, b.z_velocity),
-                  .phi_velocity = mix(a.phi_velocity, b.phi_velocity)};
+    Motion motion = a;
+    const auto mix = [share](double& from, double to) { from += share * (to - from); };
+    for (const auto member : {&Motion::time, &Motion::base, &Motion::x, &Motion::z, &Motion::phi,
+                              &Motion::x_velocity, &Motion::z_velocity, &Motion::phi_velocity})
+        mix(motion.*member, b.*member);
     for (std::size_t i = 0; i < a.spots.size(); ++i)
-        motion.spots.push_back({mix(a.spots[i].normal, b.spots[i].normal),
-                                mix(a.spots[i].tangential, b.spots[i].tangential),
-                                mix(a.spots[i].flank, b.spots[i].flank)});
+        for (const auto member :
+             {&SpotDeflection::normal, &SpotDeflection::tangential, &SpotDeflection::flank})
+            mix(motion.spots[i].*member, b.spots[i].*member);
     return motion;
 }
 

@@ -5,17 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "walking/machine/motion.h"
-
 namespace tricontact::walking {
 
 namespace {
-
-StretchSums nothing(std::size_t n_spots) {
-    StretchSums sums;
-    sums.spots.resize(n_spots);
-    return sums;
-}
 
 /// Wetter (2016), eq. 4.2.16.
 double path(const Motion& motion, const SpotDeflection& spot) {
@@ -97,7 +89,7 @@ StretchRecorder::StretchRecorder(const Machine& machine, const Motion& start, do
     : machine_(machine),
       step_(step),
       rotational_(machine.kappas.kappa7 / (machine.kappas.kappa3 * machine.kappas.kappa3)),
-      sums_(nothing(start.spots.size())) {
+      sums_{.spots = std::vector<SpotSums>(start.spots.size())} {
     for (const SpotDeflection& spot : start.spots)
         paths_.push_back({path(start, spot), path(start, spot), spot.normal});
 }
@@ -127,7 +119,7 @@ void StretchRecorder::add(const Motion& motion, const std::vector<SpotStep>& spo
 }
 
 StretchSums StretchRecorder::take() {
-    return std::exchange(sums_, nothing(paths_.size()));
+    return std::exchange(sums_, {.spots = std::vector<SpotSums>(paths_.size())});
 }
 
 }  // namespace tricontact::walking

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "report/format.h"
@@ -21,16 +22,6 @@ double frequency(const std::complex<double>& eigenvalue) {
     return eigenvalue.imag() / (2 * std::numbers::pi);
 }
 
-std::string how_it_grows(const std::complex<double>& leading) {
-    const std::string rate = report::significant(leading.real(), 3);
-    if (leading.real() <= neutral) return "";
-    return leading.imag() > neutral
-               ? fmt::format(
-                     "flutters: small disturbances grow as exp({} t) at {} cycles per √(m/k_x)",
-                     rate, report::significant(frequency(leading), 3))
-               : fmt::format("diverges: small disturbances grow as exp({} t)", rate);
-}
-
 }  // namespace
 
 std::optional<EnergyStretch> energy_of(const WalkReport& report) {
@@ -47,8 +38,8 @@ std::optional<EnergyStretch> energy_of(const WalkReport& report) {
     }
     EnergyStretch stretch{energy.balance(), static_cast<double>(n_steps) * run.step(), 0};
     const EnergyBalance& b = stretch.balance;
-    for (const double each : {b.base, b.excitation, b.dissipation, b.stored})
-        stretch.scale = std::max(stretch.scale, std::abs(each));
+    stretch.scale = std::max(
+        {std::abs(b.base), std::abs(b.excitation), std::abs(b.dissipation), std::abs(b.stored)});
     return stretch.scale > 0 ? std::optional(stretch) : std::nullopt;
 }
 
@@ -90,31 +81,34 @@ report::DocumentSection energy_section(const EnergyStretch& energy) {
     return {.id = "energy_section", .heading = "Energy", .tables = {table}};
 }
 
-SlidingStability sliding_stability(const Machine& machine) {
+Eigenvalues sliding_stability(const Machine& machine) {
     const auto motion = steady_sliding(machine);
     if (!motion) return {};
-    SlidingStability stability{true, {}};
-    for (const std::complex<double>& value : sliding_eigenvalues(machine, *motion))
-        if (value.imag() >= -neutral) stability.eigenvalues.push_back(value);
-    const auto grows_faster = [](const auto& a, const auto& b) { return a.real() > b.real(); };
-    std::sort(stability.eigenvalues.begin(), stability.eigenvalues.end(), grows_faster);
-    return stability;
+    Eigenvalues values = sliding_eigenvalues(machine, *motion);
+    std::erase_if(values, [](const auto& value) { return value.imag() < -neutral; });
+    std::ranges::sort(values, std::ranges::greater{}, [](const auto& v) { return v.real(); });
+    return values;
 }
 
-bool is_neutral(const SlidingStability& stability) {
-    return !stability.eigenvalues.empty() &&
-           std::abs(stability.eigenvalues.front().real()) <= neutral;
+bool is_neutral(const Eigenvalues& stability) {
+    return !stability.empty() && std::abs(stability.front().real()) <= neutral;
 }
 
-report::Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability) {
-    constexpr auto finding = report::Verdict::Standing::finding;
-    if (!stability.exists)
-        return {finding,
-                "There is no steady sliding: the moments about the centre of gravity lift "
-                "the trailing spot off."};
-    if (stability.eigenvalues.empty()) return {finding, "Steady sliding cannot be disturbed."};
-    const std::complex<double>& leading = stability.eigenvalues.front();
-    if (leading.real() > neutral) return {finding, "Steady sliding " + how_it_grows(leading) + "."};
+report::Verdict stability_verdict(const WalkReport& report, const Eigenvalues& stability) {
+    if (stability.empty())
+        return {.sentence =
+                    "There is no steady sliding: the moments about the centre of gravity lift "
+                    "the trailing spot off."};
+    const std::complex<double>& leading = stability.front();
+    if (leading.real() > neutral) {
+        const std::string rate = report::significant(leading.real(), 3);
+        if (leading.imag() <= neutral)
+            return {.sentence = fmt::format(
+                        "Steady sliding diverges: small disturbances grow as exp({} t).", rate)};
+        return {.sentence = fmt::format("Steady sliding flutters: small disturbances grow as "
+                                        "exp({} t) at {} cycles per √(m/k_x).",
+                                        rate, report::significant(frequency(leading), 3))};
+    }
     std::string text = leading.real() < -neutral
                            ? "Steady sliding is stable: small disturbances decay."
                            : "Steady sliding is linearly neutral: small disturbances neither grow "
@@ -122,10 +116,10 @@ report::Verdict stability_verdict(const WalkReport& report, const SlidingStabili
     const Regime regime = report.walk.result.regime;
     if (regime == Regime::limit_cycle || regime == Regime::chaotic)
         text += " What vibrates here was set off by one that made a spot stick or lift off.";
-    return {finding, text};
+    return {.sentence = text};
 }
 
-report::DocumentSection stability_section(const SlidingStability& stability) {
+report::DocumentSection stability_section(const Eigenvalues& stability) {
     report::DocumentTable table{
         .id = "eigenvalues",
         .title = "Eigenvalues of steady sliding",
@@ -133,12 +127,9 @@ report::DocumentSection stability_section(const SlidingStability& stability) {
             "A disturbance while all spots slip forwards grows as exp(growth t); "
             "frequency in cycles per √(m/k_x).",
         .columns = {{"growth [√(k_x/m)]"}, {"frequency [√(k_x/m)]"}}};
-    for (const std::complex<double>& value : stability.eigenvalues) {
-        std::vector<report::Cell>& row = table.rows.emplace_back();
-        // Rounding is no growth.
-        row.emplace_back(std::abs(value.real()) > neutral ? value.real() : 0.);
-        row.emplace_back(std::max(0., frequency(value)));
-    }
+    for (const std::complex<double>& value : stability)  // rounding is no growth
+        table.rows.push_back(
+            {std::abs(value.real()) > neutral ? value.real() : 0., std::max(0., frequency(value))});
     return {.id = "stability", .heading = "Linear stability of steady sliding", .tables = {table}};
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 /// The time a spot spends in a state as a strip between two heights.
 report::Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotState state,
-                   const std::string& name, double low, double high) {
-    report::Band band{.name = name};
+                   const std::string& name, double low, double high, int colour) {
+    report::Band band{.name = name, .colour = colour};
     const double begin = snapshots.front().motion.time;
     for (std::size_t i = 0; i < snapshots.size(); ++i) {
         const bool in = snapshots[i].spots[spot] == state;
@@ -63,22 +63,18 @@ report::Figure spot_figure(const Machine& machine, std::span<const Snapshot> sna
             curve->add(snapshot.motion.time - snapshots.front().motion.time,
                        value / machine.kappas.kappa4);
     }
-    const double top = *std::max_element(normal.y.begin(), normal.y.end());
-    report::Figure figure{
-        .id = fmt::format("spot_{}", i + 1),
-        .title = fmt::format("Forces of spot {}", i + 1),
-        .caption =
-            "In units of the weight; friction is positive against the motion. The "
-            "strip tells when the spot sticks and when it slips; where it is "
-            "interrupted, the spot is in the air.",
-        .x = {time_label},
-        .y = {"force [m g]"},
-        .curves = {normal, friction, bound, below}};
-    figure.bands = {strip(snapshots, i, SpotState::stick, "sticks", 1.08 * top, 1.16 * top),
-                    strip(snapshots, i, SpotState::slip, "slips", 1.08 * top, 1.16 * top)};
-    figure.bands[0].colour = 2;
-    figure.bands[1].colour = 3;
-    return figure;
+    const double top = std::ranges::max(normal.y);
+    return {.id = fmt::format("spot_{}", i + 1),
+            .title = fmt::format("Forces of spot {}", i + 1),
+            .caption =
+                "In units of the weight; friction is positive against the motion. The "
+                "strip tells when the spot sticks and when it slips; where it is "
+                "interrupted, the spot is in the air.",
+            .x = {time_label},
+            .y = {"force [m g]"},
+            .curves = {normal, friction, bound, below},
+            .bands = {strip(snapshots, i, SpotState::stick, "sticks", 1.08 * top, 1.16 * top, 2),
+                      strip(snapshots, i, SpotState::slip, "slips", 1.08 * top, 1.16 * top, 3)}};
 }
 
 /// Of many spots: shares of them in each state.
@@ -111,13 +107,12 @@ report::DocumentTable spot_table(const std::vector<SpotStatistics>& spots) {
             "where it moves while it presses little. Wetter (2016), eqs. 4.2.14 "
             "to 4.2.16 and A.1.4. Errors: 95 % intervals, none on a limit cycle.",
         .columns = {{"spot"}, {"stick time [T]", 4}, {"r [-]", 3}}};
-    for (const SpotStatistics& spot : spots) {
-        std::vector<report::Cell>& row = table.rows.emplace_back();
-        row.emplace_back(static_cast<double>(spot.number));
-        for (const auto& [value, error] : {spot.stick_time, spot.correlation})
-            row.push_back(std::isnan(error) ? report::Cell(value)
-                                            : report::Cell(report::WithError{value, error}));
-    }
+    const auto cell = [](const report::WithError& r) {
+        return std::isnan(r.error) ? report::Cell(r.value) : report::Cell(r);
+    };
+    for (const SpotStatistics& spot : spots)
+        table.rows.push_back(
+            {static_cast<double>(spot.number), cell(spot.stick_time), cell(spot.correlation)});
     return table;
 }
 

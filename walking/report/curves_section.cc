@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t most_curves = 8;
 
-std::string shown(const WalkSweep& sweep, std::size_t axis, const report::Cell& value) {
-    if (const auto* word = std::get_if<std::string>(&value)) return *word;
-    return report::as_given(shown_value(sweep, axis, value));
-}
-
 /// "κ_8 = -0.47, μ = 0.75" of all axes but one; empty if there is but one.
 std::string name_of(const WalkSweep& sweep, const std::vector<std::size_t>& axes,
                     const WalkGroup& group, std::size_t but) {
@@ -25,7 +20,9 @@ std::string name_of(const WalkSweep& sweep, const std::vector<std::size_t>& axes
     for (std::size_t k = 0; k < axes.size(); ++k) {
         if (k == but) continue;
         if (!name.empty()) name += ", ";
-        name += label_of(sweep, axes[k]) + " = " + shown(sweep, axes[k], group.values[k]);
+        const auto* word = std::get_if<std::string>(&group.values[k]);
+        name += label_of(sweep, axes[k]) + " = " +
+                (word ? *word : report::as_given(shown_value(sweep, axes[k], group.values[k])));
     }
     return name;
 }
@@ -33,11 +30,10 @@ std::string name_of(const WalkSweep& sweep, const std::vector<std::size_t>& axes
 /// [sqrt(k_x/m)] of the disturbance of steady sliding that grows fastest; NaN: there is no steady
 /// sliding.
 double growth_rate(const Machine& machine) {
-    const SlidingStability stability = sliding_stability(machine);
-    if (stability.eigenvalues.empty()) return NAN;
+    const auto eigenvalues = sliding_stability(machine);
     constexpr double rounding = 1e-9;
-    const double rate = stability.eigenvalues.front().real();
-    return std::abs(rate) < rounding ? 0 : rate;
+    if (eigenvalues.empty()) return NAN;
+    return std::abs(eigenvalues.front().real()) < rounding ? 0 : eigenvalues.front().real();
 }
 
 /// What is drawn over each axis.
@@ -113,20 +109,11 @@ report::DocumentTable group_table(const WalkSweep& sweep, const std::vector<std:
     for (const WalkGroup& group : groups) {
         std::vector<report::Cell>& row = table.rows.emplace_back();
         for (std::size_t k = 0; k < axes.size(); ++k)
-            row.push_back(std::holds_alternative<double>(group.values[k])
-                              ? report::Cell(shown_value(sweep, axes[k], group.values[k]))
-                              : group.values[k]);
-        row.emplace_back(group.mu_e());
-        row.emplace_back(static_cast<double>(group.points.size()));
-        row.emplace_back(static_cast<double>(group.n_tilted()));
+            row.push_back(shown_cell(sweep, axes[k], group.values[k]));
+        row.insert(row.end(), {group.mu_e(), static_cast<double>(group.points.size()),
+                               static_cast<double>(group.n_tilted())});
     }
     return table;
-}
-
-bool is_number(const std::vector<WalkGroup>& groups, std::size_t place) {
-    for (const WalkGroup& group : groups)
-        if (!std::holds_alternative<double>(group.values[place])) return false;
-    return true;
 }
 
 }  // namespace
@@ -136,7 +123,10 @@ std::optional<WalkSection> curves_section(const WalkSweep& sweep,
     const std::vector<std::size_t> axes = machine_axes(sweep);
     WalkSection result{.section = {.id = "curves", .heading = "Friction, vibration, stability"}};
     for (std::size_t over = 0; over < axes.size(); ++over) {
-        if (!is_number(groups, over)) continue;
+        if (!std::ranges::all_of(groups, [&](const WalkGroup& group) {
+                return std::holds_alternative<double>(group.values[over]);
+            }))
+            continue;
         for (const CurveQuantity& quantity : quantities) {
             const report::Figure figure = figure_over(sweep, axes, over, groups, quantity);
             if (figure.curves.size() > most_curves || figure.curves.front().x.size() < 2)

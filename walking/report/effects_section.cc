@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <ranges>
 
 #include "contact/error.h"
 #include "report/format.h"
@@ -45,14 +45,6 @@ report::DocumentTable main_table(const Response& response, const FactorialDesign
     return table;
 }
 
-std::vector<const Interaction*> by_share(const VarianceAnalysis& analysis) {
-    std::vector<const Interaction*> sorted;
-    for (const Interaction& interaction : analysis.interactions) sorted.push_back(&interaction);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const auto* a, const auto* b) { return a->share > b->share; });
-    return sorted;
-}
-
 report::DocumentTable interaction_table(const Response& response, const FactorialDesign& design,
                                         const VarianceAnalysis& analysis) {
     report::DocumentTable table{
@@ -62,17 +54,16 @@ report::DocumentTable interaction_table(const Response& response, const Factoria
             "How far two factors together depart from the sum of what they do alone: the "
             "largest departure, where it is, and the pair's share of the variance.",
         .columns = {{"pair"}, {"levels"}, {"largest effect"}, {"share [%]", 3}}};
-    for (const Interaction* interaction : by_share(analysis)) {
-        const Factor &first = design.factors[interaction->first],
-                     &second = design.factors[interaction->second];
-        const auto largest = std::max_element(
-            interaction->effects.begin(), interaction->effects.end(),
-            [](const auto& a, const auto& b) { return std::abs(a.value) < std::abs(b.value); });
-        const auto place = static_cast<std::size_t>(largest - interaction->effects.begin());
+    for (const Interaction& interaction : analysis.interactions) {
+        const Factor &first = design.factors[interaction.first],
+                     &second = design.factors[interaction.second];
+        const auto largest = std::ranges::max_element(
+            interaction.effects, {}, [](const auto& effect) { return std::abs(effect.value); });
+        const auto place = static_cast<std::size_t>(largest - interaction.effects.begin());
         table.rows.push_back({first.name + " × " + second.name,
                               report::as_given(first.levels[place / second.levels.size()]) + ", " +
                                   report::as_given(second.levels[place % second.levels.size()]),
-                              *largest, 100 * interaction->share});
+                              *largest, 100 * interaction.share});
     }
     return table;
 }
@@ -130,8 +121,8 @@ report::DocumentTable rule_table(const std::vector<WalkGroup>& groups,
             sum += value;
             ++n;
         }
-        std::vector<report::Cell>& row = table.rows.emplace_back();
-        row.insert(row.end(), {rule.name, n, sum / n});
+        std::vector<report::Cell>& row =
+            table.rows.emplace_back(std::vector<report::Cell>{rule.name, n, sum / n});
         for (const MainEffect& effect : main_effects(design))
             row.emplace_back(report::WithError{
                 effect.means.back().value - effect.means.front().value,
@@ -158,6 +149,8 @@ void add_response(const Response& response, const FactorialDesign& design, WalkS
     std::optional<VarianceAnalysis> analysis;
     try {
         analysis = variance_analysis(design);
+        std::ranges::stable_sort(analysis->interactions, std::ranges::greater{},
+                                 &Interaction::share);
     } catch (const contact::NotConverged&) {
         section.paragraphs.push_back(std::string(response.title) +
                                      ": some pair of levels is excluded altogether, or there are "
@@ -168,12 +161,10 @@ void add_response(const Response& response, const FactorialDesign& design, WalkS
     }
     section.tables.push_back(main_table(response, design, analysis));
     if (!analysis) return;
-    result.verdicts.push_back(
-        {report::Verdict::Standing::finding, share_sentence(response, *analysis)});
+    result.verdicts.push_back({.sentence = share_sentence(response, *analysis)});
     section.tables.push_back(interaction_table(response, design, *analysis));
-    const auto sorted = by_share(*analysis);
-    for (std::size_t i = 0; i < std::min(n_drawn_pairs, sorted.size()); ++i)
-        section.figures.push_back(pair_figure(response, design, *sorted[i]));
+    for (const Interaction& pair : analysis->interactions | std::views::take(n_drawn_pairs))
+        section.figures.push_back(pair_figure(response, design, pair));
 }
 
 }  // namespace
@@ -184,13 +175,11 @@ std::optional<WalkSection> effects_section(const WalkSweep& sweep,
     if (!factorial) return {};
     const ExclusionRule& rule = exclusion_rules().front();
     WalkSection result{.section = {.id = "effects", .heading = "Design of experiments"}};
-    const auto n_kept = std::count_if(groups.begin(), groups.end(), [&](const WalkGroup& group) {
-        return !rule.excludes(group);
-    });
+    const auto n_excluded =
+        std::ranges::count_if(groups, [&](const WalkGroup& group) { return rule.excludes(group); });
     result.verdicts.push_back(
-        {report::Verdict::Standing::finding,
-         fmt::format("{} of {} runs count; excluded are those with {}, or that tilt.", n_kept,
-                     groups.size(), rule.name)});
+        {.sentence = fmt::format("{} of {} runs count; excluded are those with {}, or that tilt.",
+                                 std::ssize(groups) - n_excluded, groups.size(), rule.name)});
     for (const Response& response : responses)
         add_response(response, factorial->design(groups, rule, response.value), result);
     result.section.tables.push_back(rule_table(groups, *factorial));

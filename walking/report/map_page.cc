@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <kainjow/mustache.hpp>
-#include <span>
+#include <ranges>
 #include <stdexcept>
 #include <tuple>
 
@@ -27,65 +27,108 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the ground of the map may show.
-struct MapQuantity {
-    std::string name;
-    std::vector<double> values;  ///< of the cells
-    double least, most;          ///< beyond them colours do not change
-};
+/// What a map tells a run by: its regime, if it lasted long enough to have one.
+constexpr const char* motion_words[] = {"slides steadily", "walks in a limit cycle",
+                                        "walks chaotically", "not settled yet", "falls over"};
 
-template <class Value>
-MapQuantity quantity(const WalkMap& map, const std::string& name, double least, double most,
-                     Value value) {
-    MapQuantity result{name, {}, least, most};
-    for (const WalkMapCell& cell : map.cells)
-        result.values.push_back(cell.result.regime == Regime::tilting ? contact::undefined
-                                                                      : value(cell.result));
-    return result;
+/// One of these words.
+int motion_class(const WalkResult& result) {
+    if (result.regime == Regime::tilting) return 4;
+    if (!result.transient_over) return 3;
+    return result.regime == Regime::steady ? 0 : result.regime == Regime::limit_cycle ? 1 : 2;
 }
 
-std::vector<MapQuantity> map_quantities(const WalkMap& map) {
+/// mu_c of the map's machine with this kappa8; its normal forces are those of its model.
+double critical_friction_at(const WalkMap& map, double kappa8) {
+    Machine machine{.kappas = map.kappas, .model = map.model};
+    machine.kappas.kappa8 = kappa8;
+    return critical_friction(machine);
+}
+
+/// "0.427, 0.493": of all spots.
+template <double WalkResult::Spot::*member>
+std::string of_spots(const WalkResult& result) {
+    if (result.spots.empty()) return "–";
+    return fmt::format(
+        "{}", fmt::join(result.spots | std::views::transform([](const WalkResult::Spot& spot) {
+                            return report::significant(spot.*member, 3);
+                        }),
+                        ", "));
+}
+
+/// What the page says about a machine that stands, beside its motion and mu_c.
+struct Reading {
+    const char* name;
+    std::string (*text)(const WalkResult& result);
+};
+
+constexpr Reading readings[] = {
+    {"μ_e", [](const WalkResult& r) { return report::with_error(r.mu_e, r.mu_e_error); }},
+    {"period", [](const WalkResult& r) { return report::significant(r.period, 5); }},
+    {"z_min, z_max [z_stat]",
+     [](const WalkResult& r) {
+         return report::significant(r.z_min_ratio) + ", " + report::significant(r.z_max_ratio);
+     }},
+    {"stick times", of_spots<&WalkResult::Spot::stick_time>},
+    {"correlations", of_spots<&WalkResult::Spot::correlation>},
+    {"transient", [](const WalkResult& r) {
+         return r.transient_over ? "until t = " + report::significant(r.transient, 4)
+                                 : "not over at the end: the run is too short";
+     }}};
+
+std::vector<std::string> texts_of(const WalkMap& map, double kappa8, const WalkResult& result) {
+    std::vector<std::string> texts{motion_words[motion_class(result)]};
+    if (result.tilting_time)
+        texts.front() += " at t = " + report::significant(*result.tilting_time, 4);
+    for (const Reading& reading : readings)
+        texts.push_back(result.regime == Regime::tilting ? "–" : reading.text(result));
+    texts.push_back(report::significant(critical_friction_at(map, kappa8), 4));
+    return texts;
+}
+
+/// A quantity that the ground of the map may show: beyond `least` and `most` colours do not change.
+template <class Value>
+Json quantity(const WalkMap& map, const std::string& name, double least, double most, Value value) {
+    std::vector<double> values;
+    double low = most, high = least;
+    for (const WalkMapCell& cell : map.cells) {
+        values.push_back(cell.result.regime == Regime::tilting ? contact::undefined
+                                                               : value(cell.result));
+        if (!std::isfinite(values.back())) continue;
+        low = std::min(low, std::max(values.back(), least));
+        high = std::max(high, std::min(values.back(), most));
+    }
+    return {{"name", name},
+            {"values", report::numbers(values)},
+            {"low", std::min(low, high)},
+            {"high", std::max(low, high)}};
+}
+
+Json quantities_of(const WalkMap& map) {
     // A jump of more than a few static displacements is a high one, however high.
     constexpr double high_jump = -3;
-    std::vector<MapQuantity> list{
-        quantity(map, "effective friction", 0, 1, [](const auto& r) { return r.mu_e; }),
-        quantity(map, "highest point, z_min over z_stat", high_jump, 1,
-                 [](const auto& r) { return r.z_min_ratio; })};
+    Json list = Json::array();
+    list.push_back(quantity(map, "effective friction", 0, 1, [](const auto& r) { return r.mu_e; }));
+    list.push_back(quantity(map, "highest point, z_min over z_stat", high_jump, 1,
+                            [](const auto& r) { return r.z_min_ratio; }));
     std::size_t n_spots = 0;
     for (const WalkMapCell& cell : map.cells) n_spots = std::max(n_spots, cell.result.spots.size());
     using Spot = WalkResult::Spot;
-    const auto of_spots = [&](const char* name, double least, double Spot::*member) {
+    const auto add_spots = [&](const char* name, double least, double Spot::*member) {
         for (std::size_t i = 0; i < n_spots; ++i)
             list.push_back(
                 quantity(map, fmt::format("{} {}", name, i + 1), least, 1, [=](const auto& r) {
                     return i < r.spots.size() ? r.spots[i].*member : contact::undefined;
                 }));
     };
-    of_spots("stick time of spot", 0, &Spot::stick_time);
-    of_spots("correlation of velocity and load, spot", -1, &Spot::correlation);
+    add_spots("stick time of spot", 0, &Spot::stick_time);
+    add_spots("correlation of velocity and load, spot", -1, &Spot::correlation);
+    list.push_back(
+        {{"name", "motion"},
+         {"values",
+          report::list_of(map.cells, [](const auto& c) { return motion_class(c.result); })},
+         {"words", motion_words}});
     return list;
-}
-
-Json json(const MapQuantity& quantity) {
-    double low = quantity.most, high = quantity.least;
-    for (const double value : quantity.values) {
-        if (!std::isfinite(value)) continue;
-        low = std::min(low, std::max(value, quantity.least));
-        high = std::max(high, std::min(value, quantity.most));
-    }
-    return {{"name", quantity.name},
-            {"values", report::numbers(quantity.values)},
-            {"low", std::min(low, high)},
-            {"high", std::max(low, high)}};
-}
-
-Json motions(const WalkMap& map) {
-    Json values = Json::array(), words = Json::array();
-    for (const WalkMapCell& cell : map.cells)
-        values.push_back(static_cast<int>(motion_class(cell.result)));
-    for (int i = 0; i < n_motion_classes; ++i)
-        words.push_back(words_of(static_cast<MotionClass>(i)));
-    return {{"name", "motion"}, {"values", values}, {"words", words}};
 }
 
 /// Friction above which the machine tilts, over the width of the map as far as its height.
@@ -95,7 +138,7 @@ Json limit(const WalkMap& map) {
     const double first = map.kappa8.front(), last = map.kappa8.back();
     for (int i = 0; i < n_points; ++i) {
         const double kappa8 = first + (last - first) * i / (n_points - 1);
-        const double friction = critical_friction(map, kappa8);
+        const double friction = critical_friction_at(map, kappa8);
         x.push_back(kappa8);
         y.push_back(friction < 2 * map.friction.back() ? friction : contact::undefined);
     }
@@ -128,7 +171,7 @@ Json cells(const WalkMap& map) {
         const WalkMapCell& cell = map.cells[i];
         const double mean =
             cell.result.regime == Regime::tilting ? contact::undefined : cell.result.mu_e;
-        list.push_back({{"readings", map_readings(map, kappa8, cell.result)},
+        list.push_back({{"readings", texts_of(map, kappa8, cell.result)},
                         {"mean", report::number(mean)},
                         {"interval", cell.samples.interval},
                         {"samples", samples(map, cell.samples, friction)}});
@@ -144,25 +187,8 @@ std::size_t best(const WalkMap& map) {
         const bool known = r.regime != Regime::tilting && !std::isnan(r.mu_e);
         return std::tuple(!known, !r.transient_over, known ? r.mu_e : 0);
     };
-    const auto found = std::min_element(
-        map.cells.begin(), map.cells.end(),
-        [&](const WalkMapCell& a, const WalkMapCell& b) { return rank(a) < rank(b); });
-    return static_cast<std::size_t>(found - map.cells.begin());
-}
-
-const std::string dash = "–";
-
-/// "0.427, 0.493": of all spots.
-std::string of_spots(const WalkResult& result, double WalkResult::Spot::*member) {
-    std::string text;
-    for (const WalkResult::Spot& spot : result.spots)
-        text += (text.empty() ? "" : ", ") + report::significant(spot.*member, 3);
-    return text.empty() ? dash : text;
-}
-
-std::string transient(const WalkResult& result) {
-    return result.transient_over ? "until t = " + report::significant(result.transient, 4)
-                                 : "not over at the end: the run is too short";
+    return static_cast<std::size_t>(std::ranges::min_element(map.cells, {}, rank) -
+                                    map.cells.begin());
 }
 
 using kainjow::mustache::data;
@@ -172,9 +198,8 @@ void check(bool right, const char* rule) {
 }
 
 void check_map(const WalkMap& map) {
-    for (const std::vector<double>* axis : {&map.kappa8, &map.friction})
-        check(axis->size() >= 2 && std::adjacent_find(axis->begin(), axis->end(),
-                                                      std::greater_equal()) == axis->end(),
+    for (const auto& axis : {map.kappa8, map.friction})
+        check(axis.size() >= 2 && std::ranges::is_sorted(axis, std::less_equal()),
               "an axis of the map does not increase");
     check(map.cells.size() == map.kappa8.size() * map.friction.size(),
           "the map has another number of cells than its axes say");
@@ -203,74 +228,23 @@ data pairs(const std::vector<std::pair<std::string, std::string>>& list) {
 
 }  // namespace
 
-MotionClass motion_class(const WalkResult& result) {
-    if (result.regime == Regime::tilting) return MotionClass::fallen;
-    if (!result.transient_over) return MotionClass::unsettled;
-    if (result.regime == Regime::steady) return MotionClass::steady;
-    return result.regime == Regime::limit_cycle ? MotionClass::limit_cycle : MotionClass::chaotic;
-}
-
-std::string words_of(MotionClass motion) {
-    constexpr const char* words[n_motion_classes] = {"slides steadily", "walks in a limit cycle",
-                                                     "walks chaotically", "not settled yet",
-                                                     "falls over"};
-    return words[static_cast<int>(motion)];
-}
-
 Json map_json(const WalkMap& map) {
-    Json ground = Json::array();
-    const std::vector<MapQuantity> list = map_quantities(map);
-    for (const MapQuantity& each : list) ground.push_back(json(each));
-    ground.push_back(motions(map));
     Json curves = Json::array();
-    for (const char* name : {"Δx / (μ κ_4)", "z / z_stat", "φ / (μ κ_3 κ_4)", "f_s / (μ κ_4)"})
+    const char* force = map.model == Machine::Model::prism ? "f_s / (√2 μ κ_4)" : "f_s / (μ κ_4)";
+    for (const char* name : {"Δx / (μ κ_4)", "z / z_stat", "φ / (μ κ_3 κ_4)", force})
         curves.push_back(report::chart_label(name));
-    if (normal_load_factor({.kappas = map.kappas, .model = map.model}) != 1)
-        curves.back() = report::chart_label("f_s / (√2 μ κ_4)");
     return {{"x", {{"name", report::chart_label("κ_8")}, {"values", map.kappa8}}},
             {"y", {{"name", "μ"}, {"values", map.friction}}},
-            {"quantities", ground},
+            {"quantities", quantities_of(map)},
             {"limit", limit(map)},
             {"curves", curves},
             {"cells", cells(map)},
             {"start", best(map)}};
 }
 
-const std::vector<std::string>& map_reading_names() {
-    static const std::vector<std::string> names{
-        "motion",      "μ_e",          "period",    "z_min, z_max [z_stat]",
-        "stick times", "correlations", "transient", "μ_c"};
-    return names;
-}
-
-std::vector<std::string> map_readings(const WalkMap& map, double kappa8, const WalkResult& result) {
-    const std::string limit = report::significant(critical_friction(map, kappa8), 4);
-    const std::string motion = words_of(motion_class(result));
-    if (result.regime == Regime::tilting) {
-        const std::string when =
-            result.tilting_time ? " at t = " + report::significant(*result.tilting_time, 4) : "";
-        return {motion + when, dash, dash, dash, dash, dash, dash, limit};
-    }
-    return {
-        motion,
-        report::with_error(result.mu_e, result.mu_e_error),
-        report::significant(result.period, 5),
-        report::significant(result.z_min_ratio) + ", " + report::significant(result.z_max_ratio),
-        of_spots(result, &WalkResult::Spot::stick_time),
-        of_spots(result, &WalkResult::Spot::correlation),
-        transient(result),
-        limit};
-}
-
-double critical_friction(const WalkMap& map, double kappa8) {
-    Machine machine{.kappas = map.kappas, .model = map.model};
-    machine.kappas.kappa8 = kappa8;
-    return critical_friction(machine);
-}
-
 PackedSamples packed(std::span<const float> samples) {
     if (samples.empty()) return {};
-    if (!std::all_of(samples.begin(), samples.end(), [](float x) { return std::isfinite(x); }))
+    if (!std::ranges::all_of(samples, [](float x) { return std::isfinite(x); }))
         throw std::invalid_argument("a sample that is not finite cannot be packed");
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
     constexpr double most = 32767;
@@ -292,15 +266,17 @@ PackedSamples packed(std::span<const float> samples) {
 
 std::string map_page(const WalkMap& map) {
     check_map(map);
-    data readings{data::type::list};
-    for (const std::string& name : map_reading_names())
-        readings << data{"name", report::typeset(name)};
+    data names{data::type::list};
+    const auto add = [&](const char* name) { names << data{"name", report::typeset(name)}; };
+    add("motion");
+    for (const Reading& reading : readings) add(reading.name);
+    add("μ_c");
     data page{data::type::object};
     page.set("style", std::string(report::page_style) + report::document_style + map_page_style);
     page.set("version", map.version);
     page.set("title", map.title);
     page.set("title_html", report::typeset(map.title));
-    page.set("readings", readings);
+    page.set("readings", names);
     page.set("last_x", std::to_string(map.kappa8.size() - 1));
     page.set("last_y", std::to_string(map.friction.size() - 1));
     page.set("settings", pairs(map.settings));

@@ -64,7 +64,7 @@ std::vector<double> flutter_over_x(const WalkGrid& grid) {
 }
 
 bool is_nowhere(const std::vector<double>& friction) {
-    return std::all_of(friction.begin(), friction.end(), [](double mu) { return std::isnan(mu); });
+    return std::ranges::all_of(friction, [](double mu) { return std::isnan(mu); });
 }
 
 bool is_over_friction(const WalkSweep& sweep, const WalkGrid& grid) {
@@ -184,22 +184,21 @@ report::Verdict flutter_verdict(const WalkGrid& grid) {
         n_steady_above += !stable && steady;
     }
     if (is_nowhere(flutter) && n_agreeing == n)
-        return {
-            report::Verdict::Standing::finding,
-            fmt::format("Steady sliding flutters nowhere below μ_c, and all {} machines that do "
-                        "not tilt slide steadily.",
-                        n)};
+        return {.sentence = fmt::format(
+                    "Steady sliding flutters nowhere below μ_c, and all {} machines that do "
+                    "not tilt slide steadily.",
+                    n)};
     if (is_nowhere(flutter))
-        return {report::Verdict::Standing::finding,
-                fmt::format("Steady sliding flutters nowhere below μ_c, and yet {} of {} machines "
-                            "that do not tilt do not slide steadily: their vibration does not grow "
-                            "from small disturbances.",
-                            n - n_agreeing, n)};
-    return {report::Verdict::Standing::finding,
-            fmt::format("Linear stability tells of {} of {} machines that do not tilt whether they "
-                        "slide steadily; {} slide though sliding flutters, {} do not though it is "
-                        "stable.",
-                        n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
+        return {.sentence = fmt::format(
+                    "Steady sliding flutters nowhere below μ_c, and yet {} of {} machines "
+                    "that do not tilt do not slide steadily: their vibration does not grow "
+                    "from small disturbances.",
+                    n - n_agreeing, n)};
+    return {.sentence = fmt::format(
+                "Linear stability tells of {} of {} machines that do not tilt whether they "
+                "slide steadily; {} slide though sliding flutters, {} do not though it is "
+                "stable.",
+                n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
 }
 
 report::Verdict least_friction_verdict(const WalkSweep& sweep, const WalkGrid& grid) {
@@ -208,24 +207,22 @@ report::Verdict least_friction_verdict(const WalkSweep& sweep, const WalkGrid& g
         if (cell && cell->mu_e().error < known_friction &&
             (!least || cell->mu_e().value < least->mu_e().value))
             least = cell;
-    if (!least) return {report::Verdict::Standing::finding, "No machine's friction is known."};
+    if (!least) return {.sentence = "No machine's friction is known."};
     const report::WithError friction = least->mu_e();
-    return {
-        report::Verdict::Standing::finding,
-        fmt::format("The least friction, of those known to {}, is μ_e = {} at {} = {}, {} = {}.",
-                    known_friction, report::with_error(friction.value, friction.error),
-                    label_of(sweep, grid.x_axis),
-                    report::significant(shown_value(sweep, grid.x_axis, least->values[0])),
-                    label_of(sweep, grid.y_axis),
-                    report::significant(shown_value(sweep, grid.y_axis, least->values[1])))};
+    return {.sentence = fmt::format(
+                "The least friction, of those known to {}, is μ_e = {} at {} = {}, {} = {}.",
+                known_friction, report::with_error(friction.value, friction.error),
+                label_of(sweep, grid.x_axis),
+                report::significant(shown_value(sweep, grid.x_axis, least->values[0])),
+                label_of(sweep, grid.y_axis),
+                report::significant(shown_value(sweep, grid.y_axis, least->values[1])))};
 }
 
 }  // namespace
 
 WalkSection map_section(const WalkSweep& sweep, const WalkGrid& grid) {
     WalkSection result{.section = {.id = "map", .heading = "Map"}};
-    const auto some_tilt = [](const WalkGroup* cell) { return cell && cell->tilts(); };
-    if (std::any_of(grid.cells.begin(), grid.cells.end(), some_tilt))
+    if (std::ranges::any_of(grid.cells, [](const auto* cell) { return cell && cell->tilts(); }))
         result.verdicts.push_back(agreement_verdict(grid));
     if (is_over_friction(sweep, grid)) result.verdicts.push_back(flutter_verdict(grid));
     result.verdicts.push_back(least_friction_verdict(sweep, grid));

@@ -6,6 +6,7 @@
 #include "report/format.h"
 #include "walking/report/walk_document.h"
 #include "walking/report/walk_readings.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 
@@ -34,8 +35,7 @@ std::span<const Snapshot> period_of(const Walk& walk, const WalkPhases& phases) 
         return snapshot.motion.time < time;
     };
     const auto first = std::lower_bound(walk.tail.begin(), walk.tail.end(), begin, before);
-    const auto last = std::lower_bound(first, walk.tail.end(), begin + phases.period, before);
-    return {first, last};
+    return {first, std::lower_bound(first, walk.tail.end(), begin + phases.period, before)};
 }
 
 /// A point on the curve of z where a phase begins; none if it does not.
@@ -151,13 +151,10 @@ void mark_transient(report::Figure& figure, const WalkResult& result) {
 }
 
 report::Figure force_figure(const WalkReport& report) {
-    const Machine& machine = report.walk_case.machine;
-    const double sliding = sliding_force(machine);
+    const double sliding = sliding_force(report.walk_case.machine);
     report::Curve mean{.name = "mean f_s"};
-    for (const WalkWindow& window : report.walk.windows) {
-        mean.add((window.begin + window.end) / 2,
-                 window.sums.spring_force / static_cast<double>(window.sums.steps) / sliding);
-    }
+    for (const WalkWindow& window : report.walk.windows)
+        mean.add((window.begin + window.end) / 2, mean_force(window) / sliding);
     report::Figure figure{
         .id = "force_means",
         .title = "Friction over the run",
@@ -175,10 +172,9 @@ report::Figure height_figure(const WalkReport& report) {
     const double rest = static_displacement(report.walk_case.machine);
     report::Curve highest{.name = "highest"}, deepest{.name = "deepest"};
     for (const WalkWindow& window : report.walk.windows) {
-        for (report::Curve* curve : {&highest, &deepest})
-            curve->x.push_back((window.begin + window.end) / 2);
-        highest.y.push_back(window.sums.z_min / rest);
-        deepest.y.push_back(window.sums.z_max / rest);
+        const double middle = (window.begin + window.end) / 2;
+        highest.add(middle, window.sums.z_min / rest);
+        deepest.add(middle, window.sums.z_max / rest);
     }
     report::Figure figure{
         .id = "heights",
@@ -199,9 +195,8 @@ report::Figure return_map(const WalkReport& report) {
     const std::vector<SectionReturn>& all = report.walk.returns;
     const auto returns = std::span(all).last(std::min(all.size(), most));
     report::Curve points{.name = "return", .kind = report::Curve::Kind::points};
-    for (std::size_t i = 1; i < returns.size(); ++i) {
+    for (std::size_t i = 1; i < returns.size(); ++i)
         points.add(returns[i - 1].motion.z / rest, returns[i].motion.z / rest);
-    }
     // Over all heights of the motion: the points of a limit cycle differ by less than can be seen.
     const std::vector<double> heights{report.walk.result.z_min_ratio,
                                       report.walk.result.z_max_ratio};

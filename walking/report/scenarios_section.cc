@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "report/format.h"
@@ -50,37 +49,21 @@ std::optional<std::size_t> excited_axis(const WalkSweep& sweep) {
     return {};
 }
 
-/// Runs that differ in nothing but the amplitude.
-std::vector<std::vector<Run>> rows_of(const WalkSweep& sweep, std::size_t axis) {
-    std::map<std::string, std::vector<Run>> rows;
-    for (const WalkSweep::Point& point : sweep.points) {
-        if (!point.outcome) continue;
-        std::string others;
-        for (std::size_t i = 0; i < point.values.size(); ++i) {
-            if (i == axis) continue;
-            const auto* number = std::get_if<double>(&point.values[i]);
-            others += number ? fmt::format("{} ", *number) : std::get<std::string>(point.values[i]);
-        }
-        rows[others].push_back(&point);
-    }
-    std::vector<std::vector<Run>> all;
-    for (auto& [others, runs] : rows) all.push_back(std::move(runs));
-    return all;
-}
-
+/// Runs that differ in nothing but the amplitude, by the pull.
 std::vector<Series> series_of(const WalkSweep& sweep, std::size_t axis) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < sweep.axes.size(); ++i)
+        if (i != axis) others.push_back(i);
     std::vector<Series> all;
-    for (std::vector<Run>& runs : rows_of(sweep, axis)) {
-        std::sort(runs.begin(), runs.end(),
-                  [](Run a, Run b) { return amplitude_of(a) < amplitude_of(b); });
-        const auto drifts = [](Run run) { return run->outcome->result.drift.has_value(); };
-        const auto first = std::find_if(runs.begin(), runs.end(), drifts);
+    for (auto& [values, runs] : groups_over(sweep, others)) {
+        std::ranges::sort(runs, {}, amplitude_of);
+        const auto first = std::ranges::find_if(
+            runs, [](Run run) { return run->outcome->result.drift.has_value(); });
         if (first == runs.end()) continue;
         const double pull = (*first)->outcome->result.mu_e;
         all.push_back({pull, drift_limits(runs.back()->machine, pull), std::move(runs)});
     }
-    std::sort(all.begin(), all.end(),
-              [](const Series& a, const Series& b) { return a.pull < b.pull; });
+    std::ranges::sort(all, {}, &Series::pull);
     return all;
 }
 
@@ -102,11 +85,11 @@ report::Verdict verdict_of(const Series& series) {
         const std::string range = range_of(series, regime);
         if (!range.empty()) found += (found.empty() ? "" : ", ") + range;
     }
-    return {report::Verdict::Standing::finding,
-            fmt::format("Pulled by {}: {}. Quasi-static, it shakes down up to m = {} and a spot "
-                        "leaves the ground above {}.",
-                        series.name(), found, report::significant(series.limits.ratcheting, 3),
-                        report::significant(series.limits.lift_off, 3))};
+    return {.sentence = fmt::format(
+                "Pulled by {}: {}. Quasi-static, it shakes down up to m = {} and a spot "
+                "leaves the ground above {}.",
+                series.name(), found, report::significant(series.limits.ratcheting, 3),
+                report::significant(series.limits.lift_off, 3))};
 }
 
 using Value = double (*)(const WalkResult::Drift& drift);
@@ -168,7 +151,7 @@ report::DocumentTable table_of(const std::vector<Series>& all) {
             "Shifts of the base over U_max = μ κ_2 z_stat, over the second half "
             "of the run; in the air: share of time in which a spot, or more, is.",
         .columns = {{"f"}, {"m"}, {"scenario"}, {"shift per period"}, {"in the air [%]"}}};
-    for (const Series& series : all) {
+    for (const Series& series : all)
         for (const Run run : series.runs) {
             const auto& drift = run->outcome->result.drift;
             table.rows.push_back({series.pull, amplitude_of(run),
@@ -177,7 +160,6 @@ report::DocumentTable table_of(const std::vector<Series>& all) {
                                         : report::WithError{NAN, NAN},
                                   drift ? 100 * drift->airborne : NAN});
         }
-    }
     return table;
 }
 

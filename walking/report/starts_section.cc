@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "report/format.h"
 #include "report/format_share.h"
@@ -48,7 +49,7 @@ Arrivals arrivals_of(const WalkSweep& sweep) {
         else
             arrivals.waiting.push_back(result.transient + result.observed);
     }
-    std::sort(arrivals.times.begin(), arrivals.times.end());
+    std::ranges::sort(arrivals.times);
     return arrivals;
 }
 
@@ -89,51 +90,38 @@ report::Figure arrival_figure(const Arrivals& arrivals) {
     return figure;
 }
 
-/// Least and largest of the limit cycles.
-struct Span {
+/// Middle and half of what lies between the least and the largest of the limit cycles.
+report::WithError span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
     double least = std::numeric_limits<double>::infinity(), largest = -least;
-    double middle() const { return (least + largest) / 2; }
-    double half() const { return (largest - least) / 2; }
-};
-Span span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
-    Span span;
     for (const WalkSweep::Point& point : sweep.points) {
         if (!point.outcome || point.outcome->result.regime != Regime::limit_cycle) continue;
-        span.least = std::min(span.least, value(*point.outcome));
-        span.largest = std::max(span.largest, value(*point.outcome));
+        least = std::min(least, value(*point.outcome));
+        largest = std::max(largest, value(*point.outcome));
     }
-    return span;
+    return {(least + largest) / 2, (largest - least) / 2};
 }
 
 void add_arrivals(const WalkSweep& sweep, WalkSection& result) {
     const Arrivals arrivals = arrivals_of(sweep);
     if (arrivals.times.empty()) return;
-    const Span period = span_of(sweep, [](const WalkOutcome& o) { return *o.result.period; });
-    const Span friction = span_of(sweep, [](const WalkOutcome& o) { return o.result.mu_e; });
+    const auto period = span_of(sweep, [](const WalkOutcome& o) { return *o.result.period; });
+    const auto friction = span_of(sweep, [](const WalkOutcome& o) { return o.result.mu_e; });
     const report::WithError life = arrivals.mean_life();
     result.verdicts.push_back(
-        {report::Verdict::Standing::finding,
-         fmt::format("{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e "
-                     "within {} ± {}. The mean life of the transient is {}.",
-                     arrivals.times.size(), arrivals.n(), report::significant(period.middle(), 6),
-                     report::significant(period.half(), 2), report::significant(friction.middle()),
-                     report::significant(friction.half(), 2),
-                     report::with_error(life.value, life.error))});
+        {.sentence = fmt::format(
+             "{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e "
+             "within {} ± {}. The mean life of the transient is {}.",
+             arrivals.times.size(), arrivals.n(), report::significant(period.value, 6),
+             report::significant(period.error, 2), report::significant(friction.value),
+             report::significant(friction.error, 2), report::with_error(life.value, life.error))});
     result.section.figures.push_back(arrival_figure(arrivals));
     result.section.tables.push_back(arrival_table(arrivals));
 }
 
-std::vector<WalkGroup> points_alone(const WalkSweep& sweep) {
-    std::vector<WalkGroup> groups;
-    for (const WalkSweep::Point& point : sweep.points)
-        if (point.outcome) groups.push_back({{}, {&point}});
-    return groups;
-}
-
 void add_effects(const WalkSweep& sweep, WalkSection& result) {
-    std::vector<std::size_t> axes;
-    for (std::size_t i = 0; i < sweep.axes.size(); ++i) axes.push_back(i);
-    const std::vector<WalkGroup> runs = points_alone(sweep);
+    std::vector<std::size_t> axes(sweep.axes.size());
+    std::iota(axes.begin(), axes.end(), 0);
+    const std::vector<WalkGroup> runs = groups_over(sweep, axes);
     const auto factorial = factorial_of(sweep, runs, axes);
     if (!factorial) return;
     const ExclusionRule& all = exclusion_rules().back();
@@ -142,16 +130,13 @@ void add_effects(const WalkSweep& sweep, WalkSection& result) {
     double largest = 0;
     for (const MainEffect& effect : main_effects(kinetic)) {
         const auto [low, high] =
-            std::minmax_element(effect.means.begin(), effect.means.end(),
-                                [](const report::WithError& a, const report::WithError& b) {
-                                    return a.value < b.value;
-                                });
+            std::ranges::minmax_element(effect.means, {}, &report::WithError::value);
         largest = std::max(largest, high->value / low->value - 1);
     }
     result.verdicts.push_back(
-        {report::Verdict::Standing::finding,
-         fmt::format("The start changes the mean kinetic energy by at most {} (main effects).",
-                     report::share(largest))});
+        {.sentence =
+             fmt::format("The start changes the mean kinetic energy by at most {} (main effects).",
+                         report::share(largest))});
     result.section.figures.push_back(main_effects_figure(
         "effects_on_kinetic_energy", "Kinetic energy at the end", "e_kin", kinetic));
     result.section.figures.push_back(main_effects_figure(

@@ -23,7 +23,7 @@ report::Figure spectrum_figure(const Vibration& vibration) {
         if (frequency > shown * vibration.free_flight) break;
         amplitudes.add(frequency, spectrum.amplitudes[i]);
     }
-    const double top = *std::max_element(amplitudes.y.begin(), amplitudes.y.end());
+    const double top = std::ranges::max(amplitudes.y);
     report::Curve characteristic =
         upright("characteristic", vibration.characteristic.frequency, top);
     characteristic.colour = 1;
@@ -43,10 +43,9 @@ report::Figure variance_figure(const Vibration& vibration) {
     constexpr std::size_t enough = 1000;
     const std::size_t stride = 1 + vibration.variances.size() / enough;
     report::Curve variance{.name = "variance of f_s"};
-    for (std::size_t i = 0; i < vibration.variances.size(); i += stride) {
+    for (std::size_t i = 0; i < vibration.variances.size(); i += stride)
         variance.add(static_cast<double>(i) * vibration.interval + vibration.window / 2,
                      vibration.variances[i]);
-    }
     report::Curve threshold{.name = "threshold",
                             .x = {variance.x.front(), variance.x.back()},
                             .y = {instability_threshold, instability_threshold},
@@ -74,10 +73,9 @@ report::DocumentTable frequency_table(const WalkReport& report, const Vibration&
     const double second = dimensional ? 1 / characteristic_time(*dimensional) : 0;
     if (dimensional) table.columns.push_back({"[Hz]"});
     const auto add = [&](const std::string& name, double frequency, double error) {
-        std::vector<report::Cell>& row = table.rows.emplace_back();
-        row.emplace_back(name);
-        row.emplace_back(report::WithError{frequency, error});
-        if (dimensional) row.emplace_back(report::WithError{frequency * second, error * second});
+        table.rows.push_back({name, report::WithError{frequency, error}});
+        if (dimensional)
+            table.rows.back().emplace_back(report::WithError{frequency * second, error * second});
     };
     const auto& [frequency, error] = vibration.characteristic;
     add("of the spring force, most of the vibration", frequency, error);

@@ -9,15 +9,40 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "io/results/vtk_fields.h"
-#include "io/results/vtk_files.h"
-#include "walking/machine/motion.h"
 
 namespace tricontact::walking {
 
 namespace {
+
+using Vector3 = std::array<double, 3>;
+
+/// A walking machine at one time as points and cells: x forwards, y across, z out of the ground,
+/// seen from the spring's base. Lengths in units of b, forces of k_x b.
+struct WalkScene {
+    enum Part : std::uint8_t { spots, spring, body, ground, ground_mark };
+
+    /// Forces act on the body, 0 where none does.
+    struct Point {
+        Vector3 place, displacement;  // without load; from there
+        Vector3 normal_force = {}, tangential_force = {}, spring_force = {};
+        SpotState state = SpotState::released;
+    };
+    std::vector<Point> points;
+    std::vector<std::vector<int>> vertices;  // the spots' tips, points by their numbers
+    std::vector<std::vector<int>> lines;     // the spring
+    std::vector<std::vector<int>> polygons;  // body and ground
+    std::vector<std::uint8_t> parts;         // of vertices, lines, polygons, in this order
+
+    int add(const Vector3& place, const Vector3& displacement) {
+        points.push_back({place, displacement});
+        return static_cast<int>(points.size()) - 1;
+    }
+};
 
 // Of the model, which is a plane one, drawn with some depth.
 constexpr double body_depth = 1, ground_depth = 1.5;
@@ -30,27 +55,18 @@ Vector3 displacement(const Machine& machine, const Motion& motion, double x, dou
     return {motion.x - motion.base - rotation * (z - half_height), 0, rotation * x - motion.z};
 }
 
-int add_point(WalkScene& scene, const Vector3& point, const Vector3& displacement) {
-    scene.points.push_back(point);
-    scene.displacements.push_back(displacement);
-    scene.normal_forces.push_back({});
-    scene.tangential_forces.push_back({});
-    scene.spring_forces.push_back({});
-    scene.contact_states.push_back(static_cast<std::uint8_t>(SpotState::released));
-    return static_cast<int>(scene.points.size()) - 1;
-}
-
 void add_spots(WalkScene& scene, const Machine& machine, const Snapshot& snapshot) {
     const auto spots = spots_of(machine);
     for (std::size_t i = 0; i < spots.size(); ++i) {
         const Spot& spot = spots[i];
         scene.vertices.push_back(
-            {add_point(scene, {spot.position, 0, spot.height},
+            {scene.add({spot.position, 0, spot.height},
                        displacement(machine, snapshot.motion, spot.position, spot.height))});
         const auto force = spot_force(machine, spot, snapshot.motion.spots[i]);
-        scene.normal_forces.back() = {0, 0, force.normal};
-        scene.tangential_forces.back() = {-force.tangential, 0, 0};
-        scene.contact_states.back() = static_cast<std::uint8_t>(snapshot.spots[i]);
+        WalkScene::Point& tip = scene.points.back();
+        tip.normal_force = {0, 0, force.normal};
+        tip.tangential_force = {-force.tangential, 0, 0};
+        tip.state = snapshot.spots[i];
         scene.parts.push_back(WalkScene::spots);
     }
 }
@@ -58,9 +74,9 @@ void add_spots(WalkScene& scene, const Machine& machine, const Snapshot& snapsho
 void add_spring(WalkScene& scene, const Machine& machine, const Motion& motion) {
     constexpr double front = 1, length = 1;  // as drawn
     const double z = machine.kappas.kappa3 * (1 + machine.kappas.kappa8);
-    const int at_base = add_point(scene, {front + length, 0, z}, {});
-    const int at_body = add_point(scene, {front, 0, z}, displacement(machine, motion, front, z));
-    scene.spring_forces.back() = {spring_force(machine, motion), 0, 0};
+    const int at_base = scene.add({front + length, 0, z}, {});
+    const int at_body = scene.add({front, 0, z}, displacement(machine, motion, front, z));
+    scene.points.back().spring_force = {spring_force(machine, motion), 0, 0};
     scene.lines.push_back({at_body, at_base});
     scene.parts.push_back(WalkScene::spring);
 }
@@ -70,7 +86,7 @@ void add_body(WalkScene& scene, const Machine& machine, const Motion& motion) {
     for (const double z : {0., 2 * machine.kappas.kappa3})
         for (const double y : {-body_depth / 2, body_depth / 2})
             for (const double x : {-1., 1.})
-                add_point(scene, {x, y, z}, displacement(machine, motion, x, z));
+                scene.add({x, y, z}, displacement(machine, motion, x, z));
     for (std::vector<int> face : {std::vector{0, 2, 3, 1},
                                   {4, 5, 7, 6},
                                   {0, 1, 5, 4},
@@ -90,7 +106,7 @@ void add_ground(WalkScene& scene, double displacement) {
     const auto first = static_cast<int>(scene.points.size());
     for (int i = 0; i <= n_strips; ++i)
         for (const double y : {-ground_depth / 2, ground_depth / 2})
-            add_point(scene, {begin + i * width, y, 0}, {displacement, 0, 0});
+            scene.add({begin + i * width, y, 0}, {displacement, 0, 0});
     for (int i = 0; i < n_strips; ++i) {
         const int corner = first + 2 * i;
         scene.polygons.push_back({corner, corner + 2, corner + 3, corner + 1});
@@ -111,12 +127,6 @@ Units units_of(const WalkCase& walk_case) {
         machine.half_width, force_unit(machine), characteristic_time(machine), "_m", "_N", "_s"};
 }
 
-std::vector<Vector3> scaled(std::vector<Vector3> vectors, double factor) {
-    for (Vector3& vector : vectors)
-        for (double& component : vector) component *= factor;
-    return vectors;
-}
-
 vtkNew<vtkCellArray> cells_of(const std::vector<std::vector<int>>& cells) {
     vtkNew<vtkCellArray> array;
     for (const auto& cell : cells) {
@@ -128,27 +138,35 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::vector<int>>& cells) {
 
 void fill(vtkPolyData& poly, const WalkScene& scene, const Units& units) {
     const std::size_t n = scene.points.size();
+    const auto scaled = [&](Vector3 WalkScene::Point::*member, double unit) {
+        std::vector<Vector3> vectors;
+        for (const WalkScene::Point& point : scene.points) {
+            const auto& [x, y, z] = point.*member;
+            vectors.push_back({x * unit, y * unit, z * unit});
+        }
+        return vectors;
+    };
     vtkNew<vtkPoints> points;
-    io::set_points(*points, scaled(scene.points, units.length));
+    io::set_points(*points, scaled(&WalkScene::Point::place, units.length));
     poly.SetPoints(points);
     poly.SetVerts(cells_of(scene.vertices));
     poly.SetLines(cells_of(scene.lines));
     poly.SetPolys(cells_of(scene.polygons));
     vtkPointData& data = *poly.GetPointData();
-    io::add_vector(data, ("displacement" + units.of_length).c_str(),
-                   scaled(scene.displacements, units.length), n);
-    const auto add_force = [&](const std::string& name, const std::vector<Vector3>& forces) {
-        io::add_vector(data, (name + units.of_force).c_str(), scaled(forces, units.force), n);
+    const auto add = [&](const std::string& name, Vector3 WalkScene::Point::*member, double unit) {
+        io::add_vector(data, name.c_str(), scaled(member, unit), n);
     };
-    add_force("normal_force", scene.normal_forces);
-    add_force("tangential_force", scene.tangential_forces);
-    add_force("spring_force", scene.spring_forces);
-    io::add_bytes(data, "contact_state", scene.contact_states, n);
+    add("displacement" + units.of_length, &WalkScene::Point::displacement, units.length);
+    add("normal_force" + units.of_force, &WalkScene::Point::normal_force, units.force);
+    add("tangential_force" + units.of_force, &WalkScene::Point::tangential_force, units.force);
+    add("spring_force" + units.of_force, &WalkScene::Point::spring_force, units.force);
+    std::vector<std::uint8_t> states;
+    for (const auto& point : scene.points) states.push_back(static_cast<std::uint8_t>(point.state));
+    io::add_bytes(data, "contact_state", states, n);
     io::add_bytes(*poly.GetCellData(), "part", scene.parts, scene.parts.size());
 }
 
-}  // namespace
-
+/// `first_base`: where the base was when the ground was here.
 WalkScene walk_scene(const Machine& machine, const Snapshot& snapshot, double first_base) {
     WalkScene scene;
     add_spots(scene, machine, snapshot);
@@ -158,12 +176,16 @@ WalkScene walk_scene(const Machine& machine, const Snapshot& snapshot, double fi
     return scene;
 }
 
+}  // namespace
+
 double magnification(const Machine& machine, std::span<const Snapshot> snapshots) {
     constexpr double drawn = 0.2;  // of the half width
     double largest = 0;
     for (const Snapshot& snapshot : snapshots)
-        for (const Vector3& d : walk_scene(machine, snapshot, snapshot.motion.base).displacements)
-            largest = std::max(largest, std::hypot(d[0], d[1], d[2]));
+        for (const auto& point : walk_scene(machine, snapshot, snapshot.motion.base).points) {
+            const auto& [x, y, z] = point.displacement;
+            largest = std::max(largest, std::hypot(x, y, z));
+        }
     if (!(largest > 0)) return 1;
     const double most = drawn / largest, power = std::pow(10, std::floor(std::log10(most)));
     for (const double digit : {5., 2.})

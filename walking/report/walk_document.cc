@@ -11,14 +11,8 @@ namespace {
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 std::string model_of(const Machine& machine) {
-    switch (machine.model) {
-        case Machine::Model::two_spot:
-            return "two spots";
-        case Machine::Model::prism:
-            return "prism of 45°, two contacts a side";
-        case Machine::Model::spots:
-            break;
-    }
+    if (machine.model == Machine::Model::two_spot) return "two spots";
+    if (machine.model == Machine::Model::prism) return "prism of 45°, two contacts a side";
     return fmt::format("{} spots", machine.spots.size());
 }
 
@@ -35,14 +29,12 @@ void add_machine(const Machine& machine, Settings& settings) {
                           report::significant(static_displacement(machine)) + " b");
     settings.emplace_back("μ_c, critical friction",
                           report::significant(critical_friction(machine)));
-    std::string without;
-    const auto add = [&](bool on, const char* name) {
-        if (!on) without += (without.empty() ? "" : ", ") + std::string(name);
-    };
-    add(machine.mechanisms.vertical, "vertical motion");
-    add(machine.mechanisms.rotation, "rotation");
-    add(machine.mechanisms.coupling, "coupling of friction to normal forces");
-    if (!without.empty()) settings.emplace_back("switched off", without);
+    std::vector<const char*> off;
+    if (!machine.mechanisms.vertical) off.push_back("vertical motion");
+    if (!machine.mechanisms.rotation) off.push_back("rotation");
+    if (!machine.mechanisms.coupling) off.push_back("coupling of friction to normal forces");
+    if (!off.empty())
+        settings.emplace_back("switched off", fmt::format("{}", fmt::join(off, ", ")));
     if (const auto& excitation = machine.excitation; excitation.frequency > 0)
         settings.emplace_back(
             "excitation",
@@ -79,9 +71,9 @@ std::string start_of(const Start& start) {
         report::as_given(start.z_velocity), report::as_given(start.phi_velocity));
 }
 
-}  // namespace
-
-Settings walk_settings(const WalkCase& walk_case) {
+/// What a case says, as name and value: kappas, what follows from them, dimensions, mechanisms that
+/// are switched off, time and start.
+Settings settings_of(const WalkCase& walk_case) {
     Settings settings;
     add_machine(walk_case.machine, settings);
     if (walk_case.dimensional) add_dimensions(*walk_case.dimensional, settings);
@@ -91,6 +83,8 @@ Settings walk_settings(const WalkCase& walk_case) {
                                       report::as_given(walk_case.time.step)));
     return settings;
 }
+
+}  // namespace
 
 report::Document walk_document(const WalkReport& report) {
     const auto vibration = vibration_of(report.walk_case.machine, report.walk);
@@ -103,19 +97,16 @@ report::Document walk_document(const WalkReport& report) {
             "its friction is left: Wetter (2016), chapter 4. Lengths are in units of b, times "
             "of √(m/k_x), where nothing else is said.",
         .verdicts = walk_verdicts(report, vibration),
-        .settings = walk_settings(report.walk_case),
-        .sections = {motion_section(report), contact_section(report), course_section(report)},
-        .files = report.files,
-        .command = report.command,
-        .version = report.version};
+        .settings = settings_of(report.walk_case),
+        .sections = {motion_section(report), contact_section(report), course_section(report)}};
     if (vibration) document.sections.push_back(vibration_section(report, *vibration));
     if (const auto energy = energy_of(report)) {
         document.verdicts.push_back(energy_verdict(report, *energy));
         document.sections.push_back(energy_section(*energy));
     }
-    const SlidingStability stability = sliding_stability(report.walk_case.machine);
+    const Eigenvalues stability = sliding_stability(report.walk_case.machine);
     document.verdicts.push_back(stability_verdict(report, stability));
-    if (!stability.eigenvalues.empty()) document.sections.push_back(stability_section(stability));
+    if (!stability.empty()) document.sections.push_back(stability_section(stability));
     return document;
 }
 

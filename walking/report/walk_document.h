@@ -17,25 +17,19 @@
 
 namespace tricontact::walking {
 
-/// A run of a walking machine and where it came from.
+/// A run of a walking machine.
 struct WalkReport {
     WalkCase walk_case;
     Walk walk;
-    std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
-    std::string command = {};                                     ///< that makes it again
-    std::string version = {};                                     ///< of the program
 };
 
 /// What the report's figures need of a run: enough of its end for the spectrum of a chaotic one.
 inline constexpr Recording report_recording{.start = 100, .tail = 500, .interval = 0.05};
 
 /// What a machine does after its transient: verdicts, the motion and forces of figures 4.5, 4.6 and
-/// 4.17 to 4.19 of Wetter (2016), the whole run, its section, spectrum and running variance.
+/// 4.17 to 4.19 of Wetter (2016), the whole run, its section, spectrum and running variance. Files,
+/// command and version are the caller's.
 report::Document walk_document(const WalkReport& report);
-
-/// What a case says, as name and value: kappas, what follows from them, dimensions, mechanisms that
-/// are switched off, time and start.
-std::vector<std::pair<std::string, std::string>> walk_settings(const WalkCase& walk_case);
 
 /// What a run came to, whether it was long enough, whether the body jumps and its spots move where
 /// they press little.
@@ -74,20 +68,16 @@ report::Verdict energy_verdict(const WalkReport& report, const EnergyStretch& en
 
 report::DocumentSection energy_section(const EnergyStretch& energy);
 
-/// Linear stability of steady sliding, from which vibration may or may not start by itself.
-struct SlidingStability {
-    bool exists = false;  ///< else the body tilts
-    std::vector<std::complex<double>>
-        eigenvalues;  ///< [sqrt(k_x/m)], Im >= 0, fastest growth first
-};
-
-SlidingStability sliding_stability(const Machine& machine);
+/// Linear stability of steady sliding, from which vibration may or may not start by itself:
+/// [sqrt(k_x/m)], Im >= 0, fastest growth first. Empty: there is none, the body tilts.
+using Eigenvalues = std::vector<std::complex<double>>;
+Eigenvalues sliding_stability(const Machine& machine);
 /// Small disturbances neither grow nor decay.
-bool is_neutral(const SlidingStability& stability);
+bool is_neutral(const Eigenvalues& stability);
 
-report::Verdict stability_verdict(const WalkReport& report, const SlidingStability& stability);
+report::Verdict stability_verdict(const WalkReport& report, const Eigenvalues& stability);
 
-report::DocumentSection stability_section(const SlidingStability& stability);
+report::DocumentSection stability_section(const Eigenvalues& stability);
 
 /// A line for each window of the run: its means and extremes. Ratios as in WalkResult.
 std::string windows_csv(const WalkCase& walk_case, const Walk& walk);

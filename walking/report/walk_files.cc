@@ -1,9 +1,5 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
-
 #include "files/version.h"
 #include "io/keys/toml_document.h"
 #include "report/csv.h"
@@ -72,12 +68,6 @@ Json phases_json(const WalkPhases& phases) {
             {"airborne_advance", report::number(phases.airborne_advance)}};
 }
 
-Json drift_json(const WalkResult::Drift& drift) {
-    return {{"per_period", report::number(drift.per_period)},
-            {"error", report::number(drift.error)},
-            {"airborne", report::number(drift.airborne)}};
-}
-
 Json machine_json(const Machine& machine) {
     const auto& k = machine.kappas;
     Json kappas;
@@ -127,38 +117,11 @@ std::string with_seconds(const WalkCase& walk_case, double time) {
 }
 
 std::string tilting_text(const WalkCase& walk_case, const WalkResult& result) {
-    const double time = result.tilting_time.value_or(0);
+    const double time = *result.tilting_time;
     return line("regime", std::string(word_of(result.regime)), "small rotations no longer") +
            line("tilting time", significant(time), with_seconds(walk_case, time)) +
            line("mu_c", significant(critical_friction(walk_case.machine)),
                 "tilts above, sliding steadily");
-}
-
-std::string period_text(const WalkCase& walk_case, const WalkResult& result) {
-    if (!result.period) return {};
-    std::string text = line("period", with_error(*result.period, result.period_error, 6),
-                            with_seconds(walk_case, *result.period));
-    if (walk_case.dimensional) {
-        const double tau = characteristic_time(*walk_case.dimensional);
-        text += line("frequency", report::quantity(1 / (*result.period * tau), "Hz"), "");
-    }
-    return text;
-}
-
-std::string drift_text(const WalkResult& result) {
-    if (!result.drift) return {};
-    return line("drift", with_error(result.drift->per_period, result.drift->error),
-                "shift of the base per period, over mu kappa2 z_stat");
-}
-
-std::string spots_text(const WalkResult& result) {
-    std::string text;
-    for (std::size_t i = 0; i < result.spots.size(); ++i)
-        text += line(fmt::format("spot {}", i + 1).c_str(),
-                     "sticks " + significant(result.spots[i].stick_time) + ", r " +
-                         significant(result.spots[i].correlation),
-                     "share of time, correlation of velocity and load");
-    return text;
 }
 
 }  // namespace
@@ -214,7 +177,11 @@ Json walk_json(const WalkCase& walk_case, const Walk& walk) {
     Json json;
     add_statistics(json, walk.result);
     json["phases"] = walk.phases ? phases_json(*walk.phases) : Json();
-    json["drift"] = walk.result.drift ? drift_json(*walk.result.drift) : Json();
+    json["drift"] = Json();
+    if (const auto& drift = walk.result.drift)
+        json["drift"] = {{"per_period", report::number(drift->per_period)},
+                         {"error", report::number(drift->error)},
+                         {"airborne", report::number(drift->airborne)}};
     json["machine"] = machine_json(walk_case.machine);
     json["dimensional"] = dimensional_json(walk_case, walk.result);
     json["lane_steps"] = walk.lane_steps;
@@ -231,20 +198,33 @@ std::string walk_text(const WalkCase& walk_case, const Walk& walk) {
         line("regime", std::string(word_of(result.regime)),
              result.transient_over ? "from t = " + significant(result.transient) + " on"
                                    : "as far as the run goes");
-    text += period_text(walk_case, result);
+    if (result.period) {
+        text += line("period", with_error(*result.period, result.period_error, 6),
+                     with_seconds(walk_case, *result.period));
+        if (const auto& machine = walk_case.dimensional)
+            text += line(
+                "frequency",
+                report::quantity(1 / (*result.period * characteristic_time(*machine)), "Hz"), "");
+    }
     if (result.regime == Regime::sticking)
         text += line("loaded", "t = " + significant(loading_time(walk_case.machine), 3),
                      "at the earliest; until then there is no mu_e");
     else
         text += line("mu_e", with_error(result.mu_e, result.mu_e_error),
                      "<f_s> over that of sliding, 95 % interval");
-    text += drift_text(result);
+    if (result.drift)
+        text += line("drift", with_error(result.drift->per_period, result.drift->error),
+                     "shift of the base per period, over mu kappa2 z_stat");
     text += line("z_min, z_max",
                  significant(result.z_min_ratio) + ", " + significant(result.z_max_ratio),
                  "over the static displacement");
     text += line("phi", significant(result.phi_min, 3) + ", " + significant(result.phi_max, 3),
                  "extremes");
-    text += spots_text(result);
+    for (std::size_t i = 0; i < result.spots.size(); ++i)
+        text += line(fmt::format("spot {}", i + 1).c_str(),
+                     "sticks " + significant(result.spots[i].stick_time) + ", r " +
+                         significant(result.spots[i].correlation),
+                     "share of time, correlation of velocity and load");
     text += line("kinetic energy", significant(result.kinetic_energy),
                  "mean over m g times the static displacement");
     if (result.lyapunov)

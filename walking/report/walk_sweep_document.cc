@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include "report/format.h"
-#include "walking/study/walk_sweep.h"
-
 namespace tricontact::walking {
 
 namespace {
@@ -15,9 +12,8 @@ constexpr std::size_t most_rows = 300;  // of a table in the page; the CSV has a
 
 report::Verdict count_verdict(const WalkSweep& sweep) {
     const std::size_t n = sweep.points.size();
-    const auto n_failed = static_cast<std::size_t>(
-        std::count_if(sweep.points.begin(), sweep.points.end(),
-                      [](const WalkSweep::Point& point) { return !point.outcome; }));
+    const auto n_failed = std::ranges::count_if(
+        sweep.points, [](const WalkSweep::Point& point) { return !point.outcome; });
     if (n_failed > 0)
         return {report::Verdict::Standing::fails,
                 fmt::format("{} of {} runs failed.", n_failed, n)};
@@ -68,9 +64,7 @@ report::DocumentTable run_table(const WalkSweep& sweep) {
         const WalkResult& result = point.outcome->result;
         std::vector<report::Cell>& row = table.rows.emplace_back();
         for (std::size_t i = 0; i < sweep.axes.size(); ++i)
-            row.push_back(std::holds_alternative<double>(point.values[i])
-                              ? report::Cell(shown_value(sweep, i, point.values[i]))
-                              : point.values[i]);
+            row.push_back(shown_cell(sweep, i, point.values[i]));
         row.insert(row.end(), {std::string(word_of(result.regime)),
                                report::WithError{result.mu_e, result.mu_e_error},
                                result.period.value_or(NAN), result.z_min_ratio,
@@ -86,8 +80,7 @@ report::DocumentTable failure_table(const WalkSweep& sweep) {
     table.columns.push_back({"error"});
     for (const WalkSweep::Point& point : sweep.points) {
         if (point.outcome || table.rows.size() == most_rows) continue;
-        std::vector<report::Cell>& row = table.rows.emplace_back(point.values);
-        row.emplace_back(point.error);
+        table.rows.emplace_back(point.values).emplace_back(point.error);
     }
     return table;
 }
@@ -137,8 +130,8 @@ std::optional<WalkMap> walk_map_of(const WalkSweep& sweep) {
     if (!grid || label_of(sweep, grid->x_axis) != "κ_8" || label_of(sweep, grid->y_axis) != "μ")
         return {};
     WalkMap map{.title = sweep.title,
-                .kappas = groups.front().kappas(),
-                .model = groups.front().points.front()->machine.model,
+                .kappas = groups.front().machine().kappas,
+                .model = groups.front().machine().model,
                 .kappa8 = grid->x,
                 .friction = grid->y,
                 .cells = {},

@@ -17,10 +17,6 @@ namespace {
 
 using Standing = report::Verdict::Standing;
 
-std::string percents(double share, int digits = 3) {
-    return report::share(share, digits);
-}
-
 std::string friction(const WalkResult& result) {
     return fmt::format("μ_e = {}", report::with_error(result.mu_e, result.mu_e_error));
 }
@@ -39,26 +35,24 @@ double longest_sticking(const WalkResult& result) {
 std::string reduction(const WalkResult& result) {
     const double saved = 1 - result.mu_e;
     return saved > result.mu_e_error
-               ? fmt::format(", {} less friction than steady sliding", percents(saved))
+               ? fmt::format(", {} less friction than steady sliding", report::share(saved, 3))
                : "";
 }
 
-report::Verdict fall(const WalkReport& report) {
+std::string fall(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     const Machine& machine = report.walk_case.machine;
     const double mu = machine.kappas.kappa5;
     const double limit = critical_friction(machine);
-    return {
-        Standing::finding,
-        fmt::format("Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which "
-                    "a sliding body falls over its leading spot.",
-                    report::significant(result.tilting_time),
-                    report::significant(tilting_limit(machine), 3), report::as_given(mu),
-                    mu > limit ? "above" : "below", report::significant(limit))};
+    return fmt::format(
+        "Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which "
+        "a sliding body falls over its leading spot.",
+        report::significant(result.tilting_time), report::significant(tilting_limit(machine), 3),
+        report::as_given(mu), mu > limit ? "above" : "below", report::significant(limit));
 }
 
 /// A machine that is excited while its base stands still.
-report::Verdict excited(const WalkReport& report) {
+std::string excited(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     const Machine& machine = report.walk_case.machine;
     const std::string ways = result.regime == Regime::shakedown    ? "shakes down"
@@ -69,17 +63,16 @@ report::Verdict excited(const WalkReport& report) {
         "U_max, a spot is in the air for {} of the time.",
         report::significant(result.mu_e, 3), ways,
         report::with_error(result.drift->per_period, result.drift->error),
-        percents(result.drift->airborne));
+        report::share(result.drift->airborne, 3));
     const auto& [moment, force, frequency] = machine.excitation;
-    if (machine.model != Machine::Model::two_spot || (moment > 0 && force > 0))
-        return {Standing::finding, text};
+    if (machine.model != Machine::Model::two_spot || (moment > 0 && force > 0)) return text;
     const DriftLimits limits = drift_limits(machine, result.mu_e);
     text += fmt::format(
         " The excitation is m = {} of the weight; quasi-static, the machine shakes down up to {} "
         "and a spot leaves the ground above {}.",
         report::as_given(std::max(moment, force) / machine.kappas.kappa4),
         report::significant(limits.ratcheting, 3), report::significant(limits.lift_off, 3));
-    return {Standing::finding, text};
+    return text;
 }
 
 /// A machine that has not begun to slide: nothing is known of its friction.
@@ -91,7 +84,7 @@ report::Verdict loading(const WalkReport& report) {
             fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
                         "by T = {} to {} of the force of steady sliding. That takes until t = {} "
                         "at least; a longer [time] end tells its friction.",
-                        report::significant(report.walk_case.time.end, 5), percents(load),
+                        report::significant(report.walk_case.time.end, 5), report::share(load, 3),
                         report::significant(loading_time(machine), 3))};
 }
 
@@ -104,7 +97,7 @@ report::Verdict too_short(const WalkReport& report) {
                              ? "its mean force or its vibration still changes"
                              : "the motion is chaotic";
     if (result.regime == Regime::chaotic && rotation > 0.2)
-        reason += ", and |φ| has come to " + percents(rotation, 2) + " of where it falls over";
+        reason += ", and |φ| has come to " + report::share(rotation) + " of where it falls over";
     return {Standing::cannot_tell,
             fmt::format("Too short: the transient was not over by T = {}, {}. So far μ_e = {}, "
                         "whose error covers what it may still become; a longer [time] end tells.",
@@ -114,29 +107,29 @@ report::Verdict too_short(const WalkReport& report) {
 
 /// The transient is over: z is still, or swings as the start left it, the spring force has no trend
 /// and the spots move.
-report::Verdict steady(const WalkReport& report) {
+std::string steady(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     const Machine& machine = report.walk_case.machine;
     if (machine.kappas.kappa6 == 0)
-        return {Standing::finding,
-                fmt::format("The base rests: a mean spring force of {} of that of steady sliding "
-                            "holds the body from t = {} on.",
-                            report::with_error(result.mu_e, result.mu_e_error),
-                            report::significant(result.transient))};
+        return fmt::format(
+            "The base rests: a mean spring force of {} of that of steady sliding "
+            "holds the body from t = {} on.",
+            report::with_error(result.mu_e, result.mu_e_error),
+            report::significant(result.transient));
     const double sticking = longest_sticking(result);
-    const std::string ways =
-        sticking > 0 ? "Slides, a spot sticking for up to " + percents(sticking) + " of the time"
-                     : "Slides steadily";
-    return {Standing::finding,
-            fmt::format("{}: {}. From t = {} on the height does not vibrate by itself and the mean "
-                        "spring force has no trend.",
-                        ways, friction(result), report::significant(result.transient))};
+    const std::string ways = sticking > 0 ? "Slides, a spot sticking for up to " +
+                                                report::share(sticking, 3) + " of the time"
+                                          : "Slides steadily";
+    return fmt::format(
+        "{}: {}. From t = {} on the height does not vibrate by itself and the mean "
+        "spring force has no trend.",
+        ways, friction(result), report::significant(result.transient));
 }
 
 report::Verdict outcome(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
-    if (result.regime == Regime::tilting) return fall(report);
-    if (result.drift) return excited(report);
+    if (result.regime == Regime::tilting) return {.sentence = fall(report)};
+    if (result.drift) return {.sentence = excited(report)};
     if (report.walk_case.machine.kappas.kappa5 == 0)
         return {Standing::finding, "Without friction, μ = 0, there is none to reduce."};
     if (result.regime == Regime::sticking) return loading(report);
@@ -148,7 +141,7 @@ report::Verdict outcome(const WalkReport& report) {
                             report::with_error(*result.period, result.period_error, 5),
                             friction(result), reduction(result),
                             report::significant(result.transient))};
-    if (result.regime == Regime::steady) return steady(report);
+    if (result.regime == Regime::steady) return {.sentence = steady(report)};
     // Without an end in a time T the mean life is T/3 or more, with a probability of 1 - exp(-3).
     return {
         Standing::finding,
@@ -160,13 +153,13 @@ report::Verdict outcome(const WalkReport& report) {
                     report::significant(result.observed / 3, 2))};
 }
 
-report::Verdict jump(const WalkReport& report) {
+std::string jump(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     if (result.z_min_ratio >= 0)
-        return {Standing::finding,
-                fmt::format("The body does not jump: its highest position is z = {} z_stat, "
-                            "downwards from where the spots are free.",
-                            report::significant(result.z_min_ratio))};
+        return fmt::format(
+            "The body does not jump: its highest position is z = {} z_stat, "
+            "downwards from where the spots are free.",
+            report::significant(result.z_min_ratio));
     std::string text = fmt::format("The body jumps {} static displacements high",
                                    report::significant(-result.z_min_ratio));
     if (result.regime == Regime::chaotic)
@@ -174,17 +167,17 @@ report::Verdict jump(const WalkReport& report) {
             fmt::format(" at most within {}; the longer chaos lasts, the higher its highest jump",
                         report::significant(result.observed));
     if (const auto& phases = report.walk.phases; phases && phases->airborne > 0)
-        text +=
-            fmt::format(": it is in the air for {} of a period, in which it makes {} of its way",
-                        percents(phases->airborne), percents(phases->airborne_advance));
-    return {Standing::finding, text + "."};
+        text += fmt::format(
+            ": it is in the air for {} of a period, in which it makes {} of its way",
+            report::share(phases->airborne, 3), report::share(phases->airborne_advance, 3));
+    return text + ".";
 }
 
 /// Wetter (2016), section 4.2.2: where friction is much reduced, the spots' velocities and normal
 /// deflections have correlations below -0.5.
-std::optional<report::Verdict> walking(const WalkReport& report) {
+std::string walking(const WalkReport& report) {
     const std::vector<SpotStatistics> spots = spot_statistics(report.walk);
-    if (spots.empty() || spots.size() > most_spots) return std::nullopt;
+    if (spots.empty() || spots.size() > most_spots) return {};
     std::string correlations;
     for (const SpotStatistics& spot : spots) {
         const auto& [r, error] = spot.correlation;
@@ -203,14 +196,14 @@ std::optional<report::Verdict> walking(const WalkReport& report) {
         text = "Spots move where they press little, micro-walking; correlations ";
     else if (of_all([](double r) { return std::abs(r) <= strong; }))
         text = "How fast spots move depends little on how hard they press, correlations ";
-    return report::Verdict{Standing::finding, text + correlations + "."};
+    return text + correlations + ".";
 }
 
 /// Chaos: nearby trajectories diverge.
-std::optional<report::Verdict> predictable(const WalkResult& result) {
-    if (!result.lyapunov) return std::nullopt;
+std::string predictable(const WalkResult& result) {
+    if (!result.lyapunov) return {};
     const auto& [rate, error] = *result.lyapunov;
-    if (!std::isfinite(rate)) return std::nullopt;
+    if (!std::isfinite(rate)) return {};
     std::string text =
         fmt::format("Largest Lyapunov exponent {} √(k_x/m): ", report::with_error(rate, error));
     if (rate > error)
@@ -220,16 +213,10 @@ std::optional<report::Verdict> predictable(const WalkResult& result) {
         text += "nearby trajectories converge.";
     else
         text += "nearby trajectories neither diverge nor converge.";
-    return report::Verdict{Standing::finding, text};
+    return text;
 }
 
-/// Spots that do not stick, and whose sliding small disturbances neither leave nor come back to.
-bool slides_neutrally(const WalkReport& report) {
-    return longest_sticking(report.walk.result) == 0 &&
-           is_neutral(sliding_stability(report.walk_case.machine));
-}
-
-report::Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
+std::string vibrates(const WalkReport& report, const Vibration& vibration) {
     const auto& [frequency, error] = vibration.characteristic;
     std::string text = fmt::format("The spring force vibrates at {} cycles per √(m/k_x)",
                                    report::with_error(frequency, error));
@@ -240,14 +227,15 @@ report::Verdict vibrates(const WalkReport& report, const Vibration& vibration) {
     text += fmt::format("; in free flight it would be {}.",
                         report::significant(vibration.free_flight, 3));
     const bool steady = report.walk.result.regime == Regime::steady;
-    if (steady && slides_neutrally(report))
+    if (steady && longest_sticking(report.walk.result) == 0 &&
+        is_neutral(sliding_stability(report.walk_case.machine)))
         text += " Sliding is linearly neutral: nothing damps this vibration, nor feeds it.";
     if (!steady && std::isfinite(vibration.instability))
         text += fmt::format(
             " Unstable, variance above {}: {} % of the recorded end.",
             report::as_given(instability_threshold),
             report::with_error(100 * vibration.instability, 100 * instability_error(vibration), 3));
-    return {Standing::finding, text};
+    return text;
 }
 
 }  // namespace
@@ -259,12 +247,14 @@ std::vector<report::Verdict> walk_verdicts(const WalkReport& report,
     if (result.regime == Regime::tilting || result.regime == Regime::sticking || result.drift)
         return verdicts;
     if (result.regime != Regime::steady && result.transient_over) {
-        verdicts.push_back(jump(report));
-        if (const auto verdict = walking(report)) verdicts.push_back(*verdict);
+        verdicts.push_back({.sentence = jump(report)});
+        if (const auto text = walking(report); !text.empty())
+            verdicts.push_back({.sentence = text});
     }
-    if (const auto verdict = predictable(result)) verdicts.push_back(*verdict);
+    if (const auto text = predictable(result); !text.empty())
+        verdicts.push_back({.sentence = text});
     if (vibration && std::isfinite(vibration->characteristic.frequency))
-        verdicts.push_back(vibrates(report, *vibration));
+        verdicts.push_back({.sentence = vibrates(report, *vibration)});
     return verdicts;
 }
 

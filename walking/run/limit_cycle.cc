@@ -5,6 +5,7 @@
 
 #include "statistics/stationarity.h"
 #include "walking/machine/motion.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 // returns a tolerance apart are a hundred times as far six returns later. 48 returns hold three
 // periods of the longest cycle looked for.
 constexpr std::size_t returns_looked_at = 48, longest = 16, fewest_returns = 12;
-
-StretchSums total(std::span<const SectionReturn> returns) {
-    StretchSums sums;
-    for (const SectionReturn& r : returns) sums.add(r.sums);
-    return sums;
-}
 
 /// Adds a motion to a point; points of such are as far from each other as `distance` says.
 void append_motion(const Machine& machine, const Motion& motion, std::vector<double>& point) {

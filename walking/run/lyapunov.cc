@@ -1,6 +1,5 @@
 #include "walking/run/lyapunov.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "walking/kernels/batch.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/limit_cycle.h"
 #include "walking/run/lyapunov.h"
@@ -24,6 +23,9 @@ struct WalkSteps {
     std::int64_t snapshot = 0;  ///< between snapshots
     std::int64_t tail = 0;      ///< of the end that is recorded densely
     std::int64_t judged = 0;    ///< of the end in which limit cycles are looked for
+    /// Of the end that is followed again where there is none: a snapshot more than is wanted, as a
+    /// motion does not tell whether its spots stick.
+    std::int64_t followed = 0;
 };
 
 /// Throws std::invalid_argument if step or end are not positive.
@@ -33,12 +35,14 @@ WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording) {
     const auto count = [step = step](double time) {
         return static_cast<std::int64_t>(std::llround(time / step));
     };
-    const std::int64_t run = count(end);
+    const std::int64_t run = count(end), tail = std::min(count(recording.tail), run),
+                       snapshot = std::max(count(recording.interval), std::int64_t{1});
     return {.run = run,
             .window = window_steps(run, step),
-            .snapshot = std::max(count(recording.interval), std::int64_t{1}),
-            .tail = std::min(count(recording.tail), run),
-            .judged = std::min(count(judged_time()), run)};
+            .snapshot = snapshot,
+            .tail = tail,
+            .judged = std::min(count(judged_time()), run),
+            .followed = std::min(tail + snapshot, run)};
 }
 
 /// Runs on for so many steps, or until the machine tilts; returns the time of that.
@@ -66,7 +70,7 @@ std::optional<WalkPhases> find_phases(const WalkCase& walk_case, const Motion& o
     const auto n =
         static_cast<std::size_t>(3 * period / step) / static_cast<std::size_t>(every) + 4;
     VelocityVerlet run(walk_case.machine, on_cycle, step);
-    SnapshotRecorder snapshots(n, 1);
+    SnapshotRecorder snapshots(walk_case.machine, n, 1);
     for (std::int64_t i = 0; snapshots.first().size() < n; ++i) {
         if (i % every == 0) snapshots.add(run);
         run.advance();
@@ -74,18 +78,19 @@ std::optional<WalkPhases> find_phases(const WalkCase& walk_case, const Motion& o
     auto phases = phases_of(walk_case.machine, snapshots.first(), period);
     if (!phases) return phases;
     const double late = phases->turning_point + period - walk_case.time.end;
-    phases->shift(-period * std::ceil(late / period));
+    for (double* each : {&phases->sticking, &phases->turning_point, &phases->release, &phases->jump,
+                         &phases->landing})
+        *each -= period * std::ceil(late / period);
     return phases;
 }
 
 /// What follows from windows and returns: the result, the tail and its phases. `snapshots` are of
 /// the last steps_of().judged steps at least, or of the tail where there is no limit cycle; `end`
 /// is the motion of the springs there.
-void conclude(const WalkCase& walk_case, const Recording& recording, const Motion& end,
+void conclude(const WalkCase& walk_case, const WalkSteps& steps, const Motion& end,
               std::optional<double> tilting_time, const SnapshotRecorder& snapshots, Walk& walk) {
     const Machine& machine = walk_case.machine;
     const double step = walk_case.time.step;
-    const WalkSteps steps = steps_of(walk_case, recording);
     walk.result = judge(machine, {step, walk.windows, walk.returns, tilting_time});
     std::int64_t tail = steps.tail / steps.snapshot;
     if (walk.result.period) {
@@ -104,10 +109,6 @@ double processor_time() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-std::size_t n_snapshots(double time, double interval) {
-    return time > 0 ? static_cast<std::size_t>(std::llround(time / interval)) + 1 : 0;
-}
-
 /// Of what the run goes on to do, for a thousand units of time, or as long as it has taken if that
 /// is less; none for a machine that tilts or has hardly begun.
 std::optional<statistics::Mean> exponent_at_the_end(const VelocityVerlet& run) {
@@ -118,9 +119,9 @@ std::optional<statistics::Mean> exponent_at_the_end(const VelocityVerlet& run) {
     return lyapunov_exponent(run.machine(), run.motion(), separation);
 }
 
-/// Motions from which the end of each run is followed again.
+/// Motions from which the end of each run is followed again, WalkSteps::judged and ::followed
+/// before it.
 struct Ends {
-    std::int64_t judged_steps = 0, tail_steps = 0;  ///< before the end
     std::vector<Motion> judged, tail;
 };
 
@@ -132,12 +133,9 @@ std::vector<Motion> motions_of(const Batch& batch) {
 
 /// Runs the batch to its end: fills in the windows of the walks.
 Ends run_lanes(Batch& batch, const WalkSteps& steps, std::vector<Walk>& walks) {
-    // A snapshot more than is wanted: a motion does not tell whether its spots stick.
     Ends ends;
-    ends.judged_steps = steps.judged;
-    ends.tail_steps = std::min(steps.tail + steps.snapshot, steps.run);
-    const std::int64_t judged_begin = steps.run - ends.judged_steps,
-                       tail_begin = steps.run - ends.tail_steps;
+    const std::int64_t judged_begin = steps.run - steps.judged,
+                       tail_begin = steps.run - steps.followed;
     std::vector<StretchSums> sums(walks.size());
     const auto time = [&](std::int64_t n) { return static_cast<double>(n) * batch.step(); };
     std::int64_t window_begin = 0, done = 0;
@@ -165,20 +163,19 @@ Ends run_lanes(Batch& batch, const WalkSteps& steps, std::vector<Walk>& walks) {
 }
 
 /// Follows the end of a run once more, step by step, and judges it.
-void conclude_lane(const WalkCase& walk_case, const Recording& recording, const Motion& begin,
+void conclude_lane(const WalkCase& walk_case, const WalkSteps& steps, const Motion& begin,
                    std::int64_t n_steps, bool tilts, Walk& walk) {
-    const WalkSteps steps = steps_of(walk_case, recording);
     VelocityVerlet run(walk_case.machine, begin, walk_case.time.step);
     WalkRecorder recorder(walk_case.machine, begin, walk_case.time.step,
                           std::numeric_limits<std::int64_t>::max());
-    SnapshotRecorder snapshots(0, static_cast<std::size_t>(n_steps / steps.snapshot) + 1);
+    SnapshotRecorder snapshots(walk_case.machine, 0,
+                               static_cast<std::size_t>(n_steps / steps.snapshot) + 1);
     const auto tilting_time = follow(run, n_steps, steps.snapshot, recorder, snapshots);
     walk.returns = recorder.returns();
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
     if (tilts)  // the batch stopped a little before it did
         for (const WalkWindow& window : recorder.windows()) walk.windows.push_back(window);
-    conclude(walk_case, recording, run.motion(), tilts ? tilting_time : std::nullopt, snapshots,
-             walk);
+    conclude(walk_case, steps, run.motion(), tilts ? tilting_time : std::nullopt, snapshots, walk);
 }
 
 }  // namespace
@@ -223,7 +220,8 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     WalkRecorder recorder(machine, run.motion(), step, steps.window);
     const double interval = static_cast<double>(steps.snapshot) * step;
     const std::int64_t kept = std::max(steps.tail, steps.judged) / steps.snapshot + 1;
-    SnapshotRecorder snapshots(n_snapshots(recording.start, interval),
+    const double first = recording.start > 0 ? std::round(recording.start / interval) + 1 : 0;
+    SnapshotRecorder snapshots(machine, static_cast<std::size_t>(first),
                                static_cast<std::size_t>(kept));
     const auto tilting_time = follow(run, steps.run, steps.snapshot, recorder, snapshots);
 
@@ -233,7 +231,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
     walk.periods = recorder.periods();
     walk.last = run.motion();
     for (const WalkWindow& window : walk.windows) walk.lane_steps += window.sums.steps;
-    conclude(walk_case, recording, run.motion(), tilting_time, snapshots, walk);
+    conclude(walk_case, steps, run.motion(), tilting_time, snapshots, walk);
     walk.cpu_s = processor_time() - began;
     walk.result.lyapunov = exponent_at_the_end(run);
     return walk;
@@ -242,7 +240,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
 std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& recording,
                              const BatchOptions& options) {
     if (cases.empty()) return {};
-    const std::clock_t began = std::clock();
+    const double began = processor_time();
     std::vector<Machine> machines;
     std::vector<Motion> starts;
     for (const WalkCase& each : cases) {
@@ -258,13 +256,13 @@ std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& r
     in_parallel(cases.size(), options.n_threads, [&](std::size_t i) {
         Walk& walk = walks[i];
         if (batch.tilted(i))
-            conclude_lane(cases[i], recording, batch.motion(i), steps.run, true, walk);
+            conclude_lane(cases[i], steps, batch.motion(i), steps.run, true, walk);
         else if (may_repeat(machines[i], walk.windows))
-            conclude_lane(cases[i], recording, ends.judged[i], ends.judged_steps, false, walk);
+            conclude_lane(cases[i], steps, ends.judged[i], steps.judged, false, walk);
         else
-            conclude_lane(cases[i], recording, ends.tail[i], ends.tail_steps, false, walk);
+            conclude_lane(cases[i], steps, ends.tail[i], steps.followed, false, walk);
     });
-    const double cpu_s = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+    const double cpu_s = processor_time() - began;
     for (Walk& walk : walks) walk.cpu_s = cpu_s / static_cast<double>(walks.size());
     return walks;
 }

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
+#include "contact/special_values.h"
 #include "statistics/initial_sequence.h"
 #include "statistics/stationarity.h"
 #include "walking/run/limit_cycle.h"
@@ -12,7 +11,7 @@
 namespace tricontact::walking {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing = contact::undefined;
 
 // Vertical vibration over the static displacement that does not count: normal forces, and with them
 // friction, differ by no more.
@@ -37,12 +36,6 @@ double vibration(const WalkWindow& window) {
 double unit_force(const Machine& machine) {
     const double sliding = sliding_force(machine);
     return sliding > 0 ? sliding : nothing;
-}
-
-StretchSums total(std::span<const WalkWindow> windows) {
-    StretchSums sums;
-    for (const WalkWindow& window : windows) sums.add(window.sums);
-    return sums;
 }
 
 /// First of the windows from which on all fulfil a condition; their number if the last does not.
@@ -107,23 +100,19 @@ bool grows(const Machine& machine, std::span<const WalkWindow> windows) {
     return after > std::max((1 + growth) * before, rounding * static_displacement(machine));
 }
 
-/// The base moves and nothing slides: the spring takes up what the base moves. Its force is a load,
-/// which friction has not yet answered.
-WalkResult judge_sticking(const Machine& machine, std::span<const WalkWindow> windows,
-                          std::size_t first) {
-    WalkResult result = judge_windows(machine, windows, Regime::sticking, first);
-    result.mu_e = result.mu_e_error = nothing;
-    return result;
-}
-
 /// Sliding is linearly neutral: what the transient leaves behind swings on undamped, its integral
 /// stays bounded, and the error of a mean falls as one over the time, not over its square root.
 /// The spring has to be loaded first, which takes the base a way of mu kappa4 (1/kappa1 + 1/2).
 WalkResult judge_steady(const Machine& machine, std::span<const WalkWindow> windows,
                         std::size_t quiet) {
     const auto judged = windows.subspan(quiet);
-    if (machine.kappas.kappa6 > 0 && only_sticks(judged.last((judged.size() + 1) / 2)))
-        return judge_sticking(machine, windows, quiet);
+    if (machine.kappas.kappa6 > 0 && only_sticks(judged.last((judged.size() + 1) / 2))) {
+        // The base moves and nothing slides: the spring takes up what the base moves. Its force is
+        // a load, which friction has not yet answered.
+        WalkResult result = judge_windows(machine, windows, Regime::sticking, quiet);
+        result.mu_e = result.mu_e_error = nothing;
+        return result;
+    }
     const std::size_t loaded = quiet + first_loaded(machine, judged);
     const bool enough = 4 * (windows.size() - loaded) >= windows.size();
     const std::size_t first = enough ? loaded : quiet;
@@ -143,13 +132,6 @@ bool same_extremes(const StretchSums& a, const StretchSums& b) {
     const double z = near * (b.z_max - b.z_min), phi = near * (b.phi_max - b.phi_min);
     return std::abs(a.z_min - b.z_min) <= z && std::abs(a.z_max - b.z_max) <= z &&
            std::abs(a.phi_min - b.phi_min) <= phi && std::abs(a.phi_max - b.phi_max) <= phi;
-}
-
-/// First of the windows from which on all show the extremes of the cycle; their number if none
-/// does.
-std::size_t first_on_cycle(std::span<const WalkWindow> windows, const StretchSums& cycle) {
-    return first_of_end(
-        windows, [&](const WalkWindow& window) { return same_extremes(window.sums, cycle); });
 }
 
 /// Whether an extreme of the windows is on its way: returns repeat to the error of the integration,
@@ -178,7 +160,8 @@ WalkResult judge_cycle(const Machine& machine, std::span<const WalkWindow> windo
     result.period = cycle.period;
     result.period_error = cycle.period_drift;
     result.section_points = cycle.section_points;
-    const std::size_t first = first_on_cycle(windows, cycle.sums);
+    const std::size_t first = first_of_end(
+        windows, [&](const WalkWindow& window) { return same_extremes(window.sums, cycle.sums); });
     result.transient =
         first < windows.size() ? std::min(windows[first].begin, cycle.begin) : cycle.begin;
     result.observed = cycle.n_periods * cycle.period;

@@ -10,6 +10,14 @@
 
 namespace tricontact::walking {
 
+/// Sums over windows or returns, one after another.
+template <class Stretch>
+StretchSums total(std::span<const Stretch> stretches) {
+    StretchSums sums;
+    for (const Stretch& each : stretches) sums.add(each.sums);
+    return sums;
+}
+
 /// Mean spring force of a window, in units of k_x b.
 double mean_force(const WalkWindow& window);
 

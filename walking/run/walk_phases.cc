@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "walking/run/walk.h"
 
@@ -10,12 +11,13 @@ namespace {
 constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
 bool airborne(const Snapshot& snapshot) {
-    return std::all_of(snapshot.spots.begin(), snapshot.spots.end(),
-                       [](SpotState state) { return state == SpotState::released; });
+    return std::ranges::count(snapshot.spots, SpotState::released) == std::ssize(snapshot.spots);
 }
 
-WalkPhases::Stick stick_about(std::span<const Snapshot> snapshots, std::size_t turning,
-                              std::size_t spot) {
+/// Begin and end of the sticking of a spot about the turning point; NaN where it does not stick
+/// there.
+std::pair<double, double> stick_about(std::span<const Snapshot> snapshots, std::size_t turning,
+                                      std::size_t spot) {
     const auto sticks = [&](std::size_t i) { return snapshots[i].spots[spot] == SpotState::stick; };
     if (!sticks(turning)) return {never, never};
     std::size_t begin = turning, end = turning;
@@ -35,11 +37,6 @@ void find_jump(std::span<const Snapshot> period, double rest, WalkPhases& phases
 
 }  // namespace
 
-void WalkPhases::shift(double time) {
-    for (double* each : {&sticking, &turning_point, &release, &jump, &landing}) *each += time;
-    for (Stick& stick : sticks) stick = {stick.begin + time, stick.end + time};
-}
-
 std::optional<WalkPhases> phases_of(const Machine& machine, std::span<const Snapshot> snapshots,
                                     double period) {
     if (snapshots.size() < 2) return std::nullopt;
@@ -58,10 +55,10 @@ std::optional<WalkPhases> phases_of(const Machine& machine, std::span<const Snap
     phases.turning_point = deepest->motion.time;
     phases.sticking = phases.release = never;
     for (std::size_t spot = 0; spot < deepest->spots.size(); ++spot) {
-        phases.sticks.push_back(stick_about(three, turning, spot));
+        const auto [begin, end] = stick_about(three, turning, spot);
         // Also right where nothing has been found yet: fmin and fmax prefer numbers.
-        phases.sticking = std::fmin(phases.sticking, phases.sticks.back().begin);
-        phases.release = std::fmax(phases.release, phases.sticks.back().end);
+        phases.sticking = std::fmin(phases.sticking, begin);
+        phases.release = std::fmax(phases.release, end);
     }
     const auto after = three.subspan(turning, n + 1);
     find_jump(after, static_displacement(machine), phases);

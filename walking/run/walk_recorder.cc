@@ -1,7 +1,6 @@
 #include "walking/run/walk_recorder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -9,16 +8,13 @@ namespace tricontact::walking {
 
 namespace {
 
-SpotState state_of(const SpotDeflection& spot, const SpotStep& step) {
-    if (spot.normal == 0) return SpotState::released;
-    return step.sticks ? SpotState::stick : SpotState::slip;
-}
-
 void take_snapshot(const SpotView& run, Snapshot& snapshot) {
     snapshot.motion = run.motion();
     snapshot.spots.resize(run.steps().size());
     for (std::size_t i = 0; i < snapshot.spots.size(); ++i)
-        snapshot.spots[i] = state_of(run.motion().spots[i], run.steps()[i]);
+        snapshot.spots[i] = run.motion().spots[i].normal == 0 ? SpotState::released
+                            : run.steps()[i].sticks           ? SpotState::stick
+                                                              : SpotState::slip;
 }
 
 Motion seen(SpotView& view, const Motion& start) {
@@ -30,12 +26,11 @@ Motion seen(SpotView& view, const Motion& start) {
 }  // namespace
 
 void SnapshotRecorder::add(const VelocityVerlet& run) {
-    if (!view_) view_.emplace(run.machine());
-    view_->look_at(run.motion(), run.spot_steps());
-    if (first_.size() < n_first_) take_snapshot(*view_, first_.emplace_back());
+    view_.look_at(run.motion(), run.spot_steps());
+    if (first_.size() < n_first_) take_snapshot(view_, first_.emplace_back());
     if (ring_.size() < n_last_) ring_.emplace_back();
     // Written over, so that it keeps its memory: a run takes millions.
-    take_snapshot(*view_, ring_[next_]);
+    take_snapshot(view_, ring_[next_]);
     next_ = (next_ + 1) % n_last_;
 }
 

@@ -9,7 +9,6 @@
 #include "walking/machine/stretch_recorder.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/walk.h"
-#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 
@@ -17,7 +16,8 @@ namespace tricontact::walking {
 class SnapshotRecorder {
   public:
     /// How many are kept of its beginning and, > 0, of its end.
-    SnapshotRecorder(std::size_t first, std::size_t last) : n_first_(first), n_last_(last) {}
+    SnapshotRecorder(const Machine& machine, std::size_t first, std::size_t last)
+        : n_first_(first), n_last_(last), view_(machine) {}
 
     void add(const VelocityVerlet& run);
 
@@ -27,7 +27,7 @@ class SnapshotRecorder {
 
   private:
     std::size_t n_first_, n_last_;
-    std::optional<SpotView> view_;
+    SpotView view_;
     std::vector<Snapshot> first_;
     std::vector<Snapshot> ring_;
     std::size_t next_ = 0;  // place of the oldest, once the ring is full

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
-#include <vector>
 
 #include "statistics/stationarity.h"
 #include "walking/machine/motion.h"
@@ -37,13 +35,10 @@ MeanForce mean_of(std::span<const WalkWindow> windows) {
 /// mu |z'| at both ends: a velocity is at most twice the root of its mean square in a swing of two
 /// frequencies.
 double momentum_bound(const Machine& machine, std::span<const WalkWindow> windows) {
-    double energy = 0, steps = 0;
-    for (const WalkWindow& window : windows) {
-        energy += window.sums.kinetic_energy;
-        steps += static_cast<double>(window.sums.steps);
-    }
+    const StretchSums sums = total(windows);
     const double base = machine.kappas.kappa6;
-    const double mean_square = std::max(2 * energy / steps - base * base, 0.);
+    const double mean_square =
+        std::max(2 * sums.kinetic_energy / static_cast<double>(sums.steps) - base * base, 0.);
     return 2 * 2 * std::hypot(1, machine.kappas.kappa5) * std::sqrt(mean_square);
 }
 
@@ -81,11 +76,6 @@ bool thirds_agree(const Machine& machine, std::span<const WalkWindow> windows) {
                           momentum_bound(machine, thirds.first) / first.time +
                           momentum_bound(machine, thirds.last) / last.time;
     return std::abs(last.force - first.force) <= swings + rounding * sliding_force(machine);
-}
-
-/// Velocity of a spot over that of the base, less 1.
-double lead_of(const Machine& machine, const StretchSums& sums, std::size_t spot) {
-    return sums.spots[spot].velocity / static_cast<double>(sums.steps) / machine.kappas.kappa6 - 1;
 }
 
 double mean_of(std::span<const double> values) {
@@ -149,8 +139,11 @@ bool moves_with_base(const Machine& machine, std::span<const WalkWindow> windows
     const double time = mean_of(windows).time;
     const double least = std::max(rounding, resolution * loading_time(machine) / time);
     for (std::size_t spot = 0; spot < windows.front().sums.spots.size(); ++spot) {
+        // Of the spot's velocity over that of the base, less 1.
         const auto lead = [&](const WalkWindow& window) {
-            return lead_of(machine, window.sums, spot) * duration(window) / time;
+            const double velocity =
+                window.sums.spots[spot].velocity / static_cast<double>(window.sums.steps);
+            return (velocity / machine.kappas.kappa6 - 1) * duration(window) / time;
         };
         double all = 0, passed = 0, sum = 0, deviation = 0;
         for (const WalkWindow& window : windows) all += lead(window);

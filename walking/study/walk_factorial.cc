@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <ranges>
 #include <stdexcept>
 
 #include "contact/special_values.h"
@@ -51,13 +51,8 @@ struct Term {
     std::size_t first_column = 0, n_columns = 1;
 };
 
-/// Coded so that parts sum to zero: the last level is minus the sum of the others.
-double code(std::size_t level, std::size_t column, std::size_t n_levels) {
-    if (level == n_levels - 1) return -1;
-    return level == column ? 1 : 0;
-}
-
-/// Codes of a term's columns at a combination of levels.
+/// Codes of a term's columns at a combination of levels, such that parts sum to zero: the last
+/// level is minus the sum of the others.
 std::vector<double> codes(const FactorialDesign& design, const Term& term,
                           const std::vector<std::size_t>& levels) {
     std::vector<double> row{1};
@@ -66,7 +61,9 @@ std::vector<double> codes(const FactorialDesign& design, const Term& term,
         std::vector<double> products;
         for (const double product : row)
             for (std::size_t column = 0; column + 1 < n; ++column)
-                products.push_back(product * code(levels[k], column, n));
+                products.push_back(product * (levels[k] == n - 1    ? -1
+                                              : levels[k] == column ? 1
+                                                                    : 0));
         row = products;
     }
     return row;
@@ -151,30 +148,17 @@ Interaction interaction_of(const FactorialDesign& design, const statistics::Fit&
 }
 
 constexpr std::size_t most_levels = 4;
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double unlimited = contact::infinity;
 
 Factor factor_of(const WalkSweep& sweep, std::size_t axis) {
     Factor factor{.name = label_of(sweep, axis), .levels = {}};
     for (const WalkSweep::Point& point : sweep.points) {
         const double level = shown_value(sweep, axis, point.values[axis]);
         if (std::isnan(level)) return {.name = factor.name, .levels = {}};
-        if (std::find(factor.levels.begin(), factor.levels.end(), level) == factor.levels.end())
-            factor.levels.push_back(level);
+        if (std::ranges::count(factor.levels, level) == 0) factor.levels.push_back(level);
     }
-    std::sort(factor.levels.begin(), factor.levels.end());
+    std::ranges::sort(factor.levels);
     return factor;
-}
-
-std::size_t level_of(const Factor& factor, double value) {
-    return static_cast<std::size_t>(std::find(factor.levels.begin(), factor.levels.end(), value) -
-                                    factor.levels.begin());
-}
-
-std::string levels_text(const Factor& factor) {
-    std::string text;
-    for (const double level : factor.levels)
-        text.append(text.empty() ? "" : ", ").append(report::as_given(level));
-    return text;
 }
 
 }  // namespace
@@ -211,7 +195,6 @@ VarianceAnalysis variance_analysis(const FactorialDesign& design) {
     const std::vector<Term> terms = terms_of(design, true);
     const statistics::Fit fit = fit_of(design, terms, combinations);
     analysis.explained_by_pairs = fit.r_squared();
-    analysis.residual = fit.residual_standard_deviation;
     for (const Term& term : terms)
         if (term.factors.size() == 1)
             analysis.main_shares.push_back(share_of(fit, term));
@@ -223,7 +206,7 @@ VarianceAnalysis variance_analysis(const FactorialDesign& design) {
 bool ExclusionRule::excludes(const WalkGroup& group) const {
     if (group.tilts()) return true;
     const double phi = group.mean([](const WalkOutcome& o) { return o.largest_phi; });
-    return !(phi <= largest_ratio * group.kappas().kappa4 && phi <= largest_phi);
+    return !(phi <= largest_ratio * group.machine().kappas.kappa4 && phi <= largest_phi);
 }
 
 const std::vector<ExclusionRule>& exclusion_rules() {
@@ -239,10 +222,9 @@ const std::vector<ExclusionRule>& exclusion_rules() {
 FactorialDesign WalkFactorial::design(const std::vector<WalkGroup>& groups,
                                       const ExclusionRule& rule,
                                       double (*response)(const WalkOutcome& outcome)) const {
-    std::size_t n = 1;
-    for (const Factor& factor : factors) n *= factor.levels.size();
-    FactorialDesign design{.factors = factors,
-                           .response = std::vector<double>(n, contact::undefined)};
+    FactorialDesign design{
+        .factors = factors,
+        .response = std::vector<double>(n_combinations(factors), contact::undefined)};
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (!rule.excludes(groups[i])) design.response[places[i]] = groups[i].mean(response);
     return design;
@@ -259,10 +241,10 @@ std::optional<WalkFactorial> factorial_of(const WalkSweep& sweep,
     for (const WalkGroup& group : groups) {
         std::size_t place = 0;
         for (std::size_t k = 0; k < axes.size(); ++k) {
-            const Factor& factor = factorial.factors[k];
+            const std::vector<double>& levels = factorial.factors[k].levels;
             const report::Cell& value = group.points.front()->values[axes[k]];
-            place =
-                place * factor.levels.size() + level_of(factor, shown_value(sweep, axes[k], value));
+            const auto level = std::ranges::find(levels, shown_value(sweep, axes[k], value));
+            place = place * levels.size() + static_cast<std::size_t>(level - levels.begin());
         }
         factorial.places.push_back(place);
     }
@@ -282,8 +264,11 @@ report::Figure main_effects_figure(const std::string& id, const std::string& tit
     const std::vector<MainEffect> effects = main_effects(design);
     for (std::size_t k = 0; k < effects.size(); ++k) {
         const Factor& factor = design.factors[k];
-        report::Curve curve{.name = factor.name + ": " + levels_text(factor),
-                            .kind = report::Curve::Kind::line_and_points};
+        report::Curve curve{
+            .name = fmt::format(
+                "{}: {}", factor.name,
+                fmt::join(factor.levels | std::views::transform(report::as_given), ", ")),
+            .kind = report::Curve::Kind::line_and_points};
         const auto n = static_cast<double>(factor.levels.size() - 1);
         constexpr double width = 0.6;  // of what lies between two factors
         for (std::size_t i = 0; i < factor.levels.size(); ++i) {

@@ -53,7 +53,6 @@ struct VarianceAnalysis {
     std::vector<Interaction> interactions;
     double explained_by_factors = 0;  ///< share of the variance, by the parts of factors alone
     double explained_by_pairs = 0;    ///< by both kinds of parts
-    double residual = 0;              ///< standard deviation of the rest
 };
 
 /// One per factor. Throws std::invalid_argument if the response has not one value per combination;

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <stdexcept>
-#include <utility>
 
 #include "contact/special_values.h"
 #include "report/json_number.h"
@@ -14,6 +12,7 @@
 #include "walking/machine/machine.h"
 #include "walking/machine/motion.h"
 #include "walking/report/walk_readings.h"
+#include "walking/run/walk_judge.h"
 
 namespace tricontact::walking {
 
@@ -25,9 +24,7 @@ using json = nlohmann::ordered_json;
 WalkOutcome::SecondHalf second_half(const Machine& machine, const Walk& walk) {
     if (walk.result.tilting_time || walk.windows.empty())
         return {contact::undefined, contact::undefined, contact::undefined};
-    StretchSums sums;
-    for (std::size_t i = walk.windows.size() / 2; i < walk.windows.size(); ++i)
-        sums.add(walk.windows[i].sums);
+    const StretchSums sums = total(std::span(walk.windows).subspan(walk.windows.size() / 2));
     const double sliding = sliding_force(machine);
     const double rest = static_displacement(machine);
     return {sums.spring_force / static_cast<double>(sums.steps) / sliding, sums.z_min / rest,
@@ -43,10 +40,11 @@ double largest_phi(const Walk& walk) {
 }
 
 WalkOutcome::Vibration vibration(const Machine& machine, const Walk& walk) {
-    if (walk.result.tilting_time || walk.result.regime == Regime::sticking)
-        return {contact::undefined, contact::undefined, contact::undefined};
-    if (walk.result.regime == Regime::steady) return {contact::undefined, contact::undefined, 0};
-    const auto found = vibration_of(machine, walk);
+    if (walk.result.regime == Regime::steady && !walk.result.tilting_time)
+        return {contact::undefined, contact::undefined, 0};
+    const auto found = walk.result.tilting_time || walk.result.regime == Regime::sticking
+                           ? std::nullopt
+                           : vibration_of(machine, walk);
     if (!found) return {contact::undefined, contact::undefined, contact::undefined};
     return {found->characteristic.frequency, found->characteristic.error, found->instability};
 }
@@ -57,7 +55,7 @@ constexpr double sampled_time = 12;
 MotionSamples samples_of(const Machine& machine, const Walk& walk) {
     MotionSamples samples;
     if (walk.tail.size() < 2 || walk.result.tilting_time) return samples;
-    samples.interval = walk.tail[1].motion.time - walk.tail[0].motion.time;
+    samples.interval = sampling_interval(walk);
     const auto n = static_cast<std::size_t>(std::lround(sampled_time / samples.interval)) + 1;
     for (const Snapshot& snapshot : std::span(walk.tail).last(std::min(n, walk.tail.size()))) {
         const Motion& motion = snapshot.motion;
@@ -101,12 +99,6 @@ constexpr Number numbers_of_result[] = {
     {"initial_energy", [](WalkOutcome& o) -> double& { return o.initial_energy; }},
 };
 
-/// Its only spot is both its first and its last.
-void add_spots(WalkOutcome& outcome) {
-    if (outcome.result.spots.empty())
-        outcome.result.spots.push_back({contact::undefined, contact::undefined});
-}
-
 constexpr std::pair<const char*, std::vector<float> MotionSamples::*> lists_of_samples[] = {
     {"displacement", &MotionSamples::displacement},
     {"z", &MotionSamples::z},
@@ -145,9 +137,8 @@ Regime regime_of(const std::string& word) {
 }  // namespace
 
 double initial_energy(const Machine& machine, const Start& start) {
-    const StoredEnergy energy =
-        stored_energy(machine, springs_of(machine), motion_at_start(machine, start));
-    return energy.total() / (machine.kappas.kappa4 * static_displacement(machine));
+    return stored_energy(machine, springs_of(machine), motion_at_start(machine, start)) /
+           (machine.kappas.kappa4 * static_displacement(machine));
 }
 
 WalkOutcome outcome_of(const WalkCase& walk_case, const Walk& walk) {
@@ -172,7 +163,8 @@ const std::vector<std::string>& walk_result_names() {
 
 json walk_results(const WalkOutcome& outcome) {
     WalkOutcome whole = outcome;
-    add_spots(whole);
+    if (whole.result.spots.empty())
+        whole.result.spots.push_back({contact::undefined, contact::undefined});
     json results{{"regime", word_of(outcome.result.regime)}};
     for (const Number& each : numbers_of_result)
         results[each.name] = report::number(each.of(whole));

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "contact/special_values.h"
 #include "report/csv.h"
@@ -61,11 +59,7 @@ constexpr double no_effect = 0.99, reduction = 0.95, strong_reduction = 0.5;
 constexpr double constant_z = 0.01;
 
 /// What regions are made of, from either reading.
-struct Reading {
-    double mu_e, z_min, z_max;
-};
-
-Reading reading_of(const WalkGroup& group, bool second_half) {
+WalkOutcome::SecondHalf reading_of(const WalkGroup& group, bool second_half) {
     if (second_half)
         return {group.mean([](const WalkOutcome& o) { return o.second_half.mu_e; }),
                 group.mean([](const WalkOutcome& o) { return o.second_half.z_min_ratio; }),
@@ -112,14 +106,13 @@ std::vector<double> values_of(const WalkSweep& sweep, const std::vector<WalkGrou
 }
 
 std::size_t place_of(const std::vector<double>& values, double value) {
-    return static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), value) -
-                                    values.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(values, value) - values.begin());
 }
 
 }  // namespace
 
 std::size_t WalkGroup::n_tilted() const {
-    return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), tilted));
+    return static_cast<std::size_t>(std::ranges::count_if(points, tilted));
 }
 
 bool WalkGroup::tilts() const {
@@ -158,8 +151,7 @@ std::vector<std::size_t> machine_axes(const WalkSweep& sweep) {
     return axes;
 }
 
-std::vector<WalkGroup> groups_of(const WalkSweep& sweep) {
-    const std::vector<std::size_t> axes = machine_axes(sweep);
+std::vector<WalkGroup> groups_over(const WalkSweep& sweep, const std::vector<std::size_t>& axes) {
     std::vector<WalkGroup> groups;
     std::map<std::vector<std::string>, std::size_t> known;
     for (const WalkSweep::Point& point : sweep.points) {
@@ -174,6 +166,10 @@ std::vector<WalkGroup> groups_of(const WalkSweep& sweep) {
         groups[at->second].points.push_back(&point);
     }
     return groups;
+}
+
+std::vector<WalkGroup> groups_of(const WalkSweep& sweep) {
+    return groups_over(sweep, machine_axes(sweep));
 }
 
 std::string label_of(const WalkSweep& sweep, std::size_t axis) {
@@ -191,10 +187,15 @@ double shown_value(const WalkSweep& sweep, std::size_t axis, const report::Cell&
     return number ? *number / unit_of(sweep, axis).factor : contact::undefined;
 }
 
+report::Cell shown_cell(const WalkSweep& sweep, std::size_t axis, const report::Cell& value) {
+    if (!std::holds_alternative<double>(value)) return value;
+    return shown_value(sweep, axis, value);
+}
+
 std::vector<double> WalkGrid::values(double (*value)(const WalkOutcome& outcome)) const {
     std::vector<double> all;
     for (const WalkGroup* cell : cells)
-        all.push_back(cell ? cell->mean(value) : std::numeric_limits<double>::quiet_NaN());
+        all.push_back(cell ? cell->mean(value) : contact::undefined);
     return all;
 }
 
@@ -229,11 +230,11 @@ std::vector<Region> regions_of(const WalkGrid& grid, bool second_half) {
                       [&](const WalkGroup& g) { return reading(g).mu_e < strong_reduction; }),
             region_of(grid, "constant z", "z vibrates by at most 0.01 z_stat",
                       [&](const WalkGroup& g) {
-                          const Reading r = reading(g);
-                          return (r.z_max - r.z_min) / 2 <= constant_z;
+                          const auto r = reading(g);
+                          return (r.z_max_ratio - r.z_min_ratio) / 2 <= constant_z;
                       }),
             region_of(grid, "jumps", "z_min < 0",
-                      [&](const WalkGroup& g) { return reading(g).z_min < 0; })};
+                      [&](const WalkGroup& g) { return reading(g).z_min_ratio < 0; })};
 }
 
 TiltingAgreement tilting_agreement(const WalkGrid& grid) {

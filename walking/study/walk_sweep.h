@@ -28,11 +28,10 @@ struct WalkSweep {
 
 /// Machines of a study that differ in their starts alone: repetitions of one experiment.
 struct WalkGroup {
-    std::vector<report::Cell> values;  ///< of machine_axes
+    std::vector<report::Cell> values;  ///< of the axes in which they agree
     std::vector<const WalkSweep::Point*> points;
 
     const Machine& machine() const { return points.front()->machine; }
-    const Kappas& kappas() const { return machine().kappas; }
     std::size_t n_tilted() const;
     /// Whether at least half of the computed ones tilt.
     bool tilts() const;
@@ -46,13 +45,16 @@ struct WalkGroup {
 /// Axes that describe the machine, not its start.
 std::vector<std::size_t> machine_axes(const WalkSweep& sweep);
 
-/// In the order of the study. The sweep outlives them.
+/// Computed points that agree in these axes, in the order of the study. The sweep outlives them.
+std::vector<WalkGroup> groups_over(const WalkSweep& sweep, const std::vector<std::size_t>& axes);
+/// The same over machine_axes.
 std::vector<WalkGroup> groups_of(const WalkSweep& sweep);
 
 /// "κ_8", "μ", "v_0 [mm/s]": how figures and tables name an axis.
 std::string label_of(const WalkSweep& sweep, std::size_t axis);
-/// A value of it in the unit of that label.
+/// A value of it in the unit of that label; a word is undefined, as a cell the word itself.
 double shown_value(const WalkSweep& sweep, std::size_t axis, const report::Cell& value);
+report::Cell shown_cell(const WalkSweep& sweep, std::size_t axis, const report::Cell& value);
 
 /// Groups of machines over two axes of numbers, at least eight values each: a map.
 struct WalkGrid {

@@ -63,7 +63,7 @@ TEST(Energy, ChangesByThePowersOfBaseAndGeometricMoment) {
             there.spots[i].normal = approach(spots[i], there.z, there.phi / machine.kappas.kappa3);
             there.spots[i].tangential += (motion.x_velocity + motion.phi_velocity) * h;
         }
-        return stored_energy(machine, spots, there).total();
+        return stored_energy(machine, spots, there);
     };
     // The energies are quadratic: central differences are exact but for rounding.
     constexpr double h = 1e-2;

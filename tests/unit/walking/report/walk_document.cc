@@ -89,11 +89,11 @@ TEST(WalkDocument, SaysWhereTheStepLosesEnergy) {
 // the weight ahead of the middle of the base they drive each other above some friction.
 TEST(WalkDocument, TellsWhetherSlidingIsStable) {
     const Machine symmetric{.kappas = walking::set_b()};
-    const SlidingStability neutral = sliding_stability(symmetric);
-    ASSERT_EQ(neutral.eigenvalues.size(), 3u);
+    const Eigenvalues neutral = sliding_stability(symmetric);
+    ASSERT_EQ(neutral.size(), 3u);
     EXPECT_TRUE(contains(stability_verdict(walking_set_b(), neutral).sentence, "linearly neutral"));
     bool vertical = false;
-    for (const auto& value : neutral.eigenvalues)
+    for (const auto& value : neutral)
         vertical |= std::abs(value.imag() - std::sqrt(2 * symmetric.kappas.kappa2)) < 1e-9;
     EXPECT_TRUE(vertical);
     Machine ahead{.kappas = walking::set_b(),
@@ -112,7 +112,7 @@ TEST(WalkDocument, TellsWhetherSlidingIsStable) {
 TEST(WalkDocument, SlidingOfTheRigFluttersAsItsEigenvalueSays) {
     const Machine rig{.kappas = {2, 1.33, 1.51, 2e-4, 0.75, 1.6e-3, 1.77, -0.47},
                       .model = Machine::Model::prism};
-    const SlidingStability stability = sliding_stability(rig);
+    const Eigenvalues stability = sliding_stability(rig);
     EXPECT_TRUE(contains(stability_verdict({}, stability).sentence, "flutters"));
     Motion disturbed = *steady_sliding(rig);
     const double sliding = disturbed.z;
@@ -131,7 +131,7 @@ TEST(WalkDocument, SlidingOfTheRigFluttersAsItsEigenvalueSays) {
     amplitude_until(100);
     const double rate = std::log(amplitude_until(120) / before) / 60;
     // The last extreme lies within half a swing of the end, 1.74: a growth of 0.075 times that.
-    EXPECT_NEAR(rate, stability.eigenvalues.front().real(), 0.13 / 60);
+    EXPECT_NEAR(rate, stability.front().real(), 0.13 / 60);
 }
 
 TEST(WalkDocument, DrawsWholePeriods) {

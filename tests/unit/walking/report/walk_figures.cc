@@ -87,8 +87,7 @@ TEST(WalkFigures, PhasesAreSharesOfThePeriod) {
                                     .turning_point = 51,
                                     .release = 52.4,
                                     .jump = 52.8,
-                                    .landing = 53.5,
-                                    .sticks = {}};
+                                    .landing = 53.5};
     const report::DocumentTable table = motion_section(report).tables.front();
     constexpr double begins[] = {0, 0.25, 0.6, 0.7, 0.875};
     ASSERT_EQ(table.rows.size(), 5u);

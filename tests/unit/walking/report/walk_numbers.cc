@@ -94,7 +94,6 @@ TEST(WalkJson, PhasesHaveTheirNames) {
                              .release = 52,
                              .jump = 53,
                              .landing = 55,
-                             .sticks = {},
                              .jump_height = 0.25,
                              .airborne = 0.5,
                              .airborne_advance = 0.75};
