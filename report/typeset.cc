@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <iterator>
 #include <kainjow/mustache.hpp>
 #include <string_view>
 #include <utility>
@@ -31,16 +31,9 @@ bool is_letter(char c) {
 
 /// "mu" -> μ where it is a word of its own, and no part of a key's name ("a.mu").
 std::string with_greek(const std::string& text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> letters{
-        {{"chi", "χ"},
-         {"eta", "η"},
-         {"theta", "θ"},
-         {"kappa", "κ"},
-         {"mu", "μ"},
-         {"nu", "ν"},
-         {"rho", "ρ"},
-         {"tau", "τ"},
-         {"omega", "ω"}}};
+    constexpr std::pair<std::string_view, std::string_view> letters[] = {
+        {"chi", "χ"}, {"eta", "η"}, {"theta", "θ"}, {"kappa", "κ"}, {"mu", "μ"},
+        {"nu", "ν"},  {"rho", "ρ"}, {"tau", "τ"},   {"omega", "ω"}};
     std::string result;
     for (std::size_t begin = 0; begin < text.size();) {
         std::size_t end = begin;
@@ -52,7 +45,7 @@ std::string with_greek(const std::string& text) {
                            !std::isdigit(static_cast<unsigned char>(after));
         const auto* found =
             std::ranges::find_if(letters, [&](const auto& letter) { return letter.first == word; });
-        result += alone && found != letters.end() ? std::string(found->second) : word;
+        result += alone && found != std::end(letters) ? std::string(found->second) : word;
         if (end < text.size()) result += text[end];
         begin = end + 1;
     }

@@ -24,9 +24,9 @@ CentreLine centre_line(const contact::Surface& surface, double friction_coeffici
 /// What one model has to say about one case that rolls on.
 struct RollingRun {
     std::string model;
-    rolling::RollingHistory history;
-    std::vector<CentreLine> lines;                   ///< from rest on; the last one is steady
-    std::vector<rolling::RollingState> creep_curve;  ///< steady, by growing longitudinal creepage
+    RollingHistory history;
+    std::vector<CentreLine> lines;          ///< from rest on; the last one is steady
+    std::vector<RollingState> creep_curve;  ///< steady, by growing longitudinal creepage
 };
 
 /// A run of all models and where it came from.
@@ -42,13 +42,12 @@ struct RollingReport {
 inline constexpr double line_distances[] = {0, .25, .5, 1, 2, 4};
 
 /// F_x/(mu F_N) of a state.
-double force_ratio(const rolling::RollingState& state, double friction_coefficient);
+double force_ratio(const RollingState& state, double friction_coefficient);
 
 /// |What friction and material dissipate - creepage . force - spin . moment - resistance| over what
 /// mu F_N works on the sliding that creepage and spin prescribe, and the resistance: zero in a
 /// steady state. Empty where nothing creeps or resists.
-std::optional<double> energy_error(const rolling::RollingState& steady,
-                                   double friction_coefficient);
+std::optional<double> energy_error(const RollingState& steady, double friction_coefficient);
 
 /// Longitudinal creepage of one state of the run's curve at a force ratio, by linear interpolation
 /// of xi over (1 - |f|)^(1/3), in which creep curves are nearly straight; empty beyond the curve.

@@ -19,11 +19,6 @@ std::string setting(const HalfSpaceDeviation& deviation) {
                        name_of(deviation.base));
 }
 
-std::string of_curve(const ExactCurve& curve) {
-    if (curve.base == LayerBase::frictionless) return "frictionless base, any nu";
-    return "nu = " + report::as_given(curve.poisson);
-}
-
 /// A quantity along a curve; `percent`: 100 |ratio - 1|.
 report::Curve exact_line(const ExactCurve& curve, const Quantity* q, const std::string& name,
                          bool percent) {
@@ -77,8 +72,12 @@ report::Figure material_figure(const HalfSpaceDeviation& deviation, const Quanti
                     q->name),
         {fmt::format("{} over half-space [-]", q->symbol)});
     for (const ExactCurve& curve : deviation.curves)
-        if (curve.ratios.front().contains(q))
-            figure.curves.push_back(exact_line(curve, q, of_curve(curve), false));
+        if (curve.ratios.front().contains(q)) {
+            const std::string name = curve.base == LayerBase::frictionless
+                                         ? "frictionless base, any nu"
+                                         : "nu = " + report::as_given(curve.poisson);
+            figure.curves.push_back(exact_line(curve, q, name, false));
+        }
     figure.curves.push_back(here(deviation, 0, 1));
     return figure;
 }

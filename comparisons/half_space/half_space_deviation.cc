@@ -39,7 +39,7 @@ void check(const Case& c) {
         throw contact::InputError(
             "substrate.relaxation: deviations are those of an elastic layer; describe the relaxed "
             "one, without this section");
-    if (c.load.normal_amplitude_ratio != 0 || c.load.tangential_amplitude_ratio != 0)
+    if (!constant_loads(c))
         throw contact::InputError(
             "load: deviations are those under constant loads; set normal_amplitude_ratio and "
             "tangential_amplitude_ratio to 0");

@@ -173,7 +173,7 @@ std::optional<LayerComparison> compare_with_layer(const Case& c,
     return result;
 }
 
-std::optional<theory::LineContact> exact_line_contact(const contact::Case& c) {
+std::optional<theory::LineContact> exact_line_contact(const Case& c) {
     if (!c.layer.thickness || !why_no_exact_theory(c).empty()) return {};
     using Kind = theory::LineControl::Kind;
     const theory::LineControl control =

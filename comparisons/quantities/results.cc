@@ -13,14 +13,11 @@ using contact::State;
 using json = nlohmann::ordered_json;
 
 json to_json(const QuantityValue& value) {
-    struct {
-        json operator()(std::monostate) const { return nullptr; }
-        json operator()(double number) const { return number; }
-        json operator()(int count) const { return count; }
-        json operator()(State state) const { return contact::name_of(state); }
-        json operator()(const Numbers& list) const { return report::numbers(list); }
-    } const visitor;
-    return std::visit(visitor, value);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* count = std::get_if<int>(&value)) return *count;
+    if (const auto* state = std::get_if<State>(&value)) return contact::name_of(*state);
+    if (const auto* list = std::get_if<Numbers>(&value)) return report::numbers(*list);
+    return nullptr;
 }
 
 QuantityValue value_of(const json& stored) {

@@ -15,10 +15,6 @@ using contact::Surface;
 
 constexpr double phase_tolerance = 1e-6;  // phases are sums of fractions of a period
 
-bool is_upright(double phase) {
-    return std::abs(phase - std::round(phase)) < phase_tolerance;
-}
-
 /// Normal load, tangential load and friction bound of one point: tractions, or the springs' line
 /// loads.
 struct PointLoad {
@@ -42,10 +38,6 @@ Zone zone_at(const Surface& s, double mu, std::size_t i) {
     if (load.normal <= 0 || s.contact_state[i] == ContactState::open) return Zone::open;
     const bool at_bound = load.tangential >= 0.99 * load.bound && load.bound > 0;
     return at_bound || s.contact_state[i] == ContactState::slip ? Zone::slip : Zone::stick;
-}
-
-double wrapped_position(const Surface& s, Axis axis, int i) {
-    return axis == Axis::x ? s.x(i) - s.offset[0] : s.y(i) - s.offset[1];
 }
 
 /// Other snapshots of the period that ends with `last`.
@@ -75,7 +67,8 @@ std::pair<int, int> middle_rows(const Surface& s, Axis axis) {
 
 const Snapshot* last_upright(const History& history) {
     for (const Snapshot& snapshot : history.snapshots | std::views::reverse)
-        if (is_upright(snapshot.phase)) return &snapshot;
+        if (std::abs(snapshot.phase - std::round(snapshot.phase)) < phase_tolerance)
+            return &snapshot;
     return nullptr;
 }
 
@@ -150,7 +143,8 @@ CentreLine centre_line(const History& history, double friction_coefficient, Axis
         };
         const std::size_t lower = index(below), upper = index(above);
         const auto mean = [&](const std::vector<double>& v) { return (v[lower] + v[upper]) / 2; };
-        line.position.push_back(wrapped_position(s, along, k) / history.scales.contact_radius);
+        const double position = along == Axis::x ? s.x(k) - s.offset[0] : s.y(k) - s.offset[1];
+        line.position.push_back(position / history.scales.contact_radius);
         line.traction.push_back(mean(s.tangential_traction_x) / (friction_coefficient * p0));
         line.zone.push_back(zone[lower]);
     }

@@ -58,25 +58,20 @@ bool Verification::passed() const {
 }
 
 std::string verification_markdown(const Verification& verification) {
-    std::string text =
-        "# Verification\n\n"
-        "Written by `tricontact verify`: each quantity on three levels of resolution, the size of "
-        "a\n"
-        "cell or the distance of springs halved twice (of creep the step in time, too; of the "
-        "walking\n"
-        "machine the step in time alone), beside what it should be. Error: of the finest level,\n"
-        "relative. Order: slope of the errors from the coarsest level to the finest, where one is "
-        "asked\n"
-        "for with the least that passes; the edge of the contact between two cells makes it "
-        "scatter,\n"
-        "and so do events between two steps. Beside other programs, boundary elements have one "
-        "level,\n"
-        "with the cells of theirs. A program without finite elements has no rows of `fem`. "
-        "Sources\n"
-        "stand below.\n"
-        "\n"
-        "| Problem | Quantity | Model | h/a, dt/tau | Reference | Error | Tolerance | Order | |\n"
-        "|---|---|---|---|---|---|---|---|---|\n";
+    std::string text = R"(# Verification
+
+Written by `tricontact verify`: each quantity on three levels of resolution, the size of a
+cell or the distance of springs halved twice (of creep the step in time, too; of the walking
+machine the step in time alone), beside what it should be. Error: of the finest level,
+relative. Order: slope of the errors from the coarsest level to the finest, where one is asked
+for with the least that passes; the edge of the contact between two cells makes it scatter,
+and so do events between two steps. Beside other programs, boundary elements have one level,
+with the cells of theirs. A program without finite elements has no rows of `fem`. Sources
+stand below.
+
+| Problem | Quantity | Model | h/a, dt/tau | Reference | Error | Tolerance | Order | |
+|---|---|---|---|---|---|---|---|---|
+)";
     std::vector<std::string> sources;
     for (const VerificationRow& row : verification.rows) {
         auto known = std::ranges::find(sources, row.source);

@@ -1,5 +1,6 @@
 #include "comparisons/run/loading_report.h"
 #include "contact/verdict.h"
+#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -39,14 +40,11 @@ std::vector<Cell> rolled_row(const LoadingVariant& v) {
 }  // namespace
 
 report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants) {
-    report::DocumentTable table{.id = "variants",
-                                .title = "Shift with one choice changed",
-                                .columns = {{"quantity"},
-                                            {"changed key"},
-                                            {"unit"},
-                                            {"this run"},
-                                            {"changed"},
-                                            {.heading = "difference [%]", .change = true}}};
+    report::DocumentTable table{
+        .id = "variants",
+        .title = "Shift with one choice changed",
+        .columns = report::columns("quantity", "changed key", "unit", "this run", "changed")};
+    table.columns.push_back({.heading = "difference [%]", .change = true});
     for (const LoadingVariant& v : variants) {
         table.rows.push_back(row(v, "static shift", v.run.static_shift,
                                  v.other ? std::optional(v.other->static_shift) : std::nullopt,

@@ -94,10 +94,7 @@ std::vector<report::Figure> modulus_figures(const Case& c, const RelaxationStudy
     report::Figure figure{.id = "modulus",
                           .title = "Dynamic shear modulus of the substrate",
                           .caption = "Storage modulus G′ and loss modulus G″ of the case.",
-                          .x = {.label = "frequency f [Hz]",
-                                .logarithmic = true,
-                                .low = range.low,
-                                .high = range.high},
+                          .x = {"frequency f [Hz]", true, range.low, range.high},
                           .y = {"modulus [MPa]", true},
                           .curves = moduli(c, range)};
     // Decades in which G'' is next to nothing are not worth the room.

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <numbers>
 
 #include "comparisons/quantities/reference.h"
@@ -77,23 +76,23 @@ void add_treatment(const Case& c, Settings& settings) {
                  c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed");
 }
 
-const std::map<Case::Shape, const char*> shape_names{
-    {Case::Shape::paraboloid, "paraboloid"},
-    {Case::Shape::sphere, "sphere"},
-    {Case::Shape::cylinder, "cylinder"},
-    {Case::Shape::roller, "roller"},
-    {Case::Shape::cone, "cone"},
-    {Case::Shape::power_law, "power law r^n/(n R^(n−1))"},
-    {Case::Shape::rounded_punch, "flat punch with rounded edge"},
-    {Case::Shape::ellipsoid, "ellipsoid"},
-    {Case::Shape::profile, "profile from a table"},
-    {Case::Shape::flat, "plane"},
-    {Case::Shape::height_map, "height map"}};
+/// In the order of Case::Shape.
+constexpr const char* shape_names[] = {"paraboloid",
+                                       "sphere",
+                                       "cylinder",
+                                       "roller",
+                                       "cone",
+                                       "power law r^n/(n R^(n−1))",
+                                       "flat punch with rounded edge",
+                                       "ellipsoid",
+                                       "profile from a table",
+                                       "plane",
+                                       "height map"};
 
 /// Shape and lengths of the indenter.
 void add_indenter(const Case& c, Settings& settings) {
     const Case::IndenterData& body = c.indenter;
-    settings.add("indenter", shape_names.at(body.shape));
+    settings.add("indenter", shape_names[static_cast<int>(body.shape)]);
     settings.add_unless_zero("radius R", body.radius, "m");
     settings.add_unless_zero("radius across R_y", body.radius_y, "m");
     settings.add_unless_zero("length L", body.length, "m");

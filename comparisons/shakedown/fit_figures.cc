@@ -129,20 +129,20 @@ std::vector<report::Figure> mapping_figures(const StudyFit& fit) {
                  .x = {"w = W/a"},
                  .y = {load_label},
                  .map = std::move(map)});
-    for (report::Figure& figure : figures_of(
-             fit, fit.mapping,
-             {.id = "kappa_residuals",
-             .title = "What one constant κ leaves",
-             .caption = "f_T of the point minus f_T by the fitted constant. A pattern means that "
-                        "κ is no constant.",
-             .x = {load_label},
-             .y = {"residual of f_T"}},
-             [](const MappingGroup&group, report::Curve&curve) {
-                 if (!group.constant) return;
-                 for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
-                 curve.y = group.constant->fit.residuals;
-             }))
-        figures.push_back(std::move(figure));
+    const auto residuals = figures_of(
+        fit, fit.mapping,
+        {.id = "kappa_residuals",
+         .title = "What one constant κ leaves",
+         .caption = "f_T of the point minus f_T by the fitted constant. A pattern means that "
+                    "κ is no constant.",
+         .x = {load_label},
+         .y = {"residual of f_T"}},
+        [](const MappingGroup& group, report::Curve& curve) {
+            if (!group.constant) return;
+            for (const MappingPoint& p : group.points) curve.x.push_back(p.limit_ratio);
+            curve.y = group.constant->fit.residuals;
+        });
+    figures.insert(figures.end(), residuals.begin(), residuals.end());
     return figures;
 }
 

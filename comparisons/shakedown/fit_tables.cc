@@ -29,7 +29,7 @@ report::DocumentTable form_table(const std::string& id, const std::string& title
             table.rows.push_back({report::display_name(row.model), row.group, row.form->form,
                                   row.form->parameters[k], e.value, e.standard_error, e.low, e.high,
                                   g.residual, g.explained, g.r_squared,
-                                  static_cast<double>(row.form->fit.fitted.size())});
+                                  static_cast<int>(row.form->fit.fitted.size())});
         }
     return table;
 }
@@ -88,9 +88,9 @@ report::DocumentTable mapping_use_table(const StudyFit& fit) {
             table.rows.push_back(
                 {report::display_name(group.model), group.group, use.name, use.kappa,
                  100 * use.median, 100 * use.worst, use.worst_amplitude_ratio,
-                 use.worst_tangential_ratio, static_cast<double>(use.n),
+                 use.worst_tangential_ratio, use.n,
                  use.n_with_bars > 0 ? static_cast<double>(use.n_beyond_bars) : std::nan(""),
-                 static_cast<double>(use.n_ratcheting)});
+                 use.n_ratcheting});
     }
     return table;
 }
@@ -109,9 +109,7 @@ report::DocumentTable difference_table(const StudyFit& fit) {
         table.rows.push_back({d.quantity->symbol, report::display_name(d.first),
                               report::display_name(d.second), d.group, 100 * d.median(),
                               report::WithError{100 * d.worst().relative(), 100 * d.worst().bar()},
-                              static_cast<double>(d.points.size()),
-                              static_cast<double>(d.n_with_bars()),
-                              static_cast<double>(d.n_different())});
+                              static_cast<int>(d.points.size()), d.n_with_bars(), d.n_different()});
     return table;
 }
 

@@ -31,11 +31,6 @@ double load_ratio(const Case& c, double normal_force) {
                : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
 }
 
-std::optional<double> hertz_limit(const Case& c, LimitVariable variable) {
-    const Reference r = reference(c);
-    return variable == LimitVariable::load ? r.limit_tangential_ratio : r.limit_amplitude_ratio;
-}
-
 /// What the limits of an exact contact with a layer follow from.
 struct LayerLimits {
     double radius, normal_force;                 ///< a (half width) [m], F_N [N]
@@ -107,7 +102,9 @@ std::optional<BracketedValue> ModelLimit::shift_ratio() const {
 std::optional<double> exact_limit(const Case& c, LimitVariable variable, const std::string& model) {
     // Loads must be constant, and of a relaxing substrate the pressure depends on the drive.
     if (!constant_loads(c) || c.relaxation) return {};
-    return is_half_space(model) ? hertz_limit(c, variable) : layer_limit(c, variable);
+    if (!is_half_space(model)) return layer_limit(c, variable);
+    const Reference r = reference(c);
+    return variable == LimitVariable::load ? r.limit_tangential_ratio : r.limit_amplitude_ratio;
 }
 
 std::optional<double> thesis_limit(const Case& c, LimitVariable variable) {

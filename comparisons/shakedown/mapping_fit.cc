@@ -21,10 +21,6 @@ constexpr double telling = 0.1;
 /// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
 constexpr double rounding_of_kappa = 1e-6;
 
-double static_force(double u) {
-    return std::pow(1 - u, 1.5);
-}
-
 Computed mapping_of(double w, double f, const Computed& u) {
     const double kappa = theory::mapping_parameter(w, f, u.value);
     const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
@@ -58,7 +54,7 @@ void fit(MappingGroup& group, double confidence) {
     for (const MappingPoint& p : group.points) {
         const double u = p.at.at(quantities::settled_shift_ratio).value, w = p.at.amplitude_ratio;
         f.push_back(p.at.tangential_ratio);
-        offset.push_back(1 - static_force(u));
+        offset.push_back(1 - std::pow(1 - u, 1.5));
         product.push_back(-w * u);
         times_w.push_back(-w * u * w);
         times_f.push_back(-w * u * p.limit_ratio);

@@ -17,11 +17,6 @@ constexpr std::size_t least_amplitudes = 2, least_points = 3;
 
 const Quantity& increment = quantities::shift_increment_ratio;
 
-/// Loads that are equal but for the rounding of a solver's force balance.
-long load_key(const RollingPoint& p) {
-    return std::lround(p.tangential_ratio * 1e6);
-}
-
 double thesis_ratio(const RollingPoint& p) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
     if (is_parallel(p.angle))
@@ -66,7 +61,9 @@ void add_point(RatchetingGroup& group, const RollingPoint& p, const Computed& li
 
 void add_loads(RatchetingGroup& group, double confidence) {
     std::map<long, std::vector<RatchetingPoint>> by_load;
-    for (const RatchetingPoint& p : group.points) by_load[load_key(p.at)].push_back(p);
+    // Loads are equal but for the rounding of a solver's force balance.
+    for (const RatchetingPoint& p : group.points)
+        by_load[std::lround(p.at.tangential_ratio * 1e6)].push_back(p);
     for (const auto& [key, points] : by_load)
         group.loads.push_back(
             {.tangential_ratio = points.front().at.tangential_ratio,
