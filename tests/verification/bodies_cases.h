@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
 
 namespace tricontact::verification {
@@ -22,6 +23,17 @@ inline std::vector<Body> bodies() {
             {"PowerLaw4", power_law, 4},
             {"RoundedPunch", rounded_punch, 0},
             {"Ellipsoid", ellipsoid, 0}};
+}
+
+/// Largest f that the springs of MDR shake down at w = W/a under a body of revolution, by P(x) and
+/// g(x), force and indentation at which the contact has the radius x:
+///   1 - [P(W) + 2 E* W (d - g(W))]/F_N, the springs of W < |x| < a over all.
+inline double bed_limit(const contact::Case& c, double w) {
+    const auto body = c.make_axisymmetric_indenter();
+    const double a = contact::half_space_scales(c).contact_radius, x = w * a;
+    const double within = w > 0 ? body->pressed_area(x) : 0;
+    const double flat = 2 * x * (body->plane_profile(a) - body->plane_profile(x));
+    return 1 - (within + flat) / body->pressed_area(a);
 }
 
 /// A sphere of `radius` worn flat up to `flat` from its axis, by points: h = (r^2 - flat^2)/2 R.

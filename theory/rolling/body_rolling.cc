@@ -53,13 +53,15 @@ class Pressed {
     double force_ratio(double rho) const {
         return rho == 0 ? 0 : body_->pressed_area(rho * radius_) / force_;
     }
-    /// Of a bed over F_N: all its springs as deep as the middle one, 2 E* a d.
-    double full_ratio() const { return 2 * radius_ * depth_ / force_; }
     double radius() const { return radius_; }
 
-    double limit(double w) const {
-        return 1 - force_ratio(w) - full_ratio() * w * (1 - depth_ratio(w));
+    /// f of a bed that has come to rest with the stick zone rho - w, rho >= w; falls with rho. All
+    /// springs as deep as the middle one are 2 E* a d.
+    double bed_force_ratio(double rho, double w) const {
+        const double full = 2 * radius_ * depth_ / force_;
+        return 1 - force_ratio(rho) - full * w * (1 - depth_ratio(rho));
     }
+    double bed_limit(double w) const { return bed_force_ratio(w, w); }
 
   private:
     std::unique_ptr<contact::AxisymmetricIndenter> body_;
@@ -175,7 +177,7 @@ std::optional<double> shakedown_limit(const Case& c, double w) {
     const Pressed pressed(c);
     const auto less = deficit_of(c, pressed, w);
     if (!less) return {};
-    return pressed.limit(w) - *less;
+    return pressed.bed_limit(w) - *less;
 }
 
 std::optional<double> amplitude_limit(const Case& c, double f) {
@@ -187,28 +189,19 @@ std::optional<double> amplitude_limit(const Case& c, double f) {
                                    1 - f, -f, ratio_bits);
 }
 
-std::optional<double> bed_limit(const Case& c, double w) {
-    check_unit_interval("rolling of a body", "w = W/a", w);
-    if (is_ellipsoid(c)) return {};
-    if (contact::is_hertz_round(c)) return shakedown_limit(w);
-    return Pressed(c).limit(w);
-}
-
 std::optional<double> bed_settled_shift_ratio(const Case& c, double w, double f) {
     check_unit_interval("rolling of a body", "w = W/a", w);
     check_unit_interval("rolling of a body", "f = F_T/(mu F_N)", f);
     if (is_ellipsoid(c)) return {};
     if (contact::is_hertz_round(c)) return settled_shift_ratio(w, f);
     const Pressed pressed(c);
-    auto force = [&](double rho) {  // that rests with the stick zone rho - w, falls with rho
-        return 1 - pressed.force_ratio(rho) -
-               pressed.full_ratio() * w * (1 - pressed.depth_ratio(rho));
+    const double limit = pressed.bed_limit(w);
+    if (f > limit) return {};
+    auto excess = [&](double part) {
+        return f - pressed.bed_force_ratio(std::lerp(w, 1., part), w);
     };
-    if (f > force(w)) return {};
-    auto excess = [&](double part) { return f - force(std::lerp(w, 1., part)); };
-    const double rho =
-        std::lerp(w, 1., contact::bracketed_root(excess, 0., 1., f - force(w), f, ratio_bits));
-    return 1 - pressed.depth_ratio(rho);
+    const double part = contact::bracketed_root(excess, 0., 1., f - limit, f, ratio_bits);
+    return 1 - pressed.depth_ratio(std::lerp(w, 1., part));
 }
 
 }  // namespace tricontact::theory

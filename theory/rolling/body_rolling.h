@@ -46,13 +46,9 @@ std::optional<double> amplitude_limit(const contact::Case& c, double f);
 // The method of dimensionality reduction (MDR), P(x) being the force and g(x) the indentation at
 // which the contact has the radius x; bodies of revolution only.
 
-/// Largest f that the bed shakes down: 1 - [P(W) + 2 E* W (d - g(W))]/F_N, the springs of
-/// W < |x| < a over all; of h ~ r^n: 1 - ((n + 1) w - w^(n+1))/n.
-std::optional<double> bed_limit(const contact::Case& c, double w);
-
 /// Shift of the bed after shakedown; the stick zone has the radius x - W, where u = 1 - g(x)/d and
 ///   f = 1 - P(x)/F_N - 2 E* W d u/F_N;
-/// of h ~ r^n: f = 1 - (1 - u)^((n+1)/n) - (n + 1)/n w u. Empty above the limit.
+/// of h ~ r^n: f = 1 - (1 - u)^((n+1)/n) - (n + 1)/n w u. Empty above the limit, that of x = W.
 std::optional<double> bed_settled_shift_ratio(const contact::Case& c, double w, double f);
 
 }  // namespace tricontact::theory

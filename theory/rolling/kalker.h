@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/substrates/material.h"
-#include "theory/rolling/creep_law.h"
 
 namespace tricontact::theory {
 
@@ -20,7 +19,9 @@ struct CombinedMaterial {
 };
 CombinedMaterial combined_material(const contact::MaterialPair& materials);
 
-/// Creepage coefficients of the linear theory [-].
+/// Creepage coefficients of the linear theory [-]. With half axes a along x and b across [m],
+///   F_x = G a b C11 xi, F_y = G a b (C22 eta + sqrt(a b) C23 phi),
+///   M_z = G (a b)^(3/2) (-C23 eta + sqrt(a b) C33 phi) through the centre, from x towards y.
 struct KalkerCoefficients {
     double longitudinal;  ///< C11
     double lateral;       ///< C22
@@ -35,17 +36,5 @@ struct KalkerCoefficients {
 /// ln(a/b). C23 at a/b = 0.8, nu = 1/4 is 1.25, as boundary elements have it; the 1.15 of print is
 /// 8 % off and breaks the column's second difference. Throws std::domain_error out of range.
 KalkerCoefficients kalker_coefficients(double axes_ratio, double poisson);
-
-/// Force of friction on the substrate.
-struct CreepForce {
-    double longitudinal;  ///< F_x [N]
-    double lateral;       ///< F_y [N]
-    double moment;        ///< M_z through the centre, from x towards y [N m]
-};
-
-/// F_x = G a b C11 xi, F_y = G a b (C22 eta + sqrt(a b) C23 phi),
-/// M_z = G (a b)^(3/2) (-C23 eta + sqrt(a b) C33 phi); half axes a along x and b across [m].
-CreepForce kalker_force(const CombinedMaterial& material, double a, double b,
-                        const Creepage& creepage);
 
 }  // namespace tricontact::theory

@@ -11,6 +11,7 @@
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
 #include "rolling/steady_rolling.h"
+#include "tests/unit/rolling/kalker_force.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/layer/layer_stack.h"
 #include "theory/rolling/kalker.h"
@@ -103,8 +104,8 @@ TEST(SteadyRolling, SpinAlonePushesSideways) {
     problem.drive.spin = .02 * rig.friction / rig.radius;
     const auto state = rolling::steady_rolling(*rig.sphere_grid(), problem).state;
     const auto linear =
-        theory::kalker_force(theory::combined_material(rig.materials()), rig.half_length,
-                             rig.half_length, {.spin = problem.drive.spin});
+        rolling_test::kalker_force(theory::combined_material(rig.materials()), rig.half_length,
+                                   rig.half_length, {.spin = problem.drive.spin});
     // A thirtieth of the contact's width to a cell, and slip at its trailing edge: some percent.
     EXPECT_NEAR(state.force[1] / linear.lateral, 1, .08);
     EXPECT_NEAR(state.force[0] / linear.lateral, 0, 1e-6);
@@ -192,7 +193,8 @@ TEST(SteadyRolling, OnUnequalSpacingsIsKalkers) {
     const double small = .02 * rig.creepage();
     const auto linear = [&](const RollingState& s, const rolling::Creepage& creepage) {
         const double a = std::sqrt(s.contact_area / std::numbers::pi);
-        return theory::kalker_force(theory::combined_material(rig.materials()), a, a, creepage);
+        return rolling_test::kalker_force(theory::combined_material(rig.materials()), a, a,
+                                          creepage);
     };
     RollingProblem problem = rig.sphere(0);
     problem.drive.creepage = {small, 0};

@@ -8,6 +8,7 @@
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
 #include "rolling/rolling_report.h"
+#include "tests/unit/rolling/kalker_force.h"
 #include "theory/rolling/kalker.h"
 
 namespace tricontact::rolling::tractive_test {
@@ -242,9 +243,9 @@ TEST(CreepTheories, OfAnEllipsoidAreKalkers) {
     const auto [a, b] = contact::half_space_scales(c).half_widths;
     EXPECT_GT(a, 2 * b);
     const double xi = 1e-7;
-    const double linear =
-        theory::kalker_force(theory::combined_material(c.materials()), a, b, {.longitudinal = xi})
-            .longitudinal;
+    const double linear = rolling_test::kalker_force(theory::combined_material(c.materials()), a, b,
+                                                     {.longitudinal = xi})
+                              .longitudinal;
     const double friction = c.friction_coefficient * *c.load.normal_force;
     for (const CreepTheory& theory : theories)
         EXPECT_NEAR(theory.force_ratio(xi) * friction / linear, 1, 1e-4) << theory.key;

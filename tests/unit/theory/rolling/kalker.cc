@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/unit/rolling/kalker_force.h"
+
 namespace tricontact::theory::kalker_test {
 namespace {
 
@@ -118,6 +120,9 @@ TEST(Kalker, BothBodiesInOne) {
     EXPECT_NEAR(two.shear_modulus / (2 / (1 / g1 + 1 / g2)), 1, 1e-14);
     EXPECT_NEAR(two.poisson / two.shear_modulus / ((.2 / g1 + .3 / g2) / 2), 1, 1e-14);
 }
+
+using rolling_test::CreepForce;
+using rolling_test::kalker_force;
 
 // Reciprocity: the lateral force of a spin is minus the moment of a lateral creepage.
 TEST(Kalker, ForcesAreReciprocal) {
