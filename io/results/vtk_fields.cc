@@ -4,9 +4,12 @@
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkXMLDataObjectWriter.h>
 #include <vtkXMLWriter.h>
 #include <vtkZLibDataCompressor.h>
 
@@ -109,23 +112,25 @@ void add_provenance(vtkFieldData& data, const Provenance& provenance) {
     add_texts(data, "command_line", {provenance.command_line});
 }
 
-void set_points(vtkPoints& points, std::span<const std::array<double, 3>> positions) {
-    points.SetDataTypeToDouble();
-    points.SetNumberOfPoints(static_cast<vtkIdType>(positions.size()));
-    vtkIdType i = 0;
-    for (const auto& position : positions) points.SetPoint(i++, position.data());
+void set_points(vtkPointSet& data, std::span<const std::array<double, 3>> positions) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const auto& position : positions) points->InsertNextPoint(position.data());
+    data.SetPoints(points);
 }
 
-std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data) {
+VtkFile xml_of(vtkDataObject& data) {
+    const auto writer = vtkSmartPointer<vtkXMLWriter>::Take(
+        vtkXMLDataObjectWriter::NewWriter(data.GetDataObjectType()));
     vtkNew<vtkZLibDataCompressor> compressor;
-    writer.SetInputDataObject(&data);
-    writer.SetDataModeToAppended();
-    writer.EncodeAppendedDataOff();
-    writer.SetCompressor(compressor);
-    writer.SetHeaderTypeToUInt64();
-    writer.WriteToOutputStringOn();
-    if (!writer.Write()) throw std::runtime_error("VTK could not serialise a data set");
-    return writer.GetOutputString();
+    writer->SetInputDataObject(&data);
+    writer->SetDataModeToAppended();
+    writer->EncodeAppendedDataOff();
+    writer->SetCompressor(compressor);
+    writer->SetHeaderTypeToUInt64();
+    writer->WriteToOutputStringOn();
+    if (!writer->Write()) throw std::runtime_error("VTK could not serialise a data set");
+    return {std::string(".") + writer->GetDefaultFileExtension(), writer->GetOutputString()};
 }
 
 }  // namespace tricontact::io

@@ -11,8 +11,7 @@
 
 class vtkDataObject;
 class vtkFieldData;
-class vtkPoints;
-class vtkXMLWriter;
+class vtkPointSet;
 
 namespace tricontact::io {
 
@@ -40,10 +39,10 @@ void add_texts(vtkFieldData& data, const char* name, const std::vector<std::stri
 void add_provenance(vtkFieldData& data, const Provenance& provenance);
 
 /// Positions in double precision.
-void set_points(vtkPoints& points, std::span<const std::array<double, 3>> positions);
+void set_points(vtkPointSet& data, std::span<const std::array<double, 3>> positions);
 
 /// The data set as VTK's XML: appended, zlib-compressed, raw; small, exact, and the same bytes each
 /// time. Throws std::runtime_error.
-std::string xml_of(vtkXMLWriter& writer, vtkDataObject& data);
+VtkFile xml_of(vtkDataObject& data);
 
 }  // namespace tricontact::io

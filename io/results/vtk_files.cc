@@ -8,16 +8,10 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkUnstructuredGrid.h>
-#include <vtkXMLImageDataWriter.h>
-#include <vtkXMLPolyDataWriter.h>
-#include <vtkXMLRectilinearGridWriter.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
-#include <array>
 #include <filesystem>
 
 #include "io/keys/messages.h"
@@ -58,11 +52,12 @@ void add_consistent_tractions(vtkFieldData& data, const Surface& s) {
                    s.size());
 }
 
-void add_circumstances(vtkFieldData& data, double phase, const Surface& surface,
-                       const Provenance& provenance) {
-    add_numbers(data, "TimeValue", {phase});
-    add_numbers(data, "indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
-    add_provenance(data, provenance);
+template <class Cells>
+void add_cells(vtkUnstructuredGrid& grid, int type, const Cells& cells) {
+    for (const auto& cell : cells) {
+        const std::vector<vtkIdType> nodes(cell.begin(), cell.end());
+        grid.InsertNextCell(type, static_cast<vtkIdType>(nodes.size()), nodes.data());
+    }
 }
 
 void fill(vtkImageData& image, const Surface& s) {
@@ -73,16 +68,16 @@ void fill(vtkImageData& image, const Surface& s) {
 }
 
 void fill(vtkPolyData& poly, const Surface& s) {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
+    std::vector<std::array<double, 3>> positions;
     vtkNew<vtkCellArray> vertices, line;
-    for (int i = 0; i < s.n_x; ++i) {
-        const vtkIdType id = points->InsertNextPoint(s.x(i), s.first[1], 0);
-        vertices->InsertNextCell(1, &id);
-    }
     line->InsertNextCell(s.n_x);
-    for (int i = 0; i < s.n_x; ++i) line->InsertCellPoint(i);
-    poly.SetPoints(points);
+    for (int i = 0; i < s.n_x; ++i) {
+        const vtkIdType id = i;
+        positions.push_back({s.x(i), s.first[1], 0.});
+        vertices->InsertNextCell(1, &id);
+        line->InsertCellPoint(id);
+    }
+    set_points(poly, positions);
     poly.SetVerts(vertices);
     poly.SetLines(line);
     add_fields(*poly.GetPointData(), s);
@@ -94,31 +89,18 @@ void fill(vtkPolyData& poly, const Surface& s) {
 void fill(vtkUnstructuredGrid& grid, const Surface& s) {
     std::vector<std::array<double, 3>> positions(s.size());
     for (std::size_t i = 0; i < s.size(); ++i) positions[i] = {s.node_x[i], s.node_y.at(i), 0.};
-    vtkNew<vtkPoints> points;
-    set_points(*points, positions);
-    grid.SetPoints(points);
+    set_points(grid, positions);
     grid.AllocateExact(static_cast<vtkIdType>(s.quads.size()), 9 * s.quads.size());
-    for (const auto& quad : s.quads) {
-        const std::vector<vtkIdType> nodes(quad.begin(), quad.end());
-        grid.InsertNextCell(VTK_BIQUADRATIC_QUAD, 9, nodes.data());
-    }
+    add_cells(grid, VTK_BIQUADRATIC_QUAD, s.quads);
     add_fields(*grid.GetPointData(), s);
     add_consistent_tractions(*grid.GetPointData(), s);
 }
 
-template <class Writer, class Data>
-std::string bytes_of(double phase, const Surface& surface, const Provenance& provenance) {
-    vtkNew<Data> data;
-    fill(*data, surface);
-    add_circumstances(*data->GetFieldData(), phase, surface, provenance);
-    vtkNew<Writer> writer;
-    return xml_of(*writer, *data);
+void add_circumstances(vtkFieldData& data, const Surface& surface) {
+    add_numbers(data, "indenter_position_m", {surface.offset[0], surface.offset[1], 0.});
 }
 
-void add_point_fields(vtkFieldData& data, const Interior& interior) {
-    const std::size_t n = interior.is_grid() ? interior.axes[0].size() * interior.axes[1].size() *
-                                                   interior.axes[2].size()
-                                             : interior.points.size();
+void add_point_fields(vtkFieldData& data, const Interior& interior, std::size_t n) {
     add_vector(data, "displacement_m", interior.displacement, n);
     add_tensor(data, "stress_Pa", interior.stress, n);
     std::vector<double> mises, pressure;
@@ -130,40 +112,51 @@ void add_point_fields(vtkFieldData& data, const Interior& interior) {
     add_scalar(data, "pressure_Pa", pressure, n);
 }
 
-void add_circumstances(vtkFieldData& data, double phase, const Interior& interior,
-                       const Provenance& provenance) {
+constexpr std::array axis_names{"x_m", "y_m", "z_m"};
+
+void fill(vtkRectilinearGrid& grid, const Interior& interior) {
+    std::array<vtkNew<vtkDoubleArray>, 3> axes;
+    std::array<int, 3> n{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        axes[d]->SetName(axis_names[d]);  // VTK names arrays without a name by their address
+        n[d] = static_cast<int>(interior.axes[d].size());
+        for (const double x : interior.axes[d]) axes[d]->InsertNextValue(x);
+    }
+    grid.SetDimensions(n.data());
+    grid.SetXCoordinates(axes[0]);
+    grid.SetYCoordinates(axes[1]);
+    grid.SetZCoordinates(axes[2]);
+    add_point_fields(*grid.GetPointData(), interior, static_cast<std::size_t>(n[0]) * n[1] * n[2]);
+}
+
+void fill(vtkUnstructuredGrid& grid, const Interior& interior) {
+    const std::size_t n_hexes = interior.hexes.size();
+    set_points(grid, interior.points);
+    grid.AllocateExact(static_cast<vtkIdType>(n_hexes), static_cast<vtkIdType>(27 * n_hexes));
+    add_cells(grid, VTK_TRIQUADRATIC_HEXAHEDRON, interior.hexes);
+    add_point_fields(*grid.GetPointData(), interior, interior.points.size());
+    add_bytes(*grid.GetCellData(), "region", interior.region, n_hexes);
+    add_scalar(*grid.GetCellData(), "strain_energy_density_J_per_m3", interior.energy_density,
+               n_hexes);
+}
+
+void add_circumstances(vtkFieldData& data, const Interior& interior) {
     const auto& applied = interior.applied;
-    add_numbers(data, "TimeValue", {phase});
     add_numbers(data, "strain_energy_J", {interior.strain_energy});
     add_numbers(data, "applied_force_N", {applied[0], applied[1], applied[2]});
     if (const auto& base = interior.base_reaction)
         add_numbers(data, "base_reaction_N", {(*base)[0], (*base)[1], (*base)[2]});
-    add_provenance(data, provenance);
 }
 
-constexpr std::array axis_names{"x_m", "y_m", "z_m"};
-
-void set_coordinates(vtkRectilinearGrid& grid, const Interior& interior) {
-    std::array<vtkNew<vtkDoubleArray>, 3> axes;
-    for (std::size_t d = 0; d < 3; ++d) {
-        axes[d]->SetName(axis_names[d]);  // VTK names arrays without a name by their address
-        for (const double x : interior.axes[d]) axes[d]->InsertNextValue(x);
-    }
-    grid.SetDimensions(static_cast<int>(interior.axes[0].size()),
-                       static_cast<int>(interior.axes[1].size()),
-                       static_cast<int>(interior.axes[2].size()));
-    grid.SetXCoordinates(axes[0]);
-    grid.SetYCoordinates(axes[1]);
-    grid.SetZCoordinates(axes[2]);
-}
-
-VtkFile grid_file(double phase, const Interior& interior, const Provenance& provenance) {
-    vtkNew<vtkRectilinearGrid> grid;
-    set_coordinates(*grid, interior);
-    add_point_fields(*grid->GetPointData(), interior);
-    add_circumstances(*grid->GetFieldData(), phase, interior, provenance);
-    vtkNew<vtkXMLRectilinearGridWriter> writer;
-    return {".vtr", xml_of(*writer, *grid)};
+template <class Data, class Fields>
+VtkFile file_of(double phase, const Fields& fields, const Provenance& provenance) {
+    vtkNew<Data> data;
+    fill(*data, fields);
+    vtkFieldData& circumstances = *data->GetFieldData();
+    add_numbers(circumstances, "TimeValue", {phase});
+    add_circumstances(circumstances, fields);
+    add_provenance(circumstances, provenance);
+    return xml_of(*data);
 }
 
 std::string xml_attribute(std::string_view text) {
@@ -184,60 +177,26 @@ std::string xml_attribute(std::string_view text) {
 constexpr std::uint8_t not_applicable = 255;
 using Bytes = std::vector<std::uint8_t>;
 
-template <std::size_t N>
-void insert(vtkUnstructuredGrid& grid, int type, std::span<const std::array<int, N>> cells) {
-    for (const auto& cell : cells) {
-        const std::vector<vtkIdType> nodes(cell.begin(), cell.end());
-        grid.InsertNextCell(type, static_cast<vtkIdType>(N), nodes.data());
-    }
-}
-
 // `of_hexes` for the hexahedra, then `of_faces`.
-Bytes joined(Bytes of_hexes, const Bytes& of_faces) {
-    of_hexes.insert(of_hexes.end(), of_faces.begin(), of_faces.end());
-    return of_hexes;
-}
-
-Bytes copy(std::span<const std::uint8_t> values) {
-    return {values.begin(), values.end()};
+Bytes concatenated(std::span<const std::uint8_t> of_hexes, std::span<const std::uint8_t> of_faces) {
+    Bytes all(of_hexes.begin(), of_hexes.end());
+    all.insert(all.end(), of_faces.begin(), of_faces.end());
+    return all;
 }
 
 }  // namespace
 
 VtkFile vtk_file(double phase, const Surface& surface, const Provenance& provenance) {
-    switch (surface.layout) {
-        case Surface::Layout::grid:
-            return {".vti",
-                    bytes_of<vtkXMLImageDataWriter, vtkImageData>(phase, surface, provenance)};
-        case Surface::Layout::line:
-            return {".vtp",
-                    bytes_of<vtkXMLPolyDataWriter, vtkPolyData>(phase, surface, provenance)};
-        case Surface::Layout::nodes:
-            break;
-    }
-    return {".vtu", bytes_of<vtkXMLUnstructuredGridWriter, vtkUnstructuredGrid>(phase, surface,
-                                                                                provenance)};
+    if (surface.layout == Surface::Layout::grid)
+        return file_of<vtkImageData>(phase, surface, provenance);
+    if (surface.layout == Surface::Layout::line)
+        return file_of<vtkPolyData>(phase, surface, provenance);
+    return file_of<vtkUnstructuredGrid>(phase, surface, provenance);
 }
 
 VtkFile vtk_file(double phase, const Interior& interior, const Provenance& provenance) {
-    if (interior.is_grid()) return grid_file(phase, interior, provenance);
-    const std::size_t n_hexes = interior.hexes.size();
-    vtkNew<vtkUnstructuredGrid> grid;
-    vtkNew<vtkPoints> points;
-    set_points(*points, interior.points);
-    grid->SetPoints(points);
-    grid->AllocateExact(static_cast<vtkIdType>(n_hexes), static_cast<vtkIdType>(27 * n_hexes));
-    for (const auto& hex : interior.hexes) {
-        const std::vector<vtkIdType> nodes(hex.begin(), hex.end());
-        grid->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, 27, nodes.data());
-    }
-    add_point_fields(*grid->GetPointData(), interior);
-    add_bytes(*grid->GetCellData(), "region", interior.region, n_hexes);
-    add_scalar(*grid->GetCellData(), "strain_energy_density_J_per_m3", interior.energy_density,
-               n_hexes);
-    add_circumstances(*grid->GetFieldData(), phase, interior, provenance);
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    return {".vtu", xml_of(*writer, *grid)};
+    return interior.is_grid() ? file_of<vtkRectilinearGrid>(phase, interior, provenance)
+                              : file_of<vtkUnstructuredGrid>(phase, interior, provenance);
 }
 
 VtkSeries::VtkSeries(std::string folder, std::string name, Provenance provenance)
@@ -247,13 +206,6 @@ void VtkSeries::add(double time, const VtkFile& file) {
     const std::string name = fmt::format("{}_{:06}{}", name_, entries_.size(), file.extension);
     write_file((std::filesystem::path(folder_) / name).string(), file.bytes);
     entries_.push_back({time, name});
-}
-
-void VtkSeries::add(double phase, const contact::Surface& surface) {
-    add(phase, vtk_file(phase, surface, provenance_));
-}
-void VtkSeries::add(double phase, const contact::Interior& interior) {
-    add(phase, vtk_file(phase, interior, provenance_));
 }
 
 void VtkSeries::finish() const {
@@ -279,27 +231,24 @@ std::string paraview_macro(const std::string& folder) {
 
 void write_mesh_vtu(const std::string& path, const MeshView& mesh, const Provenance& provenance) {
     const std::size_t n_hexes = mesh.hexes.size(), n_faces = mesh.faces.size();
-    vtkNew<vtkPoints> points;
-    set_points(*points, mesh.points);
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->SetPoints(points);
+    set_points(*grid, mesh.points);
     grid->AllocateExact(static_cast<vtkIdType>(n_hexes + n_faces),
                         static_cast<vtkIdType>(8 * n_hexes + 4 * n_faces));
-    insert(*grid, VTK_HEXAHEDRON, mesh.hexes);
-    insert(*grid, VTK_QUAD, mesh.faces);
+    add_cells(*grid, VTK_HEXAHEDRON, mesh.hexes);
+    add_cells(*grid, VTK_QUAD, mesh.faces);
 
     vtkCellData& cells = *grid->GetCellData();
     const std::size_t n = n_hexes + n_faces;
-    add_bytes(cells, "dimension", joined(Bytes(n_hexes, 3), Bytes(n_faces, 2)), n);
-    add_bytes(cells, "region", joined(copy(mesh.regions), Bytes(n_faces, not_applicable)), n);
-    add_bytes(cells, "boundary", joined(Bytes(n_hexes, not_applicable), copy(mesh.boundaries)), n);
+    add_bytes(cells, "dimension", concatenated(Bytes(n_hexes, 3), Bytes(n_faces, 2)), n);
+    add_bytes(cells, "region", concatenated(mesh.regions, Bytes(n_faces, not_applicable)), n);
+    add_bytes(cells, "boundary", concatenated(Bytes(n_hexes, not_applicable), mesh.boundaries), n);
     vtkFieldData& fields = *grid->GetFieldData();
     add_texts(fields, "region_names", mesh.region_names);
     add_texts(fields, "boundary_names", mesh.boundary_names);
     add_provenance(fields, provenance);
 
-    vtkNew<vtkXMLUnstructuredGridWriter> writer;
-    write_file(path, xml_of(*writer, *grid));
+    write_file(path, xml_of(*grid).bytes);
 }
 
 }  // namespace tricontact::io

@@ -20,7 +20,7 @@ struct Provenance {
 
 /// A file of a series for ParaView, not yet written.
 struct VtkFile {
-    std::string_view extension;  ///< ".vti" ...
+    std::string extension;  ///< ".vti" ...
     std::string bytes;
 };
 
@@ -45,8 +45,10 @@ class VtkSeries {
     /// Begins again: the first file comes next.
     void clear() { entries_.clear(); }
     /// Writes the next file of the series. Throws contact::InputError if that fails.
-    void add(double phase, const contact::Surface& surface);
-    void add(double phase, const contact::Interior& interior);
+    template <class Fields>
+    void add(double phase, const Fields& fields) {
+        add(phase, vtk_file(phase, fields, provenance_));
+    }
     /// The same for a file that is made already, and any time.
     void add(double time, const VtkFile& file);
     /// Writes the collection of all files so far. Throws contact::InputError if that fails.

@@ -4,9 +4,7 @@
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
@@ -146,9 +144,7 @@ void fill(vtkPolyData& poly, const WalkScene& scene, const Units& units) {
         }
         return vectors;
     };
-    vtkNew<vtkPoints> points;
-    io::set_points(*points, scaled(&WalkScene::Point::place, units.length));
-    poly.SetPoints(points);
+    io::set_points(poly, scaled(&WalkScene::Point::place, units.length));
     poly.SetVerts(cells_of(scene.vertices));
     poly.SetLines(cells_of(scene.lines));
     poly.SetPolys(cells_of(scene.polygons));
@@ -208,8 +204,7 @@ void write_walk_animation(const std::string& folder, const WalkCase& walk_case,
         io::add_numbers(circumstances, ("run_time" + units.of_time).c_str(), {run_time});
         io::add_numbers(circumstances, "magnification", {magnified});
         io::add_provenance(circumstances, provenance);
-        vtkNew<vtkXMLPolyDataWriter> writer;
-        series.add(time, io::VtkFile{".vtp", io::xml_of(*writer, *poly)});
+        series.add(time, io::xml_of(*poly));
     }
     series.finish();
 }
