@@ -45,20 +45,17 @@ void add_half_space(const Levels& levels, const LineTolerances& allowed, Verific
     const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.43 to 4.45 (Hertz)";
     const char* const strip = "Boussinesq (1885), Cerruti (1882) over a strip of the length L";
     const char* const punches = "flat punches superposed (theory/oscillating_cylinder.h)";
-    const std::string problem = "Line contact, w = 0.26, f_T = 0.5";
-    Rows rows(levels, all);
-    rows.add(problem, "a, mm", johnson, hertz.contact_radius * 1e3, allowed.width, radius_mm);
-    rows.add(problem, "p0, MPa", johnson, hertz.peak_pressure * 1e-6, allowed.others,
-             peak_pressure_mpa);
-    rows.add(problem, "d, mm", strip, hertz.indentation * 1e3, allowed.others, indentation_mm);
-    rows.add(problem, "U_max, mm", strip, hertz.unit_shift * 1e3, allowed.others, unit_shift_mm);
-    rows.add(problem, "u_stat", "Cattaneo (1938), two ellipses over the strip",
-             theory::line_static_shift_ratio(cylinder_force, lambda), allowed.others, static_ratio);
-    rows.add(problem, "u_sd", punches,
-             theory::line_settled_shift_ratio(cylinder_amplitude, stick, lambda), allowed.others,
-             settled_ratio);
-    rows.add(problem, "f_T,lim", "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
-             theory::line_shakedown_limit(cylinder_amplitude), allowed.others, limit);
+    Rows rows(levels, "Line contact, w = 0.26, f_T = 0.5", all);
+    rows.add(radius, johnson, hertz.contact_radius * 1e3, allowed.width);
+    rows.add(peak_pressure, johnson, hertz.peak_pressure * 1e-6, allowed.others);
+    rows.add(indentation, strip, hertz.indentation * 1e3, allowed.others);
+    rows.add(unit_shift, strip, hertz.unit_shift * 1e3, allowed.others);
+    rows.add(static_ratio, "Cattaneo (1938), two ellipses over the strip",
+             theory::line_static_shift_ratio(cylinder_force, lambda), allowed.others);
+    rows.add(settled_ratio, punches,
+             theory::line_settled_shift_ratio(cylinder_amplitude, stick, lambda), allowed.others);
+    rows.add(limit, "the same; Wetter, thesis (TU Berlin 2016), eq. 3.5.27",
+             theory::line_shakedown_limit(cylinder_amplitude), allowed.others);
 }
 
 void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowed,
@@ -68,14 +65,11 @@ void add_layer(const Levels& levels, const Case& c, const LineTolerances& allowe
         {theory::LineControl::Kind::load, *c.load.normal_force / c.indenter.length});
     const char* const source = "singular integral equation of the bonded layer in plane strain";
     const double path = cylinder_amplitude * contact::half_space_scales(c).contact_radius;
-    const std::string problem = "Line contact, layer b = 2.6 a";
-    Rows rows(levels, all);
-    rows.add(problem, "a, mm", source, exact.half_width * 1e3, allowed.width, radius_mm);
-    rows.add(problem, "d, mm", source, exact.indentation * 1e3, allowed.others, indentation_mm);
-    rows.add(problem, "p0, MPa", source, exact.centre_pressure * 1e-6, allowed.others,
-             peak_pressure_mpa);
-    rows.add(problem, "f_T,lim", source, exact.load_beyond(path) / exact.load, allowed.others,
-             limit);
+    Rows rows(levels, "Line contact, layer b = 2.6 a", all);
+    rows.add(radius, source, exact.half_width * 1e3, allowed.width);
+    rows.add(indentation, source, exact.indentation * 1e3, allowed.others);
+    rows.add(peak_pressure, source, exact.centre_pressure * 1e-6, allowed.others);
+    rows.add(limit, source, exact.load_beyond(path) / exact.load, allowed.others);
 }
 
 Case line_layer_case() {
@@ -90,23 +84,20 @@ void verify_fem_line(const Say& say, Verification& all) {
     Case c = line_layer_case();
     c.fem.cache = "none";
     const double hertz_width = contact::half_space_scales(c).contact_radius;
-    const Levels levels = run_levels(
-        "fem", c, [](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
-        [&](const Case& level) { return *level.fem.size / hertz_width; }, say);
+    const Resolution sizes{[](Case& level, int factor) { level.fem.size = 4e-4 / factor; },
+                           [&](const Case& level) { return *level.fem.size / hertz_width; }};
     // Edges fall between nodes, a tenth of a tributary length of which is seen.
-    add_layer(levels, c, {{3e-3}, {1e-3}}, all);
+    add_layer(run_levels("fem", c, sizes, say), c, {{3e-3}, {1e-3}}, all);
 }
 
 void verify_cylinder(bool brief, const Say& say, Verification& all) {
-    const double cells = brief ? 10 : 40, coarser = brief ? 8 : 1;
-    const auto run = [&](const char* model, const Case& c) {
-        return run_levels(model, c, cells_in_radius(cells), cell_in_radius, say);
-    };
+    const double coarser = brief ? 8 : 1;
+    const Resolution cells = cells_in_radius(brief ? 10 : 40);
     // Second order but for edges between cells.
     const LineTolerances allowed{{5e-4 * coarser}, {2e-4 * coarser}};
     const Case c = line_layer_case();
-    add_half_space(run("bem", cylinder_case()), allowed, all);
-    add_layer(run("bem-layer", c), c, allowed, all);
+    add_half_space(run_levels("bem", cylinder_case(), cells, say), allowed, all);
+    add_layer(run_levels("bem-layer", c, cells, say), c, allowed, all);
 }
 
 }  // namespace tricontact::app

@@ -37,16 +37,12 @@ void add_pressed(const Levels& levels, const LayerTolerances& allowed, Verificat
     const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
     const char* const fredholm =
         "Lebedev and Ufliand (1958), Fredholm equation of the bonded layer";
-    Rows rows(levels, all);
-    rows.add("Layer b = 1.8 a", "a, mm", fredholm, exact.contact_radius * 1e3, allowed.radius,
-             radius_mm);
-    rows.add("Layer b = 1.8 a", "d, mm", fredholm, exact.indentation * 1e3, allowed.others,
-             indentation_mm);
-    rows.add("Layer b = 1.8 a", "p0, MPa", fredholm, exact.centre_pressure * 1e-6, allowed.pressure,
-             peak_pressure_mpa);
-    rows.add(
-        "Layer b = 1.8 a", "U_max, mm", "displacement under the pressure of that equation along x",
-        c.friction_coefficient * exact.unit_shift.value() * 1e3, allowed.others, unit_shift_mm);
+    Rows rows(levels, "Layer b = 1.8 a", all);
+    rows.add(radius, fredholm, exact.contact_radius * 1e3, allowed.radius);
+    rows.add(indentation, fredholm, exact.indentation * 1e3, allowed.others);
+    rows.add(peak_pressure, fredholm, exact.centre_pressure * 1e-6, allowed.pressure);
+    rows.add(unit_shift, "displacement under the pressure of that equation along x",
+             c.friction_coefficient * exact.unit_shift.value() * 1e3, allowed.others);
 }
 
 void add_layer(const Levels& levels, const LayerTolerances& allowed, Verification& all) {
@@ -55,9 +51,9 @@ void add_layer(const Levels& levels, const LayerTolerances& allowed, Verificatio
     const theory::LayerContact exact = comparisons::exact_layer_contact(c).value();
     const double rolled =
         *c.rolling->amplitude_ratio * contact::half_space_scales(c).contact_radius;
-    Rows(levels, all)
-        .add("Layer b = 1.8 a, limit of shakedown", "f_T,lim", "line load of that equation",
-             theory::shakedown_limit(exact, rolled / exact.contact_radius), allowed.limit, limit);
+    Rows(levels, "Layer b = 1.8 a, limit of shakedown", all)
+        .add(limit, "line load of that equation",
+             theory::shakedown_limit(exact, rolled / exact.contact_radius), allowed.limit);
 }
 
 void verify_mdr_layer(const Say& say, Verification& all) {
@@ -79,14 +75,14 @@ void verify_fem_layer(const Say& say, Verification& all) {
     base.rolling.reset();
     base.fem.cache = "none";
     const double hertz_radius = contact::half_space_scales(base).contact_radius;
-    const Levels levels = run_levels(
-        "fem", base, [](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
-        [&](const Case& c) { return *c.fem.size / hertz_radius; }, say);
+    const Resolution sizes{[](Case& c, int factor) { c.fem.size = 2.8e-3 / factor; },
+                           [&](const Case& c) { return *c.fem.size / hertz_radius; }};
+    const Levels levels = run_levels("fem", base, sizes, say);
     // Pressures of nodes come from row sums.
     add_pressed(levels, {{5e-3}, {8e-3}, {2e-3}, {}}, all);
-    Rows(levels, all)
-        .add("Layer b = 1.8 a, f_T = 0.56", "U_stat, mm, uncoupled", peer_programs,
-             comparisons::layer_peer_uncoupled * 1e3, {1.5e-3}, static_shift_mm);
+    Rows(levels, "Layer b = 1.8 a, f_T = 0.56", all)
+        .add(static_shift + ", uncoupled", peer_programs, comparisons::layer_peer_uncoupled * 1e3,
+             {1.5e-3});
 }
 
 constexpr double across = std::numbers::pi / 2;
@@ -103,6 +99,16 @@ double cell_size(const Case& c) {
     return *c.bem.spacing / contact::half_space_scales(c).contact_radius;
 }
 
+/// Rolled along F_T and across.
+template <class Row>
+void add_settled(const Levels& level, const std::string& problem, double angle, const Row& row,
+                 double tolerance, double (*shift_ratio)(const contact::History&),
+                 Verification& all) {
+    Rows(level, problem + (angle == 0 ? ", along F_T" : ", across F_T"), all)
+        .add({fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), shift_ratio}, peer_programs,
+             angle == 0 ? row.parallel : row.perpendicular, {tolerance});
+}
+
 void verify_half_space_shifts(const Say& say, Verification& all) {
     for (const auto& row : comparisons::half_space_peer_shifts)
         for (const double angle : {0., across}) {
@@ -115,10 +121,7 @@ void verify_half_space_shifts(const Say& say, Verification& all) {
             c.rolling->periods = 60;
             const Levels level = run_level("bem", c, cell_size(c), say);
             // Those programs place their grids differently under the contact.
-            Rows(level, all)
-                .add(angle == 0 ? "Settled shift, along F_T" : "Settled shift, across F_T",
-                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peer_programs,
-                     angle == 0 ? row.parallel : row.perpendicular, {2e-3}, settled_ratio);
+            add_settled(level, "Settled shift", angle, row, 2e-3, settled_ratio.of, all);
         }
 }
 
@@ -129,29 +132,27 @@ Case layer_case(double f) {
 }
 
 void verify_layer_static(const Say& say, Verification& all) {
-    const auto add_row = [&](const Levels& level, const std::string& quantity, double shift,
+    const auto add_row = [&](const Levels& level, const std::string& how, double shift,
                              double tolerance) {
-        Rows(level, all)
-            .add("Layer b = 1.8 a, f_T = 0.56", quantity, peer_programs, shift * 1e3, {tolerance},
-                 static_shift_mm);
+        Rows(level, "Layer b = 1.8 a, f_T = 0.56", all)
+            .add(static_shift + how, peer_programs, shift * 1e3, {tolerance});
     };
-    const auto add = [&](const std::string& quantity, double shift, const Case& c) {
+    const auto add = [&](const std::string& how, double shift, const Case& c) {
         // Both programs to 1e-5 mm.
-        add_row(run_level("bem-layer", c, cell_size(c), say), quantity, shift, 2e-4);
+        add_row(run_level("bem-layer", c, cell_size(c), say), how, shift, 2e-4);
     };
     Case c = layer_case(.56);
     for (const auto& pressing : comparisons::layer_peer_pressings) {
         c.load.press_steps = pressing.steps;
-        add(fmt::format("U_stat, mm, steps of pressing: {}", pressing.steps), pressing.static_shift,
-            c);
+        add(fmt::format(", steps of pressing: {}", pressing.steps), pressing.static_shift, c);
     }
     c.load.press = Case::Press::frictionless;
-    add("U_stat, mm, pressed without friction", comparisons::layer_peer_frictionless, c);
+    add(", pressed without friction", comparisons::layer_peer_frictionless, c);
     c.contact.coupling = false;
-    add("U_stat, mm, uncoupled", comparisons::layer_peer_uncoupled, c);
+    add(", uncoupled", comparisons::layer_peer_uncoupled, c);
     // Without the traction across, which is its approximation; 100 elements in the radius.
-    add_row(run_level("mdr-layer", c, .01, say), "U_stat, mm, uncoupled",
-            comparisons::layer_peer_uncoupled, 3e-3);
+    add_row(run_level("mdr-layer", c, .01, say), ", uncoupled", comparisons::layer_peer_uncoupled,
+            3e-3);
 }
 
 void verify_layer_shifts(const Say& say, Verification& all) {
@@ -167,14 +168,12 @@ void verify_layer_shifts(const Say& say, Verification& all) {
             c.rolling->periods = 60;
             const Levels level = run_level("bem-layer", c, cell_size(c), say);
             // The references have four digits and steps of their own.
-            Rows(level, all)
-                .add(angle == 0 ? "Layer b = 1.8 a, settled shift, along F_T"
-                                : "Layer b = 1.8 a, settled shift, across F_T",
-                     fmt::format("u_sd, w = {}, f_T = {}", row.w, row.f), peer_programs,
-                     angle == 0 ? row.parallel : row.perpendicular, {3e-3},
-                     [](const contact::History& h) {
-                         return h.shift_per_period.back() / comparisons::layer_peer_unit_shift;
-                     });
+            add_settled(
+                level, "Layer b = 1.8 a, settled shift", angle, row, 3e-3,
+                [](const contact::History& h) {
+                    return h.shift_per_period.back() / comparisons::layer_peer_unit_shift;
+                },
+                all);
         }
 }
 
@@ -192,12 +191,11 @@ void verify_layer(bool brief, const Say& say, Verification& all) {
     verify_mdr_layer(say, all);
     const double hertz_radius = contact::half_space_scales(layer_case()).contact_radius;
     const double cells = brief ? 5 : 8, coarser = brief ? 4 : 1, order = brief ? 0 : 1.2;
-    const auto set_spacing = [&](Case& c, int factor) {
-        c.bem.spacing = hertz_radius / (cells * factor);
-    };
-    const auto size = [&](const Case& c) { return *c.bem.spacing / hertz_radius; };
+    const Resolution spacings{
+        [&](Case& c, int factor) { c.bem.spacing = hertz_radius / (cells * factor); },
+        [&](const Case& c) { return *c.bem.spacing / hertz_radius; }};
     const Allowed allowed{2e-4 * coarser, order};
-    add_layer(run_levels("bem-layer", layer_case(), set_spacing, size, say),
+    add_layer(run_levels("bem-layer", layer_case(), spacings, say),
               {{5e-4 * coarser, order}, allowed, allowed, allowed}, all);
 }
 

@@ -47,13 +47,12 @@ void add_pressing(VerificationRow row, const Case& base, int cells, int steps, c
                   Verification& all, double (*value)(const Case&, const std::vector<StepRecord>&)) {
     row.model = "bem";
     add_row(std::move(row), all, [&](int factor) -> LevelValue {
-        Case c = base;
-        cells_in_radius(cells)(c, factor);
+        const Case c = cells_in_radius(cells).refined(base, factor);
         return {cell_in_radius(c), value(c, press(c, steps * factor, say))};
     });
 }
 
-double stick_ratio(const Case&, const std::vector<StepRecord>& records) {
+double stuck_ratio(const Case&, const std::vector<StepRecord>& records) {
     return std::sqrt(records.back().stick_area / records.back().contact_area);
 }
 
@@ -114,7 +113,7 @@ void verify_friction_pressing(const Say& say, Verification& all) {
                           .reference = theory::spence_stick_ratio(beta_over_mu),
                           .tolerance = .02,
                           .least_order = .8};
-    add_pressing(stick, pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stick_ratio);
+    add_pressing(stick, pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stuck_ratio);
     VerificationRow stiffness{.problem = "Pressed without slip",
                               .quantity = "dF/dd over 4 G a, nu = 0",
                               .source = "Mossakovskii (1954), Spence (1968)",

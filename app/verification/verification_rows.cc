@@ -31,19 +31,19 @@ auto loaded(const History& h) {
 
 }  // namespace
 
-std::vector<Case> finer_cases(const Case& base, const SetLevel& set_level) {
-    std::vector<Case> cases;
-    for (int factor = 1; factor <= 4; factor *= 2) {
-        cases.push_back(base);
-        set_level(cases.back(), factor);
-    }
-    return cases;
+Case Resolution::refined(const Case& base, int factor) const {
+    Case c = base;
+    refine(c, factor);
+    return c;
 }
 
-Levels run_levels(const std::string& model, const Case& base, const SetLevel& set_level,
-                  const Size& size, const Say& say) {
+Levels run_levels(const std::string& model, const Case& base, const Resolution& resolution,
+                  const Say& say) {
     Levels levels{model, {}, {}};
-    for (const Case& c : finer_cases(base, set_level)) add_level(levels, c, size(c), say);
+    for (const int factor : {1, 2, 4}) {
+        const Case c = resolution.refined(base, factor);
+        add_level(levels, c, resolution.size(c), say);
+    }
     return levels;
 }
 
@@ -53,8 +53,9 @@ Levels run_level(const std::string& model, const Case& c, double size, const Say
     return levels;
 }
 
-SetLevel cells_in_radius(double cells) {
-    return [cells](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; };
+Resolution cells_in_radius(double cells) {
+    return {[cells](Case& c, int factor) { c.bem.cells_per_radius = cells * factor; },
+            cell_in_radius};
 }
 double cell_in_radius(const Case& c) {
     return 1 / *c.bem.cells_per_radius;
@@ -81,39 +82,42 @@ Case rig_sphere(double poisson, double tangential_ratio) {
     return c;
 }
 
-double radius_mm(const History& h) {
-    return h.scales.contact_radius * 1e3;
+void Rows::add(const Observed& observed, const std::string& source, double reference,
+               const Allowed& allowed) {
+    comparisons::VerificationRow row{.problem = problem_,
+                                     .quantity = observed.name,
+                                     .model = levels_.model,
+                                     .source = source,
+                                     .reference = reference,
+                                     .sizes = levels_.sizes,
+                                     .values = {},
+                                     .tolerance = allowed.error,
+                                     .least_order = allowed.order};
+    for (const History& history : levels_.histories) row.values.push_back(observed.of(history));
+    verification_.rows.push_back(std::move(row));
 }
-double indentation_mm(const History& h) {
-    return h.scales.indentation * 1e3;
-}
-double peak_pressure_mpa(const History& h) {
-    return h.scales.peak_pressure * 1e-6;
-}
-double unit_shift_mm(const History& h) {
-    return h.scales.unit_shift * 1e3;
-}
-double limit(const History& h) {
-    return h.limit_tangential_ratio;
-}
-double static_shift_mm(const History& h) {
-    return h.static_shift * 1e3;
-}
-double static_ratio(const History& h) {
-    return h.static_shift / h.scales.unit_shift;
-}
-double settled_ratio(const History& h) {
-    return h.shift_per_period.back() / h.scales.unit_shift;
-}
-double stick_ratio(const History& h) {
-    return std::sqrt(loaded(h)->stick_area / std::numbers::pi) / h.scales.contact_radius;
-}
-double pressed_energy_mj(const History& h) {
-    return h.steps.front().stored_energy * 1e3;
-}
-double loading_energy_mj(const History& h) {
-    const auto end = loaded(h);
-    return (end->stored_energy - h.steps.front().stored_energy + end->dissipation) * 1e3;
-}
+
+const Observed radius{"a, mm", [](const History& h) { return h.scales.contact_radius * 1e3; }};
+const Observed indentation{"d, mm", [](const History& h) { return h.scales.indentation * 1e3; }};
+const Observed peak_pressure{"p0, MPa",
+                             [](const History& h) { return h.scales.peak_pressure * 1e-6; }};
+const Observed unit_shift{"U_max, mm", [](const History& h) { return h.scales.unit_shift * 1e3; }};
+const Observed limit{"f_T,lim", [](const History& h) { return h.limit_tangential_ratio; }};
+const Observed static_shift{"U_stat, mm", [](const History& h) { return h.static_shift * 1e3; }};
+const Observed static_ratio{"u_stat",
+                            [](const History& h) { return h.static_shift / h.scales.unit_shift; }};
+const Observed settled_ratio{
+    "u_sd", [](const History& h) { return h.shift_per_period.back() / h.scales.unit_shift; }};
+const Observed pressed_energy{"elastic energy, mJ",
+                              [](const History& h) { return h.steps.front().stored_energy * 1e3; }};
+const Observed loading_energy{
+    "stored and dissipated under F_T, mJ", [](const History& h) {
+        const auto end = loaded(h);
+        return (end->stored_energy - h.steps.front().stored_energy + end->dissipation) * 1e3;
+    }};
+const Observed stick_ratio{"c/a", [](const History& h) {
+                               return std::sqrt(loaded(h)->stick_area / std::numbers::pi) /
+                                      h.scales.contact_radius;
+                           }};
 
 }  // namespace tricontact::app

@@ -18,21 +18,23 @@ struct Levels {
     std::vector<contact::History> histories;
 };
 
-/// Makes a case finer by a factor.
-using SetLevel = std::function<void(contact::Case&, int)>;
-using Size = std::function<double(const contact::Case&)>;
+/// How a case is made finer by a factor, and the size of its cells or the like over Hertz' radius.
+struct Resolution {
+    std::function<void(contact::Case&, int factor)> refine;
+    std::function<double(const contact::Case&)> size;
 
-/// Three cases, each twice as fine as the one before.
-std::vector<contact::Case> finer_cases(const contact::Case& base, const SetLevel& set_level);
-/// Those run.
-Levels run_levels(const std::string& model, const contact::Case& base, const SetLevel& set_level,
-                  const Size& size, const Say& say);
+    contact::Case refined(const contact::Case& base, int factor) const;
+};
+/// By cells in Hertz' radius, `cells` on the coarsest level.
+Resolution cells_in_radius(double cells);
+
+/// Three levels, each twice as fine as the one before.
+Levels run_levels(const std::string& model, const contact::Case& base, const Resolution& resolution,
+                  const Say& say);
 /// As the case is: beside numbers that hold for its resolution.
 Levels run_level(const std::string& model, const contact::Case& c, double size, const Say& say);
 
-/// Levels by cells in Hertz' radius, `cells` on the coarsest, and their size over that radius.
-SetLevel cells_in_radius(double cells);
-double cell_in_radius(const contact::Case& c);
+double cell_in_radius(const contact::Case& c);  ///< its size over Hertz' radius
 
 /// A level computed by itself.
 struct LevelValue {
@@ -49,30 +51,35 @@ struct Allowed {
     double order = 0;
 };
 
-/// Rows from the histories of one model.
+/// What rows are about: a quantity of a history by its name.
+struct Observed {
+    std::string name;
+    double (*of)(const contact::History&);
+
+    /// The same under other circumstances.
+    Observed operator+(const std::string& circumstances) const {
+        return {name + circumstances, of};
+    }
+};
+extern const Observed radius, indentation, peak_pressure, unit_shift, limit, static_shift,
+    static_ratio, settled_ratio;
+/// Elastic energy after pressing; what F_T has stored and dissipated before rolling.
+extern const Observed pressed_energy, loading_energy;
+/// Radius of a disc of the stick zone's area over the contact radius, before rolling.
+extern const Observed stick_ratio;
+
+/// Rows about one problem from the histories of one model.
 class Rows {
   public:
-    Rows(const Levels& levels, comparisons::Verification& verification)
-        : levels_(levels), verification_(verification) {}
+    Rows(const Levels& levels, std::string problem, comparisons::Verification& verification)
+        : levels_(levels), problem_(std::move(problem)), verification_(verification) {}
 
-    void add(const std::string& problem, const std::string& quantity, const std::string& source,
-             double reference, const Allowed& allowed,
-             const std::function<double(const contact::History&)>& value) {
-        comparisons::VerificationRow row{.problem = problem,
-                                         .quantity = quantity,
-                                         .model = levels_.model,
-                                         .source = source,
-                                         .reference = reference,
-                                         .sizes = levels_.sizes,
-                                         .values = {},
-                                         .tolerance = allowed.error,
-                                         .least_order = allowed.order};
-        for (const auto& history : levels_.histories) row.values.push_back(value(history));
-        verification_.rows.push_back(std::move(row));
-    }
+    void add(const Observed& observed, const std::string& source, double reference,
+             const Allowed& allowed);
 
   private:
     const Levels& levels_;
+    std::string problem_;
     comparisons::Verification& verification_;
 };
 
@@ -83,22 +90,6 @@ contact::Case rig_sphere(double poisson, double tangential_ratio);
 inline constexpr const char* peer_programs =
     "two boundary element programs of different origin, nu = 1/2, 0.2 mm cells "
     "(comparisons/run/peer_shifts.h)";
-
-// What rows are about.
-double radius_mm(const contact::History& history);
-double indentation_mm(const contact::History& history);
-double peak_pressure_mpa(const contact::History& history);
-double unit_shift_mm(const contact::History& history);
-double limit(const contact::History& history);
-double static_shift_mm(const contact::History& history);
-/// Elastic energy after pressing [mJ].
-double pressed_energy_mj(const contact::History& history);
-/// What F_T has stored and dissipated before rolling [mJ].
-double loading_energy_mj(const contact::History& history);
-double static_ratio(const contact::History& history);
-double settled_ratio(const contact::History& history);
-/// Radius of a disc of the stick zone's area over the contact radius, before rolling.
-double stick_ratio(const contact::History& history);
 
 // Problems of `tricontact verify`. `brief`: on coarse levels, in seconds.
 

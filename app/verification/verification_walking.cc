@@ -30,13 +30,12 @@ constexpr double usual_step = 1e-3;
 
 // A quantity with the usual step, its double and its half.
 template <class Value>
-VerificationRow row_of(VerificationRow row, const Value& value) {
+void add_steps(VerificationRow row, Verification& all, const Value& value) {
     row.model = "walk";
-    for (const double step : {2 * usual_step, usual_step, usual_step / 2}) {
-        row.sizes.push_back(step);
-        row.values.push_back(value(step));
-    }
-    return row;
+    add_row(std::move(row), all, [&](int factor) -> LevelValue {
+        const double step = 2 * usual_step / factor;
+        return {step, value(step)};
+    });
 }
 
 Motion verlet_motion(const Machine& machine, double step, double end) {
@@ -51,39 +50,37 @@ void add_motions(Verification& all) {
     // x'' = kappa1 (kappa6 t - x) - 2 x until the spots slip.
     const double exact = set_b.kappa1 * set_b.kappa6 / stiffness *
                          (end - std::sin(omega * end) / omega) / set_b.kappa4;
-    all.rows.push_back(
-        row_of({.problem = "Walking machine, a block that sticks",
-                .quantity = "x/kappa4, t = 0.4",
-                .source = "vibration on k_s and two contact spots",
-                .reference = exact,
-                .tolerance = 1e-5,
-                .least_order = 1.9},
-               [&](double step) { return verlet_motion(block, step, end).x / set_b.kappa4; }));
+    add_steps({.problem = "Walking machine, a block that sticks",
+               .quantity = "x/kappa4, t = 0.4",
+               .source = "vibration on k_s and two contact spots",
+               .reference = exact,
+               .tolerance = 1e-5,
+               .least_order = 1.9},
+              all, [&](double step) { return verlet_motion(block, step, end).x / set_b.kappa4; });
     const Machine walking{.kappas = set_b};
     walking::EventDriven reference(walking, motion_at_start(walking), 1e-13);
     reference.advance_to(10);
     const double rest = static_displacement(walking);
-    all.rows.push_back(
-        row_of({.problem = "Walking machine, set B",
-                .quantity = "z/z_stat, t = 10",
-                .source = reference_integrator,
-                .reference = reference.motion().z / rest,
-                .tolerance = 1e-5},
-               [&](double step) { return verlet_motion(walking, step, 10).z / rest; }));
+    add_steps({.problem = "Walking machine, set B",
+               .quantity = "z/z_stat, t = 10",
+               .source = reference_integrator,
+               .reference = reference.motion().z / rest,
+               .tolerance = 1e-5},
+              all, [&](double step) { return verlet_motion(walking, step, 10).z / rest; });
 }
 
 void add_sliding(Verification& all) {
-    all.rows.push_back(row_of({.problem = "Walking machine, set A",
-                               .quantity = "mu_e",
-                               .source = "steady sliding: mu N",
-                               .reference = 1,
-                               .tolerance = 1e-3},
-                              [](double step) {
-                                  walking::WalkCase c;
-                                  c.machine.kappas = set_a;
-                                  c.time = {.step = step, .end = 4000};
-                                  return walking::walk(c).result.mu_e;
-                              }));
+    add_steps({.problem = "Walking machine, set A",
+               .quantity = "mu_e",
+               .source = "steady sliding: mu N",
+               .reference = 1,
+               .tolerance = 1e-3},
+              all, [](double step) {
+                  walking::WalkCase c;
+                  c.machine.kappas = set_a;
+                  c.time = {.step = step, .end = 4000};
+                  return walking::walk(c).result.mu_e;
+              });
     Machine machine{.kappas = set_b,
                     .model = Machine::Model::spots,
                     .spots = {{.position = -0.7}, {.position = 1.3, .stiffness = 0.9}}};
@@ -92,20 +89,20 @@ void add_sliding(Verification& all) {
     const std::complex<double> leading = leading_eigenvalue(machine, steady);
     // Over half turns the distance of two runs grows by the rate alone.
     const double half_turn = std::numbers::pi / leading.imag();
-    all.rows.push_back(row_of({.problem = "Walking machine, spots at -0.7 b and 1.3 b",
-                               .quantity = "rate of flutter",
-                               .source = "eigenvalue of steady sliding (docs/walking.md)",
-                               .reference = leading.real(),
-                               .tolerance = 1e-3},
-                              [&](double step) {
-                                  const double steps = std::round(half_turn / step);
-                                  return lyapunov_exponent(machine, steady,
-                                                           {.step = half_turn / steps,
-                                                            .interval = half_turn,
-                                                            .alignment = 40 * half_turn,
-                                                            .duration = 10 * half_turn})
-                                      .value;
-                              }));
+    add_steps({.problem = "Walking machine, spots at -0.7 b and 1.3 b",
+               .quantity = "rate of flutter",
+               .source = "eigenvalue of steady sliding (docs/walking.md)",
+               .reference = leading.real(),
+               .tolerance = 1e-3},
+              all, [&](double step) {
+                  const double steps = std::round(half_turn / step);
+                  return lyapunov_exponent(machine, steady,
+                                           {.step = half_turn / steps,
+                                            .interval = half_turn,
+                                            .alignment = 40 * half_turn,
+                                            .duration = 10 * half_turn})
+                      .value;
+              });
 }
 
 // What is left of the base's work in a period, over it, plus 1.
@@ -130,12 +127,12 @@ void add_cycle(const Say& say, Verification& all) {
     // Chaotic for 1450 units of time on average.
     reference.advance_to(16000);
     const walking::ReferenceCycle cycle = reference_cycle(reference);
-    all.rows.push_back(row_of({.problem = "Walking machine, limit cycle of set B",
-                               .quantity = "work accounted for, over that of the base",
-                               .source = "energy balance",
-                               .reference = 1,
-                               .tolerance = 1e-6},
-                              [&](double step) { return balance_over(machine, cycle, step); }));
+    add_steps({.problem = "Walking machine, limit cycle of set B",
+               .quantity = "work accounted for, over that of the base",
+               .source = "energy balance",
+               .reference = 1,
+               .tolerance = 1e-6},
+              all, [&](double step) { return balance_over(machine, cycle, step); });
     say("walking machine, limit cycle by velocity Verlet");
     walking::WalkCase c;
     c.machine = machine;
