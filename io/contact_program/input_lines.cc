@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <optional>
 
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
@@ -23,17 +20,6 @@ std::string quoted(std::string_view word) {
     return fmt::format("\"{}\"", one_line(shortened(word, longest_in_message)));
 }
 
-std::vector<std::string_view> parted(std::string_view line) {
-    constexpr std::string_view separators = " \t\r,=";
-    std::vector<std::string_view> words;
-    for (std::size_t at = line.find_first_not_of(separators); at != line.npos;) {
-        const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
-        words.push_back(line.substr(at, end - at));
-        at = line.find_first_not_of(separators, end);
-    }
-    return words;
-}
-
 /// Fortran writes the exponent of double precision as 1.5d-3.
 std::optional<double> fortran_number(std::string_view word) {
     std::string text(word);
@@ -43,58 +29,60 @@ std::optional<double> fortran_number(std::string_view word) {
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// A digit, what it may be, and why not something else.
+/// A digit, what it may be, why not something else, and its place among those that are read.
 struct Digit {
     char letter;
-    std::string_view allowed;
-    std::string_view rule;
-    std::string_view remedy;
+    std::string_view allowed, rule, remedy;
+    int CaseDigits::*place = nullptr;
 };
 
 constexpr std::string_view any = "0123456789";
 
-constexpr std::array<Digit, 6> first_word = {{
-    {'P', "02", "a case goes on from the one before or begins again", "give 0 or 2"},
+const std::vector<Digit> first_word = {
+    {'P', "02", "a case goes on from the one before or begins again", "give 0 or 2",
+     &CaseDigits::previous},
     {'B', "0", "only the full normal problem is solved", "give 0"},
     {'T', "01", "only shifts in world-fixed coordinates are cases here",
-     "give 0 or 1; what rolls on is computed by tricontact roll"},
-    {'N', "01", "depth or normal force is prescribed", "give 0 or 1"},
-    {'F', "012", "shifts or forces are prescribed", "give 0, 1 or 2"},
+     "give 0 or 1; what rolls on is computed by tricontact roll", &CaseDigits::tangential},
+    {'N', "01", "depth or normal force is prescribed", "give 0 or 1", &CaseDigits::normal},
+    {'F', "012", "shifts or forces are prescribed", "give 0, 1 or 2", &CaseDigits::force},
     {'S', "0", "stresses inside are asked for by output.volume of the case", "give 0"},
-}};
-constexpr std::array<Digit, 7> second_word = {{
+};
+const std::vector<Digit> second_word = {
     {'V', "0", "friction is the same everywhere", "give 0"},
-    {'L', "01", "only Coulomb friction is a case here", "give 0, or 1 to keep it"},
-    {'D', "02", "cells are new or kept", "give 0 or 2"},
+    {'L', "01", "only Coulomb friction is a case here", "give 0, or 1 to keep it",
+     &CaseDigits::friction},
+    {'D', "02", "cells are new or kept", "give 0 or 2", &CaseDigits::cells},
     {'C', "02",
      "only half-spaces with constant tractions per cell are read; coefficients of a "
      "file do not tell the layer",
-     "give 0 or 2"},
+     "give 0 or 2", &CaseDigits::influence},
     {'M', "0", "only elastic bodies are cases here", "give 0"},
-    {'Z', "02", "undeformed distances are new or kept", "give 0 or 2"},
+    {'Z', "02", "undeformed distances are new or kept", "give 0 or 2", &CaseDigits::distance},
     {'E', "0", "no further term of slip is a case here", "give 0"},
-}};
-constexpr std::array<Digit, 8> third_word = {{
+};
+const std::vector<Digit> third_word = {
     {'X', "0", "debug output has lines of its own", "give 0"},
     {'H', "0", "no temperatures are computed", "give 0"},
-    {'G', "01", "settings of other solvers have no counterpart", "give 0 or 1"},
+    {'G', "01", "settings of other solvers have no counterpart", "give 0 or 1",
+     &CaseDigits::solver},
     {'I', any, "", ""},
     {'A', any, "", ""},
     {'O', any, "", ""},
     {'W', any, "", ""},
-    {'R', "01", "every case is computed", "give 0 or 1"},
-}};
+    {'R', "01", "every case is computed", "give 0 or 1", &CaseDigits::after},
+};
 
-template <std::size_t n>
-std::vector<int> read_word(InputLines& lines, const std::array<Digit, n>& declared) {
+void read_word(InputLines& lines, const std::vector<Digit>& declared, CaseDigits& digits) {
     std::string letters;
     for (const Digit& digit : declared) letters += digit.letter;
-    const std::vector<int> values = lines.digits(n, letters);
-    for (std::size_t k = 0; k < n; ++k)
-        if (declared[k].allowed.find(static_cast<char>('0' + values[k])) == std::string_view::npos)
-            lines.refuse(fmt::format("{} = {}", declared[k].letter, values[k]), declared[k].rule,
-                         declared[k].remedy);
-    return values;
+    const std::vector<int> values = lines.digits(declared.size(), letters);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const Digit& digit = declared[k];
+        if (digit.allowed.find(static_cast<char>('0' + values[k])) == std::string_view::npos)
+            lines.refuse(fmt::format("{} = {}", digit.letter, values[k]), digit.rule, digit.remedy);
+        if (digit.place) digits.*digit.place = values[k];
+    }
 }
 
 }  // namespace
@@ -108,7 +96,7 @@ bool InputLines::advance() {
         current_ = std::string_view(text_).substr(at_, end - at_);
         at_ = end + 1;
         ++line_;
-        words_ = parted(current_.substr(0, current_.find('%')));
+        words_ = words_of(current_.substr(0, current_.find('%')), " \t\r,=");
         next_ = 0;
         if (!words_.empty()) return true;
     }
@@ -184,20 +172,10 @@ void InputLines::refuse_line(int line, std::string_view subject, std::string_vie
 
 CaseDigits read_digits(InputLines& lines) {
     CaseDigits digits;
-    const auto first = read_word(lines, first_word);
+    read_word(lines, first_word, digits);
     digits.line = lines.line();
-    const auto second = read_word(lines, second_word);
-    const auto third = read_word(lines, third_word);
-    digits.previous = first[0];
-    digits.tangential = first[2];
-    digits.normal = first[3];
-    digits.force = first[4];
-    digits.friction = second[1];
-    digits.cells = second[2];
-    digits.influence = second[3];
-    digits.distance = second[5];
-    digits.solver = third[2];
-    digits.after = third[7];
+    read_word(lines, second_word, digits);
+    read_word(lines, third_word, digits);
     return digits;
 }
 

@@ -14,6 +14,13 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
+// From the beginning of this line on, from 1.
+std::string_view from_line(std::string_view text, std::size_t line) {
+    for (; line > 1 && !text.empty(); --line)
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    return text;
+}
+
 std::optional<Value> single(std::string_view text) {
     constexpr double largest_whole = 9007199254740992.;  // 2^53: beyond, doubles have gaps
     if (text.find_first_not_of("+-.0123456789eE") != std::string_view::npos) return {};
@@ -26,8 +33,7 @@ std::optional<Value> single(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::string_view> words_of(std::string_view line) {
-    constexpr std::string_view blanks = " \t\r";
+std::vector<std::string_view> words_of(std::string_view line, std::string_view blanks) {
     std::vector<std::string_view> words;
     for (std::size_t at = line.find_first_not_of(blanks); at != line.npos;) {
         const std::size_t end = std::min(line.find_first_of(blanks, at), line.size());
@@ -81,9 +87,8 @@ double scaled(double value, double factor, const std::string& place) {
 }
 
 std::string_view source_at(std::string_view text, std::size_t line, std::size_t column) {
-    for (; line > 1 && !text.empty(); --line)
-        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+    text = from_line(text, line);
+    const auto continues = [](unsigned char c) { return (c & 0xC0) == 0x80; };
     for (; column > 1 && !text.empty(); --column) do
             text.remove_prefix(1);
         while (!text.empty() && continues(text.front()));
@@ -129,7 +134,7 @@ std::optional<Value> entered_number(std::string_view text) {
 }
 
 bool has_bare_point(std::string_view text, std::size_t line) {
-    for (; line > 1; --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    text = from_line(text, line);
     text = text.substr(0, text.find_first_of("\n#"));
     for (std::size_t i = 1; i + 1 < text.size(); ++i)
         if (text[i] == '.' && is_digit(text[i + 1]) &&

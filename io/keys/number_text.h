@@ -10,8 +10,8 @@
 
 namespace tricontact::io {
 
-/// Words of a line, divided by blanks and tabs.
-std::vector<std::string_view> words_of(std::string_view line);
+/// Words of a line, divided by blanks and tabs, or other characters.
+std::vector<std::string_view> words_of(std::string_view line, std::string_view blanks = " \t\r");
 
 /// A line of a text that says something.
 struct TextLine {
