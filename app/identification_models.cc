@@ -119,7 +119,7 @@ Case with_change(Case c, const io::CaseKey& key, double change) {
 }  // namespace
 
 double* number_of(const io::CaseKey& key, Case& c) {
-    const io::Field field = key.field(c);
+    const io::Field field = io::place_of(key, c);
     if (auto* const* value = std::get_if<double*>(&field)) return *value;
     if (auto* const* value = std::get_if<std::optional<double>*>(&field))
         return *value && **value ? &***value : nullptr;

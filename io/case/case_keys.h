@@ -15,8 +15,9 @@ using CaseKey = PlacedKey<contact::Case>;
 /// All keys in the order in which they are written.
 std::span<const CaseKey> case_keys();
 const KeyList& case_key_list();
+/// The place of a key in the case; none where it does not apply to its shape.
+Field place_of(const CaseKey& key, contact::Case& c);
 const CaseKey* find_key(std::string_view path);
-bool is_section(std::string_view name);
 
 /// Groups of alternative keys: exactly one of each group, or its default.
 enum KeyGroup {
@@ -30,19 +31,19 @@ enum KeyGroup {
     relaxation
 };
 
-/// Declarations of the section [indenter].
-void add_indenter_keys(std::vector<CaseKey>& keys);
-/// Declarations of the section [indenter.roughness].
-void add_roughness_keys(std::vector<CaseKey>& keys);
-/// Declarations of the sections [load] and [rolling].
-void add_loading_keys(std::vector<CaseKey>& keys);
-/// Declarations of the section [tractive_rolling].
-void add_tractive_keys(std::vector<CaseKey>& keys);
-/// Declarations of the substrate's finite size, in [substrate], [lower_layer] and [ground].
-void add_layer_keys(std::vector<CaseKey>& keys);
-/// Declarations of the section [substrate.relaxation].
-void add_relaxation_keys(std::vector<CaseKey>& keys);
-/// Declarations of the section [contact].
-void add_contact_keys(std::vector<CaseKey>& keys);
+// Declarations by sections.
+std::vector<CaseKey> indenter_keys();    // and [indenter.roughness]
+std::vector<CaseKey> substrate_keys();   // and [lower_layer], [ground]
+std::vector<CaseKey> relaxation_keys();  // [substrate.relaxation]
+std::vector<CaseKey> contact_keys();     // and [friction]
+std::vector<CaseKey> load_keys();
+std::vector<CaseKey> rolling_keys();
+std::vector<CaseKey> tractive_keys();
+
+/// The place of a key of a relaxing case, see at().
+template <auto... members>
+Field if_relaxing(contact::Case& c) {
+    return c.relaxation ? in(c, members...) : Field();
+}
 
 }  // namespace tricontact::io

@@ -67,7 +67,7 @@ Case resolve(const Document& document) {
     const CaseKey& shape = *find_key("indenter.shape");  // other keys depend on it
     read_or_default(shape, shape.field(c), document, keys);
     check_indenter_keys(c, document);
-    for (const CaseKey& key : case_keys()) read_or_default(key, key.field(c), document, keys);
+    for (const CaseKey& key : case_keys()) read_or_default(key, place_of(key, c), document, keys);
     make_paths_absolute(c, document);
     resolve_height_map(c, document);
     resolve_lower_layers(c, document);
@@ -143,7 +143,7 @@ std::string write_case(const contact::Case& c) {
     state_relaxation(copy);
     state_lower_layers(copy);
     KeyWriter writer;
-    for (const CaseKey& key : case_keys()) writer.add(key, key.field(copy));
+    for (const CaseKey& key : case_keys()) writer.add(key, place_of(key, copy));
     return writer.text();
 }
 

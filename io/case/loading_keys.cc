@@ -7,101 +7,93 @@ namespace tricontact::io {
 namespace {
 
 using contact::Case;
+using Load = Case::Load;
+using Press = Case::Press;
+using Rolling = Case::Rolling;
+using Reference = Case::AmplitudeReference;
+using Steps = Case::Steps;
+using Until = Case::Until;
 using Tractive = Case::TractiveRolling;
 
 constexpr double full_turn = 2 * std::numbers::pi;
+constexpr std::string_view no_time_reversal = "time does not go backwards";
+constexpr Range creepages{-1, 1};
 
-template <class Member>
-Field in_steps(Case& c, Case::Steps kind, Member Case::Rolling::*member) {
-    return c.rolling && c.rolling->steps == kind ? Field(&(*c.rolling.*member)) : Field();
+template <Steps kind, auto member>
+Field in_steps(Case& c) {
+    return c.rolling && c.rolling->steps == kind ? in(c.rolling, member) : Field();
 }
 
-void add_load(std::vector<CaseKey>& keys) {
-    keys.push_back(
+}  // namespace
+
+std::vector<CaseKey> load_keys() {
+    return {
         {quantity_key("load.normal_force", Dimension::force, above_zero(1e15), R"("21.1 N")",
                       "normal force F_N, compression positive", {.alternative = normal_load}),
-         [](Case& c) -> Field { return &c.load.normal_force; }});
-    keys.push_back({length_key("load.indentation", R"("0.5 mm")", "indentation depth d",
-                               {.alternative = normal_load}),
-                    [](Case& c) -> Field { return &c.load.indentation; }});
-    keys.push_back({number_key("load.tangential_ratio", {-1, 1, false, false}, "0.56",
-                               "F_T/(mu F_N), tangential force along x; below 0 with "
-                               "[tractive_rolling] alone, where it drives",
-                               {.alternative = tangential_load}),
-                    [](Case& c) -> Field { return &c.load.tangential_ratio; }});
-    keys.push_back(
+         at<&Case::load, &Load::normal_force>},
+        {length_key("load.indentation", R"("0.5 mm")", "indentation depth d",
+                    {.alternative = normal_load}),
+         at<&Case::load, &Load::indentation>},
+        {number_key("load.tangential_ratio", {-1, 1, false, false}, "0.56",
+                    "F_T/(mu F_N), tangential force along x; below 0 with "
+                    "[tractive_rolling] alone, where it drives",
+                    {.alternative = tangential_load}),
+         at<&Case::load, &Load::tangential_ratio>},
         {quantity_key(
              "load.tangential_force", Dimension::force, {-1e15, 1e15}, R"("6.7 N")",
              "tangential force F_T along x; below 0 with [tractive_rolling] alone, where it drives",
              {.alternative = tangential_load}),
-         [](Case& c) -> Field { return &c.load.tangential_force; }});
-}
-
-void add_oscillation(std::vector<CaseKey>& keys) {
-    keys.push_back({number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
-                               "superposed triangular oscillation of the normal load over its mean",
-                               {.default_value = "0.0"}),
-                    [](Case& c) -> Field { return &c.load.normal_amplitude_ratio; }});
-    keys.push_back(
+         at<&Case::load, &Load::tangential_force>},
+        {number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
+                    "superposed triangular oscillation of the normal load over its mean",
+                    {.default_value = "0.0"}),
+         at<&Case::load, &Load::normal_amplitude_ratio>},
         {quantity_key("load.normal_phase", Dimension::angle, {-full_turn, full_turn}, R"("90 deg")",
                       "phase by which the normal oscillation leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.normal_amplitude_ratio"}),
-         [](Case& c) -> Field { return &c.load.normal_phase; }});
-    keys.push_back({number_key("load.tangential_amplitude_ratio", from_zero(1000), "0.2",
-                               "superposed triangular oscillation of F_T over its mean",
-                               {.default_value = "0.0"}),
-                    [](Case& c) -> Field { return &c.load.tangential_amplitude_ratio; }});
-    keys.push_back(
+         at<&Case::load, &Load::normal_phase>},
+        {number_key("load.tangential_amplitude_ratio", from_zero(1000), "0.2",
+                    "superposed triangular oscillation of F_T over its mean",
+                    {.default_value = "0.0"}),
+         at<&Case::load, &Load::tangential_amplitude_ratio>},
         {quantity_key("load.tangential_phase", Dimension::angle, {-full_turn, full_turn},
                       R"("90 deg")", "phase by which the oscillation of F_T leads the rolling",
                       {.default_value = R"("0 rad")", .needs = "load.tangential_amplitude_ratio"}),
-         [](Case& c) -> Field { return &c.load.tangential_phase; }});
-}
-
-void add_press(std::vector<CaseKey>& keys) {
-    using Press = Case::Press;
-    keys.push_back({choice_key("load.press",
-                               {choice("friction", Press::friction),
-                                choice("frictionless", Press::frictionless)},
-                               R"("friction")",
-                               "how coupled models are pressed before F_T acts: with friction in "
-                               "press_steps steps, or in one step without friction",
-                               {.default_value = R"("friction")"}),
-                    [](Case& c) -> Field { return &c.load.press; }});
-    keys.push_back({integer_key("load.press_steps", {1, 1000}, "20",
-                                "equal steps in which coupled models and nominally flat contacts "
-                                "are pressed with friction",
-                                {.default_value = "20"}),
-                    [](Case& c) -> Field { return &c.load.press_steps; }});
-}
-
-void add_time(std::vector<CaseKey>& keys) {
-    constexpr std::string_view reason = "time does not go backwards";
-    keys.push_back(
+         at<&Case::load, &Load::tangential_phase>},
+        {choice_key(
+             "load.press",
+             {choice("friction", Press::friction), choice("frictionless", Press::frictionless)},
+             R"("friction")",
+             "how coupled models are pressed before F_T acts: with friction in "
+             "press_steps steps, or in one step without friction",
+             {.default_value = R"("friction")"}),
+         at<&Case::load, &Load::press>},
+        {integer_key("load.press_steps", {1, 1000}, "20",
+                     "equal steps in which coupled models and nominally flat contacts "
+                     "are pressed with friction",
+                     {.default_value = "20"}),
+         at<&Case::load, &Load::press_steps>},
         {quantity_key(
              "load.press_time", Dimension::time, from_zero(1e9), R"("1 s")",
              "time in which F_N rises from 0, or d; without it slow enough for all to relax",
-             {.reason = reason, .needs = "substrate.relaxation"}),
-         [](Case& c) { return c.relaxation ? Field(&c.load.press_time) : Field(); }});
-    keys.push_back(
-        {quantity_key(
-             "load.hold", Dimension::time, from_zero(1e9), R"("60 s")",
-             "hold time under F_N and F_T before the rolling begins",
-             {.reason = reason, .default_value = R"("0 s")", .needs = "substrate.relaxation"}),
-         [](Case& c) { return c.relaxation ? Field(&c.load.hold) : Field(); }});
+             {.reason = no_time_reversal, .needs = "substrate.relaxation"}),
+         if_relaxing<&Case::load, &Load::press_time>},
+        {quantity_key("load.hold", Dimension::time, from_zero(1e9), R"("60 s")",
+                      "hold time under F_N and F_T before the rolling begins",
+                      {.reason = no_time_reversal,
+                       .default_value = R"("0 s")",
+                       .needs = "substrate.relaxation"}),
+         if_relaxing<&Case::load, &Load::hold>}};
 }
 
-void add_rolling_path(std::vector<CaseKey>& keys) {
-    using Rolling = Case::Rolling;
-    using Reference = Case::AmplitudeReference;
-    keys.push_back(
+std::vector<CaseKey> rolling_keys() {
+    return {
         {number_key("rolling.amplitude_ratio", from_zero(100), "0.24",
                     "w = W/a, rolling amplitude over a contact radius", {.alternative = amplitude}),
-         [](Case& c) { return in(c.rolling, &Rolling::amplitude_ratio); }});
-    keys.push_back({quantity_key("rolling.amplitude", Dimension::length, from_zero(1e6),
-                                 R"("1.1 mm")", "rolling amplitude W", {.alternative = amplitude}),
-                    [](Case& c) { return in(c.rolling, &Rolling::amplitude); }});
-    keys.push_back(
+         at<&Case::rolling, &Rolling::amplitude_ratio>},
+        {quantity_key("rolling.amplitude", Dimension::length, from_zero(1e6), R"("1.1 mm")",
+                      "rolling amplitude W", {.alternative = amplitude}),
+         at<&Case::rolling, &Rolling::amplitude>},
         {choice_key("rolling.amplitude_reference",
                     {choice("hertz", Reference::hertz), choice("model", Reference::model)},
                     R"("hertz")",
@@ -110,94 +102,64 @@ void add_rolling_path(std::vector<CaseKey>& keys) {
          [](Case& c) {
              const bool ratio = c.rolling && c.rolling->amplitude_ratio;
              return ratio ? Field(&c.rolling->amplitude_reference) : Field();
-         }});
-    keys.push_back(
+         }},
         {quantity_key("rolling.angle", Dimension::angle, {-full_turn, full_turn}, R"("90 deg")",
                       "between rolling and tangential load; 90 deg: perpendicular",
                       {.default_value = R"("0 rad")"}),
-         [](Case& c) { return in(c.rolling, &Rolling::angle); }});
-}
-
-void add_rolling_steps(std::vector<CaseKey>& keys) {
-    using Rolling = Case::Rolling;
-    using Steps = Case::Steps;
-    using Until = Case::Until;
-    keys.push_back({integer_key("rolling.periods", {1, 100000}, "12",
-                                "rolling periods at most; a run stops earlier when the shift has "
-                                "settled, or as `until` says",
-                                {.default_value = "12"}),
-                    [](Case& c) { return in(c.rolling, &Rolling::periods); }});
-    keys.push_back(
+         at<&Case::rolling, &Rolling::angle>},
+        {integer_key("rolling.periods", {1, 100000}, "12",
+                     "rolling periods at most; a run stops earlier when the shift has "
+                     "settled, or as `until` says",
+                     {.default_value = "12"}),
+         at<&Case::rolling, &Rolling::periods>},
         {choice_key("rolling.until",
                     {choice("periods", Until::periods), choice("settled", Until::settled)},
                     R"("settled")",
                     "\"settled\": stop as soon as the verdict is known, and the settled shift, "
                     "extrapolated, to 1e-4 U_max, or the ratcheting increment to 1 %",
                     {.default_value = R"("periods")"}),
-         [](Case& c) { return in(c.rolling, &Rolling::until); }});
-    keys.push_back({boolean_key("rolling.run_all", "true", "run all periods, whatever the verdict",
-                                {.default_value = "false"}),
-                    [](Case& c) { return in(c.rolling, &Rolling::run_all); }});
-    keys.push_back(
+         at<&Case::rolling, &Rolling::until>},
+        {boolean_key("rolling.run_all", "true", "run all periods, whatever the verdict",
+                     {.default_value = "false"}),
+         at<&Case::rolling, &Rolling::run_all>},
         {integer_key("rolling.steps_per_quarter", {1, 100000}, "6",
                      "steps in each quarter of a period",
                      {.default_value = "6", .alternative = steps}),
-         [](Case& c) { return in_steps(c, Steps::per_quarter, &Rolling::steps_per_quarter); }});
-    keys.push_back({length_key("rolling.increment", R"("0.2 mm")",
-                               "rolling distance dW of one step", {.alternative = steps}),
-                    [](Case& c) { return in_steps(c, Steps::increment, &Rolling::increment); }});
-    keys.push_back(
+         in_steps<Steps::per_quarter, &Rolling::steps_per_quarter>},
+        {length_key("rolling.increment", R"("0.2 mm")", "rolling distance dW of one step",
+                    {.alternative = steps}),
+         in_steps<Steps::increment, &Rolling::increment>},
         {choice_key("rolling.steps", {choice("turning-points", Steps::turning_points)},
                     R"("turning-points")", "step from one turning point to the next only",
                     {.alternative = steps}),
-         [](Case& c) { return in_steps(c, Steps::turning_points, &Rolling::steps); }});
-    keys.push_back(
+         in_steps<Steps::turning_points, &Rolling::steps>},
         {quantity_key("rolling.speed", Dimension::velocity, above_zero(1e9), R"("1 mm/s")",
                       "speed of the drive, the same all along the path",
                       {.required = true, .needs = "substrate.relaxation"}),
-         [](Case& c) { return c.relaxation ? in(c.rolling, &Rolling::speed) : Field(); }});
+         if_relaxing<&Case::rolling, &Rolling::speed>}};
 }
 
-constexpr Range creepages{-1, 1};
-
-}  // namespace
-
-void add_loading_keys(std::vector<CaseKey>& keys) {
-    add_load(keys);
-    add_oscillation(keys);
-    add_press(keys);
-    add_time(keys);
-    add_rolling_path(keys);
-    add_rolling_steps(keys);
-}
-
-void add_tractive_keys(std::vector<CaseKey>& keys) {
-    keys.push_back(
+std::vector<CaseKey> tractive_keys() {
+    return {
         {number_key("tractive_rolling.longitudinal_creepage", creepages, "0.002",
                     "creepage xi, slid over rolled way along x, instead of F_T",
                     {.alternative = tangential_load}),
-         [](Case& c) { return in(c.tractive_rolling, &Tractive::longitudinal_creepage); }});
-    keys.push_back(
+         at<&Case::tractive_rolling, &Tractive::longitudinal_creepage>},
         {number_key("tractive_rolling.lateral_creepage", creepages, "0.001",
                     "creepage eta, slid over rolled way along y; without it no lateral force"),
-         [](Case& c) { return in(c.tractive_rolling, &Tractive::lateral_creepage); }});
-    keys.push_back(
+         at<&Case::tractive_rolling, &Tractive::lateral_creepage>},
         {quantity_key("tractive_rolling.spin", Dimension::rotation_per_length, {-1e9, 1e9},
                       R"("0.5 rad/m")", "spin phi, rotation about the normal over rolled way",
                       {.default_value = R"("0 rad/m")"}),
-         [](Case& c) { return in(c.tractive_rolling, &Tractive::spin); }});
-    keys.push_back(
+         at<&Case::tractive_rolling, &Tractive::spin>},
         {number_key("tractive_rolling.distance", above_zero(1000), "8",
                     "way rolled from rest, over the half length a of the contact on a half-space",
                     {.default_value = "8.0"}),
-         [](Case& c) { return in(c.tractive_rolling, &Tractive::distance); }});
-    keys.push_back(
+         at<&Case::tractive_rolling, &Tractive::distance>},
         {quantity_key("tractive_rolling.speed", Dimension::velocity, above_zero(1e9),
                       R"("20 mm/s")", "speed v of rolling, which the substrate relaxes by",
                       {.required = true, .needs = "substrate.relaxation"}),
-         [](Case& c) {
-             return c.relaxation ? in(c.tractive_rolling, &Tractive::speed) : Field();
-         }});
+         if_relaxing<&Case::tractive_rolling, &Tractive::speed>}};
 }
 
 }  // namespace tricontact::io

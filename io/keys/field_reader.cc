@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include "io/keys/messages.h"
 
@@ -62,13 +61,6 @@ double quantity_of(const Key& key, const Entry& entry) {
     return quantity_of(*text, key, entry);
 }
 
-void check_length(std::size_t n, const Key& key, const Entry& entry) {
-    if (n == 0 || n > longest_list)
-        refuse(key, entry,
-               "the list must have 1 to " + std::to_string(longest_list) + " elements, but has " +
-                   std::to_string(n));
-}
-
 bool is_list(const Entry& entry) {
     return std::holds_alternative<std::vector<std::string>>(entry.value) ||
            std::holds_alternative<std::vector<double>>(entry.value) ||
@@ -76,26 +68,37 @@ bool is_list(const Entry& entry) {
            std::holds_alternative<OtherValue>(entry.value);
 }
 
+// An empty list is one of texts.
+template <class T, class ValueOf>
+std::vector<double> values_of(const Key& key, const Entry& entry, const std::string& expected,
+                              const ValueOf& value_of) {
+    const auto* texts = std::get_if<std::vector<std::string>>(&entry.value);
+    const auto* list = std::get_if<std::vector<T>>(&entry.value);
+    if (!list && !(texts && texts->empty())) refuse_kind(key, entry, expected);
+    const std::size_t n = list ? list->size() : 0;
+    if (n == 0 || n > longest_list)
+        refuse(key, entry,
+               "the list must have 1 to " + std::to_string(longest_list) + " elements, but has " +
+                   std::to_string(n));
+    std::vector<double> values;
+    for (const T& value : *list) values.push_back(value_of(value));
+    return values;
+}
+
 std::vector<double> quantities_of(const Key& key, const Entry& entry) {
     if (key.bare && !is_list(entry)) return {quantity_of(key, entry)};
-    const auto* list = std::get_if<std::vector<std::string>>(&entry.value);
-    if (!list) refuse_kind(key, entry, "a list of quantities, each with its unit in quotes");
-    check_length(list->size(), key, entry);
-    std::vector<double> values;
-    for (const std::string& text : *list)
-        values.push_back(quantity_of(text, key, entry, toml_string(shortened(text, 40)) + ' '));
-    return values;
+    return values_of<std::string>(key, entry, "a list of quantities, each with its unit in quotes",
+                                  [&](const std::string& text) {
+                                      return quantity_of(text, key, entry,
+                                                         toml_string(shortened(text, 40)) + ' ');
+                                  });
 }
 
 std::vector<double> numbers_of(const Key& key, const Entry& entry) {
     if (key.bare && !is_list(entry)) return {number_of(key, entry)};
-    const auto* empty = std::get_if<std::vector<std::string>>(&entry.value);
-    if (empty && empty->empty()) check_length(0, key, entry);
-    const auto* list = std::get_if<std::vector<double>>(&entry.value);
-    if (!list) refuse_kind(key, entry, "a list of pure numbers without units and quotes");
-    check_length(list->size(), key, entry);
-    for (const double value : *list) in_range(value, key, entry, toml_number(value) + ' ');
-    return *list;
+    return values_of<double>(
+        key, entry, "a list of pure numbers without units and quotes",
+        [&](double value) { return in_range(value, key, entry, toml_number(value) + ' '); });
 }
 
 std::string words_of(const Key& key) {
@@ -103,8 +106,7 @@ std::string words_of(const Key& key) {
 }
 
 const Choice& choice_of(const std::string& word, const Key& key, const Entry& entry) {
-    const auto it = std::find_if(key.choices.begin(), key.choices.end(),
-                                 [&](const Choice& choice) { return choice.word == word; });
+    const auto it = std::ranges::find(key.choices, word, &Choice::word);
     if (it != key.choices.end()) return *it;
     std::vector<std::string_view> words;
     for (const Choice& choice : key.choices) words.push_back(choice.word);
@@ -166,7 +168,7 @@ Parsed parsed(const Key& key, const Entry& entry) {
 
 // std::get throws if the declaration of a key pairs a kind with a field of another type.
 struct Store {
-    const Parsed& value;
+    Parsed value;
 
     void operator()(std::monostate) const {}
     void operator()(EnumPlace field) const { field.set(std::get<Choice>(value).enumerator); }
@@ -174,9 +176,9 @@ struct Store {
     void operator()(T* field) const {
         *field = std::get<T>(value);
     }
-    void operator()(std::optional<double>* field) const { *field = std::get<double>(value); }
-    void operator()(std::optional<std::string>* field) const {
-        *field = std::get<std::string>(value);
+    template <class T>
+    void operator()(std::optional<T>* field) const {
+        *field = std::get<T>(value);
     }
 };
 
@@ -185,6 +187,8 @@ std::string number_text(const Key& key, double value) {
     return toml_string(shortest(value) + ' ' + std::string(si_unit(key.dimension)));
 }
 
+// TOML text of a field, as its key is read: quantities in SI units with the shortest digits that
+// read back the same. Empty if the case has no value there.
 struct Show {
     const Key& key;
 
@@ -199,17 +203,14 @@ struct Show {
         if (key.bare && v->size() == 1) return out;
         return out.empty() ? out : '[' + out + ']';
     }
-    std::string operator()(const std::optional<double>* v) const {
-        return *v ? number_text(key, **v) : std::string();
-    }
-    std::string operator()(const std::optional<std::string>* v) const {
-        return *v ? toml_string(**v) : std::string();
+    template <class T>
+    std::string operator()(const std::optional<T>* v) const {
+        return *v ? (*this)(&**v) : std::string();
     }
     std::string operator()(const int* v) const { return std::to_string(*v); }
     std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
     std::string operator()(EnumPlace v) const {
-        const auto it = std::find_if(key.choices.begin(), key.choices.end(),
-                                     [&](const Choice& c) { return c.enumerator == v.get(); });
+        const auto it = std::ranges::find(key.choices, v.get(), &Choice::enumerator);
         return it == key.choices.end() ? std::string() : toml_string(it->word);
     }
 };
@@ -230,20 +231,15 @@ std::string range_rule(const Key& key) {
 }
 
 void read_field(const Key& key, const Entry& entry, const Field& field) {
-    const Parsed value = parsed(key, entry);
-    std::visit(Store{value}, field);
+    std::visit(Store{parsed(key, entry)}, field);
 }
 
 const Choice& read_choice(const Key& key, const Entry& entry) {
     return choice_of(text_of(key, entry), key, entry);
 }
 
-std::string field_text(const Key& key, const Field& field) {
-    return std::visit(Show{key}, field);
-}
-
 void KeyWriter::add(const Key& key, const Field& field) {
-    const std::string value = field_text(key, field);
+    const std::string value = std::visit(Show{key}, field);
     if (value.empty()) return;
     if (key.section() != section_) {
         section_ = key.section();

@@ -16,10 +16,6 @@ void read_field(const Key& key, const Entry& entry, const Field& field);
 /// The choice that the entry makes of those of its key. Throws contact::InputError.
 const Choice& read_choice(const Key& key, const Entry& entry);
 
-/// TOML text of a field, as its key is read: quantities in SI units with the shortest digits that
-/// read back the same. Empty if the case has no value there.
-std::string field_text(const Key& key, const Field& field);
-
 /// Input files key by key, in the order of their declarations: a heading where a section begins.
 class KeyWriter {
   public:

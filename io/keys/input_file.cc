@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <filesystem>
@@ -28,6 +27,12 @@ struct InputFiles {
 InputFiles& inputs_of_process() {
     static InputFiles inputs;
     return inputs;
+}
+
+// Empty if there is no such file.
+std::string canonical(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::canonical(path, ignored).string();
 }
 
 std::string with_article(const std::string& kind) {
@@ -108,15 +113,13 @@ const KindText& text_of(FileKind kind) {
 }  // namespace
 
 void note_input_file(const std::string& path) {
-    std::error_code ignored;
-    const std::string real = std::filesystem::canonical(path, ignored).string();
+    const std::string real = canonical(path);
     const std::scoped_lock lock(inputs_of_process().mutex);
     if (!real.empty()) inputs_of_process().paths.insert(real);
 }
 
 bool is_input_file(const std::string& path) {
-    std::error_code ignored;
-    const std::string real = std::filesystem::canonical(path, ignored).string();
+    const std::string real = canonical(path);
     const std::scoped_lock lock(inputs_of_process().mutex);
     return !real.empty() && inputs_of_process().paths.contains(real);
 }

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,8 +52,17 @@ struct Choice {
     int enumerator = -1;
 };
 
+/// What few keys have.
+struct KeyExtras {
+    std::string_view reason = {};         ///< for the range, where it does not speak for itself
+    std::string_view default_value = {};  ///< TOML; empty: none
+    bool required = false;                ///< in its section, if the section is there
+    int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
+    std::string_view needs = {};  ///< key or section without which this one has no effect
+};
+
 /// Declaration of one key of an input file: reader, writer and reference all use it.
-struct Key {
+struct Key : KeyExtras {
     enum class Kind {
         text,
         choice,
@@ -69,17 +77,12 @@ struct Key {
 
     std::string_view path;  ///< "section.key", or "key" at the top; sections may have dots
     Kind kind = Kind::text;
-    Dimension dimension = Dimension::none;  ///< of a quantity, or each of a list
-    bool bare = false;  ///< a list of one may stand, and is written, without brackets
+    std::string_view example;  ///< TOML
+    std::string_view text;     ///< what it means, one line
     Range range = {};
-    std::string_view reason = {};  ///< for the range, where it does not speak for itself
+    Dimension dimension = Dimension::none;  ///< of a quantity, or each of a list
     std::vector<Choice> choices = {};
-    std::string_view default_value = {};  ///< TOML; empty: none
-    bool required = false;                ///< in its section, if the section is there
-    int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
-    std::string_view needs = {};  ///< key or section without which this one has no effect
-    std::string_view example;     ///< TOML
-    std::string_view text;        ///< what it means, one line
+    bool bare = false;  ///< a list of one may stand, and is written, without brackets
 
     std::string_view section() const;  ///< "" at the top
     std::string_view name() const;
@@ -110,62 +113,48 @@ Choice choice(std::string_view word, T enumerator) {
     return {word, static_cast<int>(enumerator)};
 }
 
-/// Place of a member of a part that the case at hand may lack.
-template <class Part, class Member>
-Field in(std::optional<Part>& part, Member Part::*member) {
-    return part ? Field(&(*part.*member)) : Field();
+/// Place of the member of a member ... of a part; none where an optional on the way is empty.
+template <class Part, class... Members>
+Field in(Part& part, Members... members) {
+    if constexpr (sizeof...(members) == 0)
+        return &part;
+    else if constexpr (requires { part.has_value(); })
+        return part ? in(*part, members...) : Field();
+    else
+        return [&](auto first, auto... rest) { return in(part.*first, rest...); }(members...);
 }
 
-/// What few keys have.
-struct KeyExtras {
-    std::string_view reason = {}, default_value = {};
-    bool required = false;
-    int alternative = 0;
-    std::string_view needs = {};
-};
-
-inline Key key_of(Key::Kind kind, std::string_view path, const Range& range,
-                  std::string_view example, std::string_view text, const KeyExtras& extras) {
-    return {.path = path,
-            .kind = kind,
-            .range = range,
-            .reason = extras.reason,
-            .default_value = extras.default_value,
-            .required = extras.required,
-            .alternative = extras.alternative,
-            .needs = extras.needs,
-            .example = example,
-            .text = text};
+/// The same as the place of a PlacedKey.
+template <auto... members, class Input>
+Field at(Input& input) {
+    return in(input, members...);
 }
 
 inline Key text_key(std::string_view path, std::string_view example, std::string_view text,
                     const KeyExtras& extras = {}) {
-    return key_of(Key::Kind::text, path, {}, example, text, extras);
+    return {extras, path, Key::Kind::text, example, text};
 }
 inline Key boolean_key(std::string_view path, std::string_view example, std::string_view text,
                        const KeyExtras& extras = {}) {
-    return key_of(Key::Kind::boolean, path, {}, example, text, extras);
+    return {extras, path, Key::Kind::boolean, example, text};
 }
-inline Key choice_key(std::string_view path, std::vector<Choice> choices, std::string_view example,
-                      std::string_view text, const KeyExtras& extras = {}) {
-    Key key = key_of(Key::Kind::choice, path, {}, example, text, extras);
-    key.choices = std::move(choices);
-    return key;
+inline Key choice_key(std::string_view path, const std::vector<Choice>& choices,
+                      std::string_view example, std::string_view text,
+                      const KeyExtras& extras = {}) {
+    return {extras, path, Key::Kind::choice, example, text, {}, Dimension::none, choices};
 }
 inline Key integer_key(std::string_view path, const Range& range, std::string_view example,
                        std::string_view text, const KeyExtras& extras = {}) {
-    return key_of(Key::Kind::integer, path, range, example, text, extras);
+    return {extras, path, Key::Kind::integer, example, text, range};
 }
 inline Key number_key(std::string_view path, const Range& range, std::string_view example,
                       std::string_view text, const KeyExtras& extras = {}) {
-    return key_of(Key::Kind::number, path, range, example, text, extras);
+    return {extras, path, Key::Kind::number, example, text, range};
 }
 inline Key quantity_key(std::string_view path, Dimension dimension, const Range& range,
                         std::string_view example, std::string_view text,
                         const KeyExtras& extras = {}) {
-    Key key = key_of(Key::Kind::quantity, path, range, example, text, extras);
-    key.dimension = dimension;
-    return key;
+    return {extras, path, Key::Kind::quantity, example, text, range, dimension};
 }
 /// A length above zero.
 inline Key length_key(std::string_view path, std::string_view example, std::string_view text,
@@ -192,7 +181,7 @@ inline Key list_of(Key one) {
 /// The same, of which one may stand without brackets.
 inline Key bare_list_of(Key one) {
     one.bare = true;
-    return list_of(std::move(one));
+    return list_of(one);
 }
 
 /// All keys of a kind of input file, in the order in which they are written.

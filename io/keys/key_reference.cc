@@ -13,10 +13,7 @@ std::string code(std::string_view text) {
 }
 
 std::string listed(const std::vector<Choice>& choices) {
-    std::string out;
-    for (const Choice& choice : choices)
-        out += (out.empty() ? "" : ", ") + code(toml_string(choice.word));
-    return out;
+    return joined(choices, [](const Choice& choice) { return code(toml_string(choice.word)); });
 }
 
 std::string limits(const Key& key) {
@@ -31,52 +28,39 @@ std::string limits(const Key& key) {
 }
 
 std::string admissible(const Key& key) {
-    switch (key.kind) {
-        case Key::Kind::text:
-            return "text";
-        case Key::Kind::choice:
-            return listed(key.choices);
-        case Key::Kind::choice_list:
-            return "list of " + listed(key.choices);
-        case Key::Kind::boolean:
-            return "`true`, `false`";
-        case Key::Kind::integer:
-            return "whole number " + limits(key);
-        case Key::Kind::number:
-            return "number " + limits(key);
-        case Key::Kind::quantity:
-            return std::string(name_of(key.dimension)) + ' ' + limits(key);
-        case Key::Kind::quantity_list:
-        case Key::Kind::number_list: {
-            const bool number = key.kind == Key::Kind::number_list;
-            const std::string one =
-                (number ? "number" : std::string(name_of(key.dimension))) + ' ' + limits(key);
-            const std::string list = "list of up to " + std::to_string(longest_list);
-            return key.bare ? one + ", or a " + list : list + ", each " + one;
-        }
-    }
-    return {};
+    using enum Key::Kind;
+    if (key.kind == text) return "text";
+    if (key.kind == boolean) return "`true`, `false`";
+    if (key.kind == choice) return listed(key.choices);
+    if (key.kind == choice_list) return "list of " + listed(key.choices);
+    const bool quantities = key.kind == quantity || key.kind == quantity_list;
+    std::string one(quantities ? name_of(key.dimension) : "number");
+    if (key.kind == integer) one = "whole number";
+    one += ' ' + limits(key);
+    if (key.kind != quantity_list && key.kind != number_list) return one;
+    const std::string list = "list of up to " + std::to_string(longest_list);
+    return key.bare ? one + ", or a " + list : list + ", each " + one;
+}
+
+// As it is called in the table of another key.
+std::string code_beside(const Key& key, const Key& other) {
+    return code(other.section() == key.section() ? other.name() : other.path);
 }
 
 std::string default_of(const Key& key, const KeyList& keys) {
     std::string out = key.required ? "required" : "";
     if (!key.default_value.empty()) out = code(key.default_value);
     for (const Key* other : keys.alternatives(key))
-        if (other != &key)
-            out += (out.empty() ? "or " : ", or ") +
-                   code(other->section() == key.section() ? other->name() : other->path);
+        if (other != &key) out += (out.empty() ? "or " : ", or ") + code_beside(key, *other);
     return out;
 }
 
 std::string row(const Key& key, const KeyList& keys) {
     std::string meaning(key.text);
-    if (keys.has_section(key.needs)) {
+    if (keys.has_section(key.needs))
         meaning += "; only with " + code('[' + std::string(key.needs) + ']');
-    } else if (!key.needs.empty()) {
-        const Key& other = *keys.find(key.needs);
-        meaning +=
-            "; only with " + code(other.section() == key.section() ? other.name() : other.path);
-    }
+    else if (!key.needs.empty())
+        meaning += "; only with " + code_beside(key, *keys.find(key.needs));
     return "| " + code(key.name()) + " | " + code(key.example) + " | " + admissible(key) + " | " +
            default_of(key, keys) + " | " + meaning + " |";
 }

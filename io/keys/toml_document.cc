@@ -10,8 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "io/case/case_keys.h"
 #include "io/keys/input_file.h"
+#include "io/keys/key.h"
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
 #include "io/keys/toml_text.h"
@@ -120,7 +120,7 @@ void flatten(const toml::table& table, const std::string& prefix, IsSection is_n
 
 // Bytes that no text has: better "binary" than a complaint about one odd character.
 bool looks_binary(std::string_view text) {
-    return std::any_of(text.begin(), text.end(), [](char c) {
+    return std::ranges::any_of(text, [](char c) {
         return static_cast<unsigned char>(c) < 0x20 &&
                std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
     });
@@ -131,9 +131,8 @@ std::string line_and_column(std::string_view text, std::size_t offset) {
     const std::string_view before = text.substr(0, offset);
     const auto line = std::count(before.begin(), before.end(), '\n');
     const std::string_view last = before.substr(before.rfind('\n') + 1);  // npos + 1 is 0
-    const auto column = std::count_if(last.begin(), last.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-    });
+    const auto column =
+        std::ranges::count_if(last, [](unsigned char c) { return (c & 0xC0) != 0x80; });
     return std::to_string(line + 1) + ':' + std::to_string(column + 1);
 }
 
@@ -194,14 +193,12 @@ struct ShownValue {
     std::string operator()(const std::string& v) const {
         return toml_string(shortened(v, longest_shown));
     }
-    std::string full(const std::string& v) const { return toml_string(v); }
-    std::string full(double v) const { return (*this)(v); }
-    std::string full(bool v) const { return (*this)(v); }
+    std::string operator()(const std::vector<std::string>& list) const {
+        return shortened('[' + joined(list, toml_string) + ']', longest_shown);
+    }
     template <class T>
     std::string operator()(const std::vector<T>& list) const {
-        std::string out = "[";
-        for (const T& element : list) out += (out.size() > 1 ? ", " : "") + full(element);
-        return shortened(out + "]", longest_shown);
+        return shortened('[' + joined(list, ShownValue{}) + ']', longest_shown);
     }
     std::string operator()(const OtherValue& v) const { return std::string(v.kind); }
 };
@@ -222,14 +219,12 @@ std::string_view kind_of(const Value& value) {
 }
 
 const Entry* Document::find(std::string_view path) const {
-    const auto it = std::find_if(entries.begin(), entries.end(),
-                                 [&](const Entry& entry) { return entry.path == path; });
+    const auto it = std::ranges::find(entries, path, &Entry::path);
     return it == entries.end() ? nullptr : &*it;
 }
 
 const Document::Section* Document::find_section(std::string_view section) const {
-    const auto it = std::find_if(sections.begin(), sections.end(),
-                                 [&](const Section& s) { return s.name == section; });
+    const auto it = std::ranges::find(sections, section, &Section::name);
     return it == sections.end() ? nullptr : &*it;
 }
 
@@ -254,10 +249,6 @@ Entry overriding(std::string path, Value value, const std::string& place) {
             .place = place,
             .key_place = place,
             .overridden = true};
-}
-
-Document parse_document(std::string_view text, const std::string& name) {
-    return parse_document(text, name, is_section);
 }
 
 Document parse_document(std::string_view text, const std::string& name, IsSection is_nested) {
@@ -292,7 +283,6 @@ Value parse_value(const std::string& text) {
     } catch (const toml::parse_error&) {
         return text;
     }
-    return text;
 }
 
 nlohmann::ordered_json case_json(const std::string& toml_text) {

@@ -61,11 +61,12 @@ Entry overriding(std::string path, Value value, const std::string& place);
 
 /// Whether a table in a section, of this path, is a section too.
 using IsSection = bool (*)(std::string_view path);
+bool is_section(std::string_view name);  ///< of a case file
 
 /// A case file, or another kind by what its sections are. Throws contact::InputError if the text is
 /// no TOML, no UTF-8, or empty.
-Document parse_document(std::string_view text, const std::string& name);
-Document parse_document(std::string_view text, const std::string& name, IsSection is_nested);
+Document parse_document(std::string_view text, const std::string& name,
+                        IsSection is_nested = is_section);
 
 /// Value of an override: TOML if it is that, else a bare string.
 Value parse_value(const std::string& text);
