@@ -27,11 +27,6 @@ namespace {
 
 using contact::Case;
 
-bool wants_surface(const Case& c, const contact::Progress& progress) {
-    using enum Case::VtkOutput;
-    return c.output.vtk == all || (c.output.vtk == quarters && progress.quarter);
-}
-
 /// The ParaView files of one model.
 class States {
   public:
@@ -47,7 +42,10 @@ class States {
             surfaces_.clear();
             volumes_.clear();
         }
-        if (wants_surface(case_, progress)) surfaces_.add(phase, model.surface());
+        using enum Case::VtkOutput;
+        const Case::VtkOutput wanted = case_.output.vtk;
+        if (wanted == all || (wanted == quarters && progress.quarter))
+            surfaces_.add(phase, model.surface());
         if (case_.output.volume == Case::VolumeOutput::quarters && progress.quarter)
             add_volume(phase, model);
     }

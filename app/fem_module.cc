@@ -73,20 +73,11 @@ void print_quality(const meshes::HexMesh& mesh) {
         q.largest_aspect_ratio);
 }
 
-// `geometry` stays empty where the mesh is the user's.
-void make_mesh(const contact::Case& c, meshes::HexMesh& mesh, std::string& geometry) {
-    const fem::Say say = [](const std::string& line) { std::cerr << line << '\n'; };
-    if (c.fem.mesh) {
-        mesh = fem::make_mesh(c, say);
-        return;
-    }
-    const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say);
-    mesh = make_layer_mesh(spec);
-    geometry = layer_geometry(spec);
+void say_plainly(const std::string& line) {
+    std::cerr << line << '\n';
 }
-
 void say(const std::string& line) {
-    std::cerr << "fem: " << line << '\n';
+    say_plainly("fem: " + line);
 }
 
 /// A case's layer on its way into the cache.
@@ -102,8 +93,7 @@ class Order {
 
     /// Empty when the layer is there already.
     std::optional<fem::LayerProblem> problem() {
-        const fem::Say raw = [](const std::string& line) { std::cerr << line << '\n'; };
-        auto problem = fem::problem_of(case_, fem::make_mesh(case_, raw));
+        auto problem = fem::problem_of(case_, fem::make_mesh(case_, say_plainly));
         key_ = fem::LayerCache::key(problem);
         n_elements_ = problem.mesh.hexes.size();
         std::string why;
@@ -136,11 +126,6 @@ class Order {
     std::size_t n_elements_ = 0;
 };
 
-void condense_alone(const CondenseOptions& options) {
-    Order order(options);
-    if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
-}
-
 /// The first rank reads, prints and writes; all condense.
 void condense_together(const CondenseOptions& options, const fem::distributed::Session& session) {
     std::optional<Order> order;
@@ -165,11 +150,6 @@ std::string summary_of(const std::vector<fem::KeptLayer>& layers) {
                        fem::size_text(fem::bytes_of(layers)));
 }
 
-std::string line_of(const fem::KeptLayer& layer) {
-    return fmt::format("{:>8}  {:%Y-%m-%d %H:%M}  {}\n", fem::size_text(layer.bytes),
-                       fmt::localtime(layer.used.tv_sec), fs::path(layer.path).stem().string());
-}
-
 void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers) {
     for (const fem::KeptLayer& layer : layers) {
         std::error_code error;
@@ -185,10 +165,16 @@ void write_mesh_of(const CommandOptions& options) {
     const contact::Case c = io::read_case(options.file, options.overrides);
     const std::string output = io::output_folder(options.output, options.file);
     io::OutputFolder folder(output, {{"mesh.msh", "mesh.geo", "mesh.vtu"}});
-    std::string geometry;
+    std::string geometry;  // of a mesh of our own
     meshes::HexMesh mesh;
     folder.fill([&] {
-        make_mesh(c, mesh, geometry);
+        if (c.fem.mesh) {
+            mesh = fem::make_mesh(c, say_plainly);
+        } else {
+            const meshes::LayerMeshSpec spec = fem::mesh_spec(c, say_plainly);
+            mesh = make_layer_mesh(spec);
+            geometry = layer_geometry(spec);
+        }
         write_mesh(mesh, output + "/mesh.msh");
         if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
         write_view(mesh, output + "/mesh.vtu",
@@ -200,8 +186,11 @@ void write_mesh_of(const CommandOptions& options) {
 }
 
 void condense_layer(const CondenseOptions& options) {
-    if (!options.distributed && !fem::distributed::started_by_launcher())
-        return condense_alone(options);
+    if (!options.distributed && !fem::distributed::started_by_launcher()) {
+        Order order(options);
+        if (const auto problem = order.problem()) order.keep(fem::condense(*problem));
+        return;
+    }
     std::exception_ptr failure;
     {
         const fem::distributed::Session session;
@@ -225,7 +214,10 @@ void list_or_clear_cache(const CacheOptions& options) {
     if (options.clear) return clear(folder, layers);
     std::cout << fmt::format("{}: {}, at most {} (TRICONTACT_CACHE_LIMIT)\n", folder,
                              summary_of(layers), fem::size_text(fem::cache_limit()));
-    for (const fem::KeptLayer& layer : layers) std::cout << line_of(layer);
+    for (const fem::KeptLayer& layer : layers)
+        std::cout << fmt::format("{:>8}  {:%Y-%m-%d %H:%M}  {}\n", fem::size_text(layer.bytes),
+                                 fmt::localtime(layer.used.tv_sec),
+                                 fs::path(layer.path).stem().string());
 }
 
 }  // namespace

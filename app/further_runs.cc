@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 #include "comparisons/quantities/reference.h"
@@ -43,34 +42,20 @@ std::string name_of(int n) {
     return std::to_string(n);
 }
 
-/// Normal traction displaces tangentially in the model's bodies, whether the case asks for it or
-/// not.
-bool is_elastically_coupled(const contact::Model& model) {
-    const auto coupled = model.sibling({.coupling = true, .kinematics = Case::Kinematics::linear});
-    return coupled && coupled->is_coupled();
-}
-
-/// Sets the key's value in `c` and notes both.
+/// The value of a key and another one that has been set instead, for people.
+struct Change {
+    std::string from, to;
+};
 template <class Value>
-void change(Value& value, Value other, LoadingVariant& variant) {
-    variant.chosen = name_of(value);
-    variant.changed = name_of(other);
+Change change(Value& value, Value other) {
+    const Change made{name_of(value), name_of(other)};
     value = other;
+    return made;
 }
-
-void flip_kinematics(Case& c, LoadingVariant& v) {
-    const bool linear = c.contact.kinematics == Case::Kinematics::linear;
-    change(c.contact.kinematics, linear ? Case::Kinematics::deformed : Case::Kinematics::linear, v);
-}
-void flip_coupling(Case& c, LoadingVariant& v) {
-    change(c.contact.coupling, !c.contact.coupling, v);
-}
-void flip_press(Case& c, LoadingVariant& v) {
-    const bool friction = c.load.press == Case::Press::friction;
-    change(c.load.press, friction ? Case::Press::frictionless : Case::Press::friction, v);
-}
-void press_in_one_step(Case& c, LoadingVariant& v) {
-    change(c.load.press_steps, 1, v);
+/// To the other of two values.
+template <class Value>
+Change flip(Value& value) {
+    return change(value, static_cast<Value>(!static_cast<bool>(value)));
 }
 
 Case without_rolling(Case c) {
@@ -96,7 +81,7 @@ Case rolled(const Case& c, const History& history) {
 /// One loading after another with one key changed.
 class Variants {
   public:
-    using Flip = std::function<void(Case&, LoadingVariant&)>;
+    using Make = Change (*)(Case&);
 
     Variants(const Case& c, const contact::Model& model, const History& history, const Say& say,
              std::vector<LoadingVariant>& variants)
@@ -107,8 +92,8 @@ class Variants {
         rolled_.run = as_the_run(c, history);
     }
 
-    void add_static(const char* key, const Flip& flip) { add(key, flip, static_); }
-    void add_rolled(const char* key, const Flip& flip) { add(key, flip, rolled_); }
+    void add_static(const char* key, Make make) { add(key, make, static_); }
+    void add_rolled(const char* key, Make make) { add(key, make, rolled_); }
 
   private:
     struct Base {
@@ -134,13 +119,15 @@ class Variants {
         }
     }
 
-    void add(const char* key, const Flip& flip, const Base& base) {
+    void add(const char* key, Make make, const Base& base) {
+        Case c = base.rolled;
+        const auto [chosen, changed] = make(c);
         LoadingVariant variant;
         variant.model = name_;
         variant.key = key;
+        variant.chosen = chosen;
+        variant.changed = changed;
         variant.run = base.run;
-        Case c = base.rolled;
-        flip(c, variant);
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
         try {
             variant.other = run_values(contact::run(c, *model_.sibling(c.contact)));
@@ -191,9 +178,7 @@ using comparisons::TwinComparison;
 constexpr double no_load = 1e-9;  // of F_T over mu F_N: rounding
 
 RunValues run_once(const Case& c, const std::string& model, int n_threads) {
-    const auto silent = [](const std::string&) {};
-    const auto made = make_model(model, c, n_threads, silent);
-    return run_values(contact::run(c, *made));
+    return run_values(contact::run(c, *make_model(model, c, n_threads, silent)));
 }
 
 void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
@@ -225,15 +210,19 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads
 
 void study_loading(const Case& c, const contact::Model& model, const History& history,
                    const Say& say, comparisons::LoadingStudy& study) {
-    const bool elastic = is_elastically_coupled(model);
+    // Normal traction displaces tangentially in the model's bodies, whether the case asks for it.
+    const auto coupled = model.sibling({.coupling = true, .kinematics = Case::Kinematics::linear});
+    const bool elastic = coupled && coupled->is_coupled();
     if (!elastic && !model.is_coupled()) return;
     Variants variants(c, model, history, say, study.variants);
-    variants.add_static("contact.kinematics", flip_kinematics);
-    if (elastic) variants.add_rolled("contact.coupling", flip_coupling);
+    variants.add_static("contact.kinematics", [](Case& v) { return flip(v.contact.kinematics); });
+    if (elastic)
+        variants.add_rolled("contact.coupling", [](Case& v) { return flip(v.contact.coupling); });
     if (model.is_coupled()) {
-        variants.add_rolled("load.press", flip_press);
+        variants.add_rolled("load.press", [](Case& v) { return flip(v.load.press); });
         if (c.load.press == Case::Press::friction && c.load.press_steps > 1)
-            variants.add_rolled("load.press_steps", press_in_one_step);
+            variants.add_rolled("load.press_steps",
+                                [](Case& v) { return change(v.load.press_steps, 1); });
     }
     study.normal_stiffness[history.model] = frictionless_stiffness(c, model);
 }

@@ -85,9 +85,7 @@ class ShiftTable {
         return 1 / (1 / (1 + least_) - row / last_row * z_range()) - 1;
     }
     // Without coupling all shifts go with mu, so that one value of it does.
-    bool is_coupled() const {
-        return make_model(model_, rig_, threads_, [](const std::string&) {})->is_coupled();
-    }
+    bool is_coupled() const { return make_model(model_, rig_, threads_, silent)->is_coupled(); }
 
     std::vector<double> node(double young, double friction) const {
         Case c = rig_;
@@ -110,11 +108,6 @@ class ShiftTable {
     double least_, most_;  // mu
     LazyTable table_;
 };
-
-Case with_change(Case c, const io::CaseKey& key, double change) {
-    *number_of(key, c) += change;
-    return c;
-}
 
 }  // namespace
 
@@ -161,16 +154,21 @@ std::vector<experiments::InputContribution> input_contributions(
     const auto values = [&](const Case& c) {
         return measured_values(model, input.measurement, c, input.given, threads);
     };
+    const auto values_at = [&](const io::CaseKey& key, double change) {
+        Case c = rig;
+        *number_of(key, c) += change;
+        return values(c);
+    };
     const std::vector<double> unchanged = values(rig);
     std::vector<experiments::InputContribution> contributions;
     for (const auto& [key, error] : input.rig_errors) {
         std::vector<double> changed;
         double sign = 1;
         try {
-            changed = values(with_change(rig, *key, error));
+            changed = values_at(*key, error);
         } catch (const contact::InputError&) {  // as at nu = 1/2, which ends there
             sign = -1;
-            changed = values(with_change(rig, *key, -error));
+            changed = values_at(*key, -error);
         }
         experiments::IdentificationTask moved = task;
         for (std::size_t i = 0; i < changed.size(); ++i)

@@ -91,14 +91,6 @@ struct AddOption {
     }
 };
 
-CLI::App* add_command(CLI::App& app, const Command& command) {
-    CLI::App* const sub = app.add_subcommand(command.name, command.text);
-    for (const Option& option : command.options)
-        std::visit(AddOption{*sub, option}, option.place)->required(option.required);
-    if (command.prepare) sub->preparse_callback([&command](std::size_t) { command.prepare(); });
-    return sub;
-}
-
 /// What is wrong with the first argument where it is no command of the program; empty if it is one,
 /// or an option.
 std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& commands, int argc,
@@ -145,7 +137,13 @@ int run_program(int argc, char** argv) {
     app.require_subcommand(1);
     const std::vector<Command> commands = all_commands();
     std::vector<const CLI::App*> given;
-    for (const Command& command : commands) given.push_back(add_command(app, command));
+    for (const Command& command : commands) {
+        CLI::App* const sub = app.add_subcommand(command.name, command.text);
+        for (const Option& option : command.options)
+            std::visit(AddOption{*sub, option}, option.place)->required(option.required);
+        if (command.prepare) sub->preparse_callback([&command](std::size_t) { command.prepare(); });
+        given.push_back(sub);
+    }
     if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);
     try {

@@ -16,10 +16,6 @@ using contact::Case;
 using contact::NormalControl;
 using Measurement = experiments::IdentificationInput::Measurement;
 
-std::unique_ptr<contact::Model> quiet_model(const std::string& name, const Case& c, int threads) {
-    return make_model(name, c, threads, [](const std::string&) {});
-}
-
 /// Pressed as the case says.
 void press(contact::Model& model, const Case& c) {
     contact::LoadStep step = contact::press_step(c);
@@ -61,7 +57,7 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
                                       const std::vector<NormalControl>& controls, int threads) {
     // The deepest one decides how far the model reaches.
     const auto deepest = std::ranges::max(controls, {}, &NormalControl::value);
-    const auto model = quiet_model(name, pressed(rig, deepest), threads);
+    const auto model = make_model(name, pressed(rig, deepest), threads, silent);
     std::vector<Pressed> presses;
     for (const auto& control : controls) {
         model->release();
@@ -74,26 +70,22 @@ std::vector<Pressed> presses_of_model(const std::string& name, const Case& rig,
     return presses;
 }
 
-Pressed half_space_press(const Case& rig, const NormalControl& control) {
-    const contact::HalfSpaceScales hertz = contact::half_space_scales(pressed(rig, control));
-    return {hertz.normal_force, hertz.contact_radius};
-}
-
-Pressed exact_press(const Case& rig, const NormalControl& control) {
-    const auto layer = theory::solve_layer_contact(comparisons::elastic_layer(rig),
-                                                   *rig.make_axisymmetric_indenter(), control);
-    return {layer.normal_force, layer.contact_radius};
-}
-
 std::vector<Pressed> presses(const std::string& model, const Case& rig,
                              const std::vector<NormalControl>& controls, int threads) {
     // Springs coupled by any layers make the normal contact exact but for their spacing.
     const bool exact = model == "layer" && comparisons::why_no_exact_theory(rig).empty();
     if (model != "half-space" && !exact)
-        return presses_of_model(model == "layer" ? "mdr-layer" : model, rig, controls, threads);
+        return presses_of_model(shift_model(model), rig, controls, threads);
     std::vector<Pressed> all;
     for (const auto& control : controls)
-        all.push_back(exact ? exact_press(rig, control) : half_space_press(rig, control));
+        if (exact) {
+            const auto layer = theory::solve_layer_contact(
+                comparisons::elastic_layer(rig), *rig.make_axisymmetric_indenter(), control);
+            all.push_back({layer.normal_force, layer.contact_radius});
+        } else {
+            const auto hertz = contact::half_space_scales(pressed(rig, control));
+            all.push_back({hertz.normal_force, hertz.contact_radius});
+        }
     return all;
 }
 
@@ -105,7 +97,7 @@ std::string shift_model(const std::string& model) {
 
 std::vector<double> static_shifts(const std::string& name, const Case& rig,
                                   const std::vector<double>& forces, int threads) {
-    const auto model = quiet_model(name, rig, threads);
+    const auto model = make_model(name, rig, threads, silent);
     press(*model, rig);
     const std::string state = model->write_state();
     std::vector<double> shifts;

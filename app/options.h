@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/error.h"
 #include "io/results/output_folder.h"
 #include "report/document.h"
 
@@ -11,6 +12,7 @@ namespace tricontact::app {
 
 /// Receives a line about what a model decided or reused.
 using Say = std::function<void(const std::string&)>;
+inline const Say silent = [](const std::string&) {};
 
 /// Name of the resolved case beside its results.
 inline constexpr const char* resolved_case_name = "case.toml";
@@ -32,6 +34,15 @@ struct CommandOptions {
     }
     /// Decides the folder of the output: as given, or results/<name of the file><suffix>.
     void choose_folder(const std::string& suffix = "");
+    /// What `work` gives; what it finds wrong with its input is said of the file.
+    template <class Work>
+    auto told_of_file(const Work& work) const {
+        try {
+            return work();
+        } catch (const contact::InputError& error) {
+            throw contact::InputError(file + ": " + error.what());
+        }
+    }
     /// Checks that folder and does the work that fills it (io::OutputFolder).
     void fill(io::OutputNames names, const std::function<void()>& work) const;
     /// Writes a file of that folder.

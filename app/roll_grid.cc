@@ -91,7 +91,7 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     const auto substrate = bem::make_substrate(
         c, runs.threads, model == "bem" ? bem::Body::half_space : bem::Body::layer, aside);
     RollingProblem problem = problem_of(c, *substrate);
-    RollRecorder recorder(c, runs, model);
+    RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
     rolling::SteadyRolling steady =
@@ -147,40 +147,35 @@ void require_rolling_on(const contact::Case& c, const std::string& case_file) {
                                   "tricontact run computes it, or add that section");
 }
 
-RollRecorder::RollRecorder(const Case& c, const RollRuns& runs, const std::string& model)
-    : run{.model = model, .history = {}, .lines = {}, .creep_curve = {}},
-      runs_(runs),
-      friction_coefficient_(c.friction_coefficient) {}
-
 void RollRecorder::note(const rolling::RollingState& state, double way, const Surface& surface,
                         double tolerance) {
     using rolling::line_distances;
     run.history.transient.push_back(state);
-    const std::size_t before = next_line_;
-    while (next_line_ < std::size(line_distances) && way + tolerance >= line_distances[next_line_])
-        ++next_line_;
-    const bool line = next_line_ > before;
-    if (!line && !(runs_.show && runs_.show_all)) return;
+    const std::size_t before = next_line;
+    while (next_line < std::size(line_distances) && way + tolerance >= line_distances[next_line])
+        ++next_line;
+    const bool line = next_line > before;
+    if (!line && !(runs.show && runs.show_all)) return;
     const contact::Surface now = surface();
-    if (line) run.lines.push_back(centre_line(now, friction_coefficient_, state.distance));
-    if (runs_.show) runs_.show(way, now);
+    if (line) run.lines.push_back(centre_line(now, friction_coefficient, state.distance));
+    if (runs.show) runs.show(way, now);
 }
 
 void RollRecorder::tell(int step, int steps) const {
-    if (runs_.progress) runs_.progress(step, steps + runs_.points);
+    if (runs.progress) runs.progress(step, steps + runs.points);
 }
 
 void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surface surface) {
-    run.lines.push_back(centre_line(surface, friction_coefficient_, contact::infinity));
+    run.lines.push_back(centre_line(surface, friction_coefficient, contact::infinity));
     run.history.steady = state;
     run.history.surface = std::move(surface);
-    if (runs_.show) runs_.show(contact::infinity, run.history.surface);
+    if (runs.show) runs.show(contact::infinity, run.history.surface);
 }
 
 void RollRecorder::add_curve(double begin, double sliding,
                              const std::function<rolling::RollingState(double)>& steady_at) {
     constexpr double beyond = 1.25;  // the cubic law ends early for most
-    const int n = runs_.points, n_steps = static_cast<int>(run.history.transient.size()) - 1;
+    const int n = runs.points, n_steps = static_cast<int>(run.history.transient.size()) - 1;
     for (int i = 1; i <= n; ++i) {
         const double creepage = beyond * sliding * (1 - std::cbrt(1 - i / static_cast<double>(n)));
         run.creep_curve.push_back(steady_at(begin + creepage));

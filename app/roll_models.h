@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "contact/case.h"
 #include "rolling/rolling_report.h"
@@ -26,11 +25,13 @@ struct RollRuns {
 };
 
 /// What a model's run consists of, as it comes about.
-class RollRecorder {
-  public:
+struct RollRecorder {
     using Surface = std::function<contact::Surface()>;
 
-    RollRecorder(const contact::Case& c, const RollRuns& runs, const std::string& model);
+    rolling::RollingRun run;
+    const RollRuns& runs;
+    double friction_coefficient;
+    std::size_t next_line = 0;  ///< of the report's ways
 
     /// A state from rest; `way` rolled over the half length a, growing from call to call. Of the
     /// first state at each of the report's ways, less a tolerance, a line is kept.
@@ -43,13 +44,6 @@ class RollRecorder {
     /// there, at which all slides; where the cubic law holds, at equal steps of the force.
     void add_curve(double begin, double sliding,
                    const std::function<rolling::RollingState(double creepage)>& steady_at);
-
-    rolling::RollingRun run;
-
-  private:
-    const RollRuns& runs_;
-    double friction_coefficient_;
-    std::size_t next_line_ = 0;
 };
 
 /// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,

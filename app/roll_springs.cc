@@ -155,20 +155,6 @@ RollingState steady_state(RollingBed& bed, const std::optional<double>& creepage
         "mdr: the rolling bed does not become steady within 1000 contact lengths");
 }
 
-/// At this creepage.
-RollingState steady_state_at(const Case& c, double creepage) {
-    constexpr double way = 4;  // two contact lengths, over a
-    RollingBed bed(c, way * contact::half_space_scales(c).contact_radius);
-    bed.press(0);
-    return steady_state(bed, creepage, rolling::creepage_unit(c));
-}
-
-double spring_sliding_creepage(const Case& c) {
-    const contact::MaterialPair materials = c.materials();
-    return 2 * materials.effective_modulus() / materials.effective_shear_modulus() *
-           rolling::creepage_unit(c);
-}
-
 }  // namespace
 
 RollingRun roll_springs(const Case& c, const RollRuns& runs) {
@@ -177,7 +163,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     RollingBed bed(c, given.distance * a);
     RollRuns lines_only = runs;
     lines_only.show_all = false;
-    RollRecorder recorder(c, lines_only, "mdr");
+    RollRecorder recorder{{"mdr", {}, {}, {}}, lines_only, c.friction_coefficient};
     const auto note = [&](const RollingState& state, int step) {
         recorder.note(state, step / static_cast<double>(bed.steps_per_radius()),
                       [&] { return bed.model().surface(); });
@@ -192,11 +178,18 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
         note(bed.roll(given.longitudinal_creepage), step);
         recorder.tell(step, n_steps);
     }
-    RollingState steady = steady_state(bed, given.longitudinal_creepage, rolling::creepage_unit(c));
+    const double unit = rolling::creepage_unit(c);
+    RollingState steady = steady_state(bed, given.longitudinal_creepage, unit);
     steady.distance = contact::infinity;
     recorder.note_steady(steady, bed.model().surface());
-    recorder.add_curve(0, drive_sign(c) * spring_sliding_creepage(c),
-                       [&](double creepage) { return steady_state_at(c, creepage); });
+    const contact::MaterialPair materials = c.materials();
+    const double sliding =
+        2 * materials.effective_modulus() / materials.effective_shear_modulus() * unit;
+    recorder.add_curve(0, drive_sign(c) * sliding, [&](double creepage) {
+        RollingBed at_creepage(c, 4 * a);  // two contact lengths
+        at_creepage.press(0);
+        return steady_state(at_creepage, creepage, unit);
+    });
     return std::move(recorder.run);
 }
 

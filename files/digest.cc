@@ -9,19 +9,13 @@
 
 namespace tricontact::files {
 
-struct Digest::State {
-    State() : hash(XXH3_createState(), &XXH3_freeState) {
-        if (!hash) throw std::bad_alloc();
-        XXH3_128bits_reset(hash.get());
-    }
-    std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash;
-};
-
-Digest::Digest() : state_(std::make_unique<State>()) {}
-Digest::~Digest() = default;
+Digest::Digest() : state_(XXH3_createState(), [](XXH3_state_t* state) { XXH3_freeState(state); }) {
+    if (!state_) throw std::bad_alloc();
+    XXH3_128bits_reset(state_.get());
+}
 
 Digest& Digest::add(const void* bytes, std::size_t n) {
-    XXH3_128bits_update(state_->hash.get(), bytes, n);
+    XXH3_128bits_update(state_.get(), bytes, n);
     return *this;
 }
 
@@ -31,7 +25,7 @@ Digest& Digest::operator<<(std::string_view text) {
 }
 
 std::string Digest::text() const {
-    const XXH128_hash_t hash = XXH3_128bits_digest(state_->hash.get());
+    const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
     std::array<char, 33> digits{};
     std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
                   static_cast<unsigned long long>(hash.high64),

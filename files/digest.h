@@ -5,15 +5,14 @@
 #include <string>
 #include <string_view>
 
+struct XXH3_state_s;
+
 namespace tricontact::files {
 
 /// 128 bits of all bytes that were added (XXH3): against accidents, not against forgers.
 class Digest {
   public:
     Digest();
-    ~Digest();
-    Digest(const Digest&) = delete;
-    Digest& operator=(const Digest&) = delete;
 
     Digest& add(const void* bytes, std::size_t n);
     /// A text with its length before it: two of them one after the other are not the same as one.
@@ -22,8 +21,7 @@ class Digest {
     std::string text() const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<XXH3_state_s, void (*)(XXH3_state_s*)> state_;
 };
 
 /// Of these bytes and nothing else.

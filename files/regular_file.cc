@@ -10,11 +10,7 @@
 
 namespace tricontact::files {
 
-namespace {
-
 constexpr const char* not_regular = "is not a regular file";
-
-}  // namespace
 
 Unreadable::Unreadable(int error)
     : std::runtime_error("cannot be read (" + std::generic_category().message(error) + ")"),

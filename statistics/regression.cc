@@ -41,14 +41,12 @@ struct Freeing {
 using Vector = std::unique_ptr<gsl_vector, Freeing<gsl_vector_free>>;
 using Matrix = std::unique_ptr<gsl_matrix, Freeing<gsl_matrix_free>>;
 
-Vector vector_of(const std::vector<double>& values) {
-    Vector v(gsl_vector_alloc(values.size()));
-    std::ranges::copy(values, v->data);
-    return v;
+auto view_of(const std::vector<double>& values) {
+    return gsl_vector_const_view_array(values.data(), values.size());
 }
 
-Vector weights_of(const FitOptions& options, std::size_t n) {
-    return vector_of(options.weights.empty() ? std::vector<double>(n, 1.) : options.weights);
+std::vector<double> weights_of(const FitOptions& options, std::size_t n) {
+    return options.weights.empty() ? std::vector<double>(n, 1.) : options.weights;
 }
 
 void check_sizes(std::size_t n, std::size_t n_parameters, const FitOptions& options) {
@@ -151,16 +149,17 @@ Fit fit_linear(const std::vector<std::vector<double>>& columns, const std::vecto
         if (columns[k].size() != n) throw std::invalid_argument("columns of different lengths");
         for (std::size_t i = 0; i < n; ++i) gsl_matrix_set(design.get(), i, k, columns[k][i]);
     }
-    const Vector weights = weights_of(options, n), observed = vector_of(y);
-    const Vector solution(gsl_vector_alloc(m)), fitted(gsl_vector_alloc(n));
+    const std::vector<double> weights = weights_of(options, n);
+    const auto weights_view = view_of(weights), observed = view_of(y);
+    const Vector solution(gsl_vector_alloc(m));
     using Workspace =
         std::unique_ptr<gsl_multifit_linear_workspace, Freeing<gsl_multifit_linear_free>>;
     const Workspace work(gsl_multifit_linear_alloc(n, m));
     double squares = 0;
     std::size_t rank = 0;
-    const int status =
-        gsl_multifit_wlinear_tsvd(design.get(), weights.get(), observed.get(), least_singular_ratio,
-                                  solution.get(), covariance.get(), &squares, &rank, work.get());
+    const int status = gsl_multifit_wlinear_tsvd(
+        design.get(), &weights_view.vector, &observed.vector, least_singular_ratio, solution.get(),
+        covariance.get(), &squares, &rank, work.get());
     if (status != GSL_SUCCESS || rank < m)
         throw contact::NotConverged(
             "least squares: the observations do not tell the parameters "
@@ -191,9 +190,11 @@ Fit fit_nonlinear(const FitModel& model, const std::vector<double>& y,
     using Workspace =
         std::unique_ptr<gsl_multifit_nlinear_workspace, Freeing<gsl_multifit_nlinear_free>>;
     const Workspace work(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &settings, n, m));
-    const Vector weights = weights_of(options, n), ones = vector_of(std::vector<double>(m, 1.));
+    const std::vector<double> weights = weights_of(options, n), ones(m, 1.);
+    const auto weights_view = view_of(weights), ones_view = view_of(ones);
     int info = 0;
-    int status = gsl_multifit_nlinear_winit(ones.get(), weights.get(), &functions, work.get());
+    int status =
+        gsl_multifit_nlinear_winit(&ones_view.vector, &weights_view.vector, &functions, work.get());
     if (status == GSL_SUCCESS)
         status =
             gsl_multifit_nlinear_driver(most_iterations, parameter_tolerance, gradient_tolerance, 0,

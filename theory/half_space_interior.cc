@@ -9,9 +9,8 @@ namespace tricontact::theory {
 namespace {
 
 /// Derivatives by the directions 0, 1, 2 in any order.
-class Harmonic {
-  public:
-    explicit Harmonic(const HarmonicDerivatives& of) : of_(of) {}
+struct Harmonic {
+    const HarmonicDerivatives& of_;
 
     double l(int i) const { return of_[L_x + i]; }
     double l(int i, int j) const {
@@ -29,9 +28,6 @@ class Harmonic {
     }
     double m(int i, int j) const { return of_[M_xx + i + j]; }
     double m(int i, int j, int k) const { return of_[M_xxx + i + j + k]; }
-
-  private:
-    const HarmonicDerivatives& of_;
 };
 
 // Of stresses: i and j of XX YY ZZ XY YZ XZ.
@@ -100,7 +96,7 @@ HarmonicDerivatives derivatives(double x, double y, Complex z) {
 
 InteriorResponse half_space_response(const contact::Material& material, double depth,
                                      const HarmonicDerivatives& derivatives) {
-    const Harmonic h(derivatives);
+    const Harmonic h{derivatives};
     const double nu = material.poisson, z = depth;
     const double soft = 1 / (4 * std::numbers::pi * material.shear_modulus());
     InteriorResponse out;

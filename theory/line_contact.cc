@@ -93,14 +93,6 @@ LineContact solve(const ElasticLayer& layer, double radius, double a, int n) {
     return c;
 }
 
-std::array<double, 3> key_values(const LineContact& c) {
-    return {c.indentation, c.load, c.stiffness};
-}
-
-double value_of(const LineContact& c, LineControl::Kind kind) {
-    return kind == LineControl::Kind::load ? c.load : c.indentation;
-}
-
 void check(double radius, const LineControl& control) {
     for (const auto& [name, value] :
          {std::pair("radius", radius), std::pair("control", control.value)})
@@ -145,7 +137,8 @@ LineContact solve_line_contact(const ElasticLayer& layer, double radius,
     if (control.kind != LineControl::Kind::half_width) {
         auto excess = [&](double half_width) {
             const auto c = solve(layer, radius, half_width, points_for(half_width / b));
-            return value_of(c, control.kind) / control.value - 1;
+            const bool load = control.kind == LineControl::Kind::load;
+            return (load ? c.load : c.indentation) / control.value - 1;
         };
         a = find_radius(excess, b, largest, b);
     }
@@ -155,7 +148,10 @@ LineContact solve_line_contact(const ElasticLayer& layer, double radius,
             "theory of thin layers",
             a, largest_radius_over_thickness));
     return converged([&](int n) { return solve(layer, radius, a, n); }, points_for(a / b),
-                     key_values, "use the asymptotic theory of thin layers");
+                     [](const LineContact& c) {
+                         return std::array{c.indentation, c.load, c.stiffness};
+                     },
+                     "use the asymptotic theory of thin layers");
 }
 
 }  // namespace tricontact::theory

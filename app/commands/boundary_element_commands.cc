@@ -71,66 +71,44 @@ void write_influence(const BoundaryElementOptions& options) {
         read.model, 1e3 * table.spacing, table.n_x, table.n_y, options.output);
 }
 
-/// The files of an export, and what is told about them.
-struct ExportedSequence {
-    std::string input;                     ///< of CONTACT
-    std::optional<std::string> influence;  ///< its numerical coefficients
-    std::size_t n_steps = 0;
-    int n_x = 0, n_y = 0;
-};
-
-ExportedSequence export_case(const BoundaryElementCase& read, int threads,
-                             const std::string& influence_name) {
-    const contact::Case& c = read.c;
-    const bem::Body body = read.body();
-    io::sequence_of(c, false);  // what cannot be said at all, before anything is computed
-    const auto compliance = bem::case_compliance(c, threads, body);
-    const contact::ContactPoints& grid = compliance->points();
-    ExportedSequence out;
-    out.n_x = grid.n_x;
-    out.n_y = grid.n_y;
-    out.n_steps = io::sequence_of(c, compliance->is_coupled()).size();
-    std::optional<std::string> name;
-    if (body == bem::Body::layer || c.bem.influence) {
-        name = influence_name;
-        out.influence = bem::contact_program_influence(bem::case_influence(c, threads, body),
-                                                       io::shear_moduli(c).combined(),
-                                                       compliance->is_coupled());
-    }
-    out.input = io::sequence_text(c, grid, compliance->is_coupled(), name);
-    return out;
-}
-
-// The case with the place of the file in what is wrong with it.
-ExportedSequence export_case(const BoundaryElementCase& read, const CommandOptions& options,
-                             const std::string& influence_name) {
-    try {
-        return export_case(read, options.threads, influence_name);
-    } catch (const contact::InputError& error) {
-        throw contact::InputError(options.file + ": " + error.what());
-    }
+/// The numerical coefficients for CONTACT; empty for its own half-spaces.
+std::optional<std::string> influence_of(const BoundaryElementCase& read,
+                                        const contact::Compliance& compliance, int threads) {
+    if (read.body() != bem::Body::layer && !read.c.bem.influence) return {};
+    return bem::contact_program_influence(bem::case_influence(read.c, threads, read.body()),
+                                          io::shear_moduli(read.c).combined(),
+                                          compliance.is_coupled());
 }
 
 /// Writes the steps of a case as input of the program CONTACT (docs/contact-program.md).
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
-    refuse_rolling_on(read.c, options.file);
+    const contact::Case& c = read.c;
+    refuse_rolling_on(c, options.file);
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";
     options.choose_folder("_contact");
-    ExportedSequence sequence;
+    std::optional<std::string> influence;
+    std::string input, found;
+    const auto compute = [&] {
+        io::sequence_of(c, false);  // what cannot be said at all, before anything is computed
+        const auto compliance = bem::case_compliance(c, options.threads, read.body());
+        const contact::ContactPoints& grid = compliance->points();
+        const bool coupled = compliance->is_coupled();
+        influence = influence_of(read, *compliance, options.threads);
+        input = io::sequence_text(c, grid, coupled,
+                                  influence ? std::optional(influence_name) : std::nullopt);
+        found = fmt::format("cases of CONTACT     {}\ncells                {} x {}\n",
+                            io::sequence_of(c, coupled).size(), grid.n_x, grid.n_y);
+    };
     options.fill({{influence_name, name + ".inp"}}, [&] {
-        sequence = export_case(read, options, influence_name);
-        if (sequence.influence) options.write(influence_name, *sequence.influence);
-        options.write(name + ".inp", sequence.input);
+        options.told_of_file(compute);
+        if (influence) options.write(influence_name, *influence);
+        options.write(name + ".inp", input);
     });
-    std::cout << fmt::format(
-        "model                {}\n"
-        "cases of CONTACT     {}\n"
-        "cells                {} x {}\n"
-        "written              {}/{}.inp{}\n",
-        read.model, sequence.n_steps, sequence.n_x, sequence.n_y, options.output, name,
-        sequence.influence ? ", " + influence_name : "");
+    std::cout << fmt::format("model                {}\n{}written              {}/{}.inp{}\n",
+                             read.model, found, options.output, name,
+                             influence ? ", " + influence_name : "");
 }
 
 constexpr std::size_t largest_input_mb = 100;

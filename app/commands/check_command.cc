@@ -68,10 +68,6 @@ struct Resolved {
     }
 };
 
-void check_case(const CommandOptions& options) {
-    std::cout << std::visit(Resolved{}, walking::read_any_case(options.file, options.overrides));
-}
-
 struct ListOptions {
     std::optional<std::string> folder;
 };
@@ -119,8 +115,11 @@ void print_keys(const KeysOptions& options) {
 }  // namespace
 
 Command check_command() {
+    const auto check = [](const CommandOptions& o) {
+        std::cout << std::visit(Resolved{}, walking::read_any_case(o.file, o.overrides));
+    };
     return Declared<CommandOptions>("check", "Validate a case; print it resolved, with scales",
-                                    check_case)
+                                    check)
         .on_case();
 }
 

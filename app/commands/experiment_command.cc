@@ -20,8 +20,8 @@ using experiments::CaseQuantity;
 using experiments::Experiment;
 using experiments::ExperimentEvaluation;
 
-constexpr int enough_limit_periods =
-    40;  // of a limit run: by turning points the rig's layer needs 30
+// Of a limit run: by turning points the rig's layer needs 30.
+constexpr int enough_limit_periods = 40;
 
 /// What ratios of a case stand for: its own F_N [N] and W [m].
 struct Loads {
@@ -66,11 +66,10 @@ std::vector<CaseQuantity> quantities_of(const experiments::ExperimentInput& inpu
 }
 
 /// The models of the case, rolled as the rig rolled.
-class Predictions {
-  public:
-    Predictions(const experiments::ExperimentInput& input, const CommandOptions& options,
-                ExperimentEvaluation& evaluation)
-        : input_(input), options_(options), evaluation_(evaluation) {}
+struct Predictions {
+    const experiments::ExperimentInput& input_;
+    const CommandOptions& options_;
+    ExperimentEvaluation& evaluation_;
 
     void add() {
         rest_as_recorded();
@@ -94,7 +93,6 @@ class Predictions {
                 add_shift(model, c);
     }
 
-  private:
     /// On a relaxing substrate the rest under F_T and the drive's speed are those of the record.
     void rest_as_recorded() {
         const Case c = io::read_case(*input_.case_file, {});
@@ -123,7 +121,7 @@ class Predictions {
     }
 
     contact::History run(const std::string& name, const Case& c) const {
-        return history_of(name, c, options_.threads, [](const std::string&) {});
+        return history_of(name, c, options_.threads, silent);
     }
 
     static std::vector<double> shift_of(const contact::History& history) {
@@ -171,10 +169,6 @@ class Predictions {
         }
         evaluation_.model_limits.push_back(std::move(limit));
     }
-
-    const experiments::ExperimentInput& input_;
-    const CommandOptions& options_;
-    ExperimentEvaluation& evaluation_;
 };
 
 void evaluate_records(CommandOptions options) {
@@ -183,7 +177,7 @@ void evaluate_records(CommandOptions options) {
     ExperimentEvaluation evaluation = experiments::evaluate_experiment(input.experiment);
     report::Document document;
     options.fill({{"experiment.json", "report.html"}}, [&] {
-        if (input.case_file) Predictions(input, options, evaluation).add();
+        if (input.case_file) Predictions{input, options, evaluation}.add();
         document = experiments::experiment_document(evaluation);
         document.files = {{"all numbers", "experiment.json"}};
         options.write("experiment.json", experiments::experiment_json(files::version, evaluation));

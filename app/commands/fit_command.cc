@@ -14,6 +14,7 @@
 #include "contact/load_path.h"
 #include "files/version.h"
 #include "io/case/study_reader.h"
+#include "io/keys/messages.h"
 #include "io/results/result_store.h"
 #include "walking/input/walk_keys.h"
 
@@ -35,11 +36,6 @@ constexpr std::array<std::string_view, 4> variables{"rolling.amplitude", "rollin
 constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.steps_per_quarter",
                                                     "rolling.increment"};
 constexpr const char* angle_key = "rolling.angle";
-
-template <class Keys>
-bool is_one_of(std::string_view path, const Keys& keys) {
-    return std::find(keys.begin(), keys.end(), path) != keys.end();
-}
 
 std::string joined(const std::string& list, const std::string& item) {
     return list.empty() ? item : list + ", " + item;
@@ -96,10 +92,10 @@ RollingRun run_of(const io::Study& study, const StudyPoint& point,
                    .results = results};
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
         const io::Key& key = *study.axes[i].key;
-        if (is_one_of(key.path, step_keys)) continue;
+        if (std::ranges::count(step_keys, key.path)) continue;
         const std::string item = io::table_heading(key) + " = " + point.values[i];
         run.point = joined(run.point, item);
-        if (!is_one_of(key.path, variables) && key.path != angle_key)
+        if (!std::ranges::count(variables, key.path) && key.path != angle_key)
             run.group = joined(run.group, item);
     }
     if (const auto amplitude = results.number(comparisons::quantities::amplitude))
@@ -121,7 +117,7 @@ std::vector<RollingRun> stored_runs(const io::Study& study, const std::vector<St
         const auto found = store.find(point.key);
         n_missing += !found;
         n_failed += found && !found->results;
-        if (found && found->results) runs.push_back(run_of(study, point, results_of(*found)));
+        if (const auto results = results_of(found)) runs.push_back(run_of(study, point, *results));
     }
     if (n_missing > 0)
         throw contact::InputError(
@@ -133,19 +129,11 @@ std::vector<RollingRun> stored_runs(const io::Study& study, const std::vector<St
     return runs;
 }
 
-std::string command_of(const FitOptions& options) {
-    std::string text = "tricontact fit " + options.file;
-    if (!options.output.empty()) text += " --output " + options.output;
-    return text + fmt::format(" --confidence {}", options.confidence);
-}
-
 std::vector<std::pair<std::string, std::string>> settings_of(const io::Study& study,
                                                              std::size_t n_runs,
                                                              const FitOptions& options) {
-    std::string varied;
-    for (const auto& axis : study.axes) varied = joined(varied, std::string(axis.key->path));
     return {{"study", study.name},
-            {"varied", varied},
+            {"varied", io::joined(study.axes, [](const auto& axis) { return axis.key->path; })},
             {"levels of refinement", std::to_string(study.levels)},
             {"runs", std::to_string(n_runs)},
             {"level of confidence", fmt::format("{}", options.confidence)}};
@@ -164,7 +152,9 @@ void write(const comparisons::StudyFit& fit, std::optional<double> line_factor,
 
 /// Evaluates a finished sweep: kappa, eta, differences of models, beside its results.
 void fit_study(FitOptions options) {
-    const std::string command = command_of(options);
+    std::string command = "tricontact fit " + options.file;
+    if (!options.output.empty()) command += " --output " + options.output;
+    command += fmt::format(" --confidence {}", options.confidence);
     options.choose_folder();
     const io::Study study = io::read_study(options.file, walking::walk_key_list());
     if (study.walks)

@@ -68,10 +68,10 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 /// One model at work on the input.
-class Identifier {
-  public:
-    Identifier(const experiments::IdentificationInput& input, int threads)
-        : input_(input), threads_(threads), task_(task_of(input)) {}
+struct Identifier {
+    const experiments::IdentificationInput& input_;
+    int threads_;
+    IdentificationTask task_ = task_of(input_);
 
     IdentifiedModel identify(const std::string& name, const std::vector<double>& curve_points) {
         task_.model = prediction_of(name, input_, threads_);
@@ -91,7 +91,6 @@ class Identifier {
         return model;
     }
 
-  private:
     experiments::Profile profile(const IdentifiedModel& model, Property property) const {
         return experiments::profile_of(task_, model.found, property, n_profile_points);
     }
@@ -114,23 +113,15 @@ class Identifier {
                 "finer resolution",
                 model.name, *model.interpolation_error, largest_interpolation_error));
     }
-
-    const experiments::IdentificationInput& input_;
-    int threads_;
-    IdentificationTask task_;
 };
 
 struct Labels {
     experiments::QuantityOfAxis given, observed;
 };
-
-Labels labels_of(Measurement measurement) {
-    const Labels labels[] = {// in the order of Measurement
-                             {{"tangential force F_T", "N"}, {"static shift U", "m"}},
-                             {{"indentation d", "m"}, {"normal force F_N", "N"}},
-                             {{"normal force F_N", "N"}, {"contact radius a", "m"}}};
-    return labels[static_cast<int>(measurement)];
-}
+// In the order of Measurement.
+const Labels labels[] = {{{"tangential force F_T", "N"}, {"static shift U", "m"}},
+                         {{"indentation d", "m"}, {"normal force F_N", "N"}},
+                         {{"normal force F_N", "N"}, {"contact radius a", "m"}}};
 
 std::vector<std::pair<std::string, std::string>> settings_of(
     const experiments::IdentificationInput& input) {
@@ -158,9 +149,8 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
     study.measurement = experiments::name_of(input.measurement);
-    const Labels labels = labels_of(input.measurement);
-    study.given = labels.given;
-    study.observed = labels.observed;
+    study.given = labels[static_cast<int>(input.measurement)].given;
+    study.observed = labels[static_cast<int>(input.measurement)].observed;
     study.given_values = input.given;
     study.observed_values = input.observed;
     study.standard_errors = input.standard_errors;
@@ -171,7 +161,7 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
     study.settings = settings_of(input);
     study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
     study.version = files::version;
-    Identifier identifier(input, options.threads);
+    Identifier identifier{input, options.threads};
     for (const std::string& name : input.models) {
         options.say(name);
         study.models.push_back(identifier.identify(name, study.curve_points));

@@ -61,16 +61,6 @@ LimitStudy start_of(const LimitOptions& options, const Case& c) {
     return study;
 }
 
-void write(const LimitStudy& study, const LimitOptions& options, const std::string& command) {
-    options.write("limit.json", comparisons::limit_json(files::version, study).dump(2) + "\n");
-    options.write("limit.csv", comparisons::limit_csv(study));
-    report::Document document = comparisons::limit_document(study);
-    document.files = {{"all numbers", "limit.json"},
-                      {"a row per model", "limit.csv"},
-                      {"the case, resolved", resolved_case_name}};
-    options.write_report(document, command);
-}
-
 void find_limits(const Case& c, const LimitOptions& options) {
     const Say say = options.sayer();
     LimitStudy study = start_of(options, c);
@@ -82,7 +72,13 @@ void find_limits(const Case& c, const LimitOptions& options) {
     if (options.varied() == LimitVariable::amplitude) command += " --vary amplitude";
     if (options.tolerance) command += fmt::format(" --tolerance {}", *options.tolerance);
     options.write(resolved_case_name, io::write_case(c));
-    write(study, options, command);
+    options.write("limit.json", comparisons::limit_json(files::version, study).dump(2) + "\n");
+    options.write("limit.csv", comparisons::limit_csv(study));
+    report::Document document = comparisons::limit_document(study);
+    document.files = {{"all numbers", "limit.json"},
+                      {"a row per model", "limit.csv"},
+                      {"the case, resolved", resolved_case_name}};
+    options.write_report(document, command);
     std::cout << comparisons::limit_text(study);
     options.say(options.where());
 }

@@ -58,9 +58,8 @@ json document_of(const Level& level, const Finished& done) {
 
 /// Levels in the folders of a refinement. A level that is finished is not computed again as long as
 /// program and case are the same, and its file is as it was written.
-class Levels {
-  public:
-    explicit Levels(const RefineOptions& options) : options_(options) {}
+struct FinishedLevels {
+    const RefineOptions& options_;
 
     Finished finish(const Level& level) const {
         if (const auto found = find(level)) return *found;
@@ -73,10 +72,8 @@ class Levels {
         io::remove_old_results(options_.output, results);
         io::remove_old_results(folder(level), {"level.json"});
         io::remove_old_results(folder(level) + '/' + options_.model, model_results);
-        RunOptions options;
+        RunOptions options{options_};
         options.output = folder(level);
-        options.threads = options_.threads;
-        options.quiet = options_.quiet;
         return run_model(options_.model, level.c, level.resolved, options, study);
     }
     Finished keep(const Level& level, const contact::History& history) const {
@@ -98,11 +95,8 @@ class Levels {
         }
     }
 
-  private:
     std::string folder(const Level& level) const { return options_.output + "/" + level.name; }
     std::string file(const Level& level) const { return folder(level) + "/level.json"; }
-
-    const RefineOptions& options_;
 };
 
 std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool layer) {
@@ -147,7 +141,7 @@ void write_report(const Level& finest, const contact::History& history,
 
 /// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
 /// written.
-comparisons::Refinement finish_last(const Level& finest, const Levels& levels,
+comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& levels,
                                     comparisons::RefinedLevels refined,
                                     const RefineOptions& options) {
     const std::string& output = options.output;
@@ -183,7 +177,7 @@ io::OutputNames names_of(const RefinementPlan& plan) {
 
 void refine_case(RefineOptions options) {
     options.choose_folder("_refined");
-    const Levels levels(options);
+    const FinishedLevels levels{options};
     const RefinementPlan plan = plan_refinement(options, options.sayer());
     comparisons::RefinedLevels refined = start_of(plan, options);
     comparisons::Refinement result;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <iostream>
-#include <optional>
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
@@ -44,28 +43,27 @@ RollingRun roll_model(const std::string& model, const Case& c, const RollOptions
     const std::string folder = options.output + "/" + model;
     io::make_output_folder(folder);
     const io::Provenance provenance{files::version, roll_again};
-    std::optional<io::VtkSeries> surfaces, steady;
-    const auto begin = [&] {
-        surfaces.emplace(folder, "surface", provenance);
-        steady.emplace(folder, "steady", provenance);
-    };
-    begin();
+    io::VtkSeries surfaces(folder, "surface", provenance), steady(folder, "steady", provenance);
     io::ProgressBar bar(std::cerr, io::ProgressBar::style_of_stderr(options.quiet), model);
     RollRuns runs{.points = options.points,
                   .threads = options.threads,
                   .progress = [&](int step, int steps) { bar.update(step, steps); },
                   .show = {},
                   .show_all = c.output.vtk == Case::VtkOutput::all,
-                  .begin_again = begin};
+                  .begin_again =
+                      [&] {
+                          surfaces.clear();
+                          steady.clear();
+                      }};
     if (c.output.vtk != Case::VtkOutput::none)
         runs.show = [&](double way, const contact::Surface& surface) {
-            std::isfinite(way) ? surfaces->add(way, surface) : steady->add(0, surface);
+            std::isfinite(way) ? surfaces.add(way, surface) : steady.add(0, surface);
         };
     RollingRun run = roll(model, c, runs);
     bar.finish("");
     if (runs.show) {
-        surfaces->finish();
-        steady->finish();
+        surfaces.finish();
+        steady.finish();
     }
     io::write_file(folder + "/history.csv", rolling::history_csv(run));
     return run;

@@ -57,6 +57,8 @@ std::string metres(double value) {
     return fmt::format("{:.3g} {}", value / unit.factor, symbol);
 }
 
+/// What a model came to, as a line for people: state, shift in micrometres or the like and in its
+/// U_max, time. Without rolling and tangential force: the pressed contact.
 std::string line_of(const comparisons::Results& r) {
     using namespace comparisons::quantities;
     std::string line = r.model + ": ";
@@ -80,14 +82,6 @@ std::string line_of(const comparisons::Results& r) {
     return r.verdict.missing.empty() ? line : line + "  undecided: " + r.verdict.missing + '\n';
 }
 
-/// What a run came to, as lines for people: of each model state, shift in micrometres or the like
-/// and in its U_max, time. Without rolling and tangential force: the pressed contact.
-std::string run_text(const CaseRun& run) {
-    std::string text;
-    for (const contact::History& history : run.histories) text += line_of({run.c, history});
-    return text;
-}
-
 void run_case(RunOptions options) {
     const contact::Case c = io::read_case(options.file, options.overrides, options.models);
     refuse_rolling_on(c, options.file);
@@ -95,7 +89,9 @@ void run_case(RunOptions options) {
     options.choose_folder();
     std::optional<CaseRun> run;
     options.fill(run_outputs(c.models), [&] { run.emplace(compute(c, options)); });
-    if (!options.quiet) std::cout << run_text(*run) << options.where() << '\n';
+    if (options.quiet) return;
+    for (const contact::History& history : run->histories) std::cout << line_of({c, history});
+    std::cout << options.where() << '\n';
 }
 
 }  // namespace

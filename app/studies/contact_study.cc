@@ -46,23 +46,9 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     return {"fem.size=" + metres_text(*c.fem.size / factor), fmt::format("fem.growth={}", growth)};
 }
 
-std::string key_of(const Case& c) {
-    Case content = c;
-    content.fem.cache.clear();  // where things are kept changes no number
-    return point_key(io::write_case(content) + file_digests(content));
-}
-
-io::Entry models_entry(const std::string& model) {
-    return {.path = "models",
-            .value = std::vector<std::string>{model},
-            .place = "models",
-            .key_place = "models"};
-}
-
 void check_models(const Study& study) {
     for (const std::string& name : study.models)
-        if (std::none_of(known_models().begin(), known_models().end(),
-                         [&](const auto& known) { return known.name == name; }))
+        if (!std::ranges::count(known_models(), name, &ModelDescription::name))
             throw contact::InputError(
                 fmt::format("{}: models: this program was built without the model {}; name others",
                             study.name, name));
@@ -72,7 +58,7 @@ StudyPoint point_of(const Study& study, const Combination& combination, const st
                     int level) {
     try {
         std::vector<io::Entry> entries = combination.entries;
-        entries.push_back(models_entry(model));
+        entries.push_back(io::overriding("models", std::vector<std::string>{model}, "models"));
         StudyPoint point =
             make_point(io::resolve_case(study.base, entries), model, level, study.base.name);
         refuse_rolling_on(point.contact(), study.base.name);
@@ -107,7 +93,7 @@ comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStor
     comparisons::Sweep::Point result{.values = {}, .model = point.model, .level = point.level};
     for (const std::string& value : point.values) result.values.push_back(cell_of(value));
     const auto outcome = store.find(point.key);
-    if (outcome && outcome->results) result.results = results_of(*outcome);
+    if (const auto results = results_of(outcome)) result.results = *results;
     if (const auto why = failure_of(outcome); !why.empty()) result.error = why;
     if (std::filesystem::exists(folder + '/' + surface_file(point)))
         result.surface = surface_file(point);
@@ -146,9 +132,9 @@ class ContactKind : public StudyKind {
     std::string compute(const StudyPoints& points, const Places& lot,
                         const std::string& folder) const override {
         const StudyPoint& point = points[lot.front()];
-        const contact::History history =
-            folder.empty() ? history_of(point.model, point.contact(), 1, [](const std::string&) {})
-                           : history_with_files(point, folder);
+        const contact::History history = folder.empty()
+                                             ? history_of(point.model, point.contact(), 1, silent)
+                                             : history_with_files(point, folder);
         return json{{"results", comparisons::stored_results({point.contact(), history})},
                     {"cpu_s", history.cpu_s},
                     {"wall_s", history.wall_s}}
@@ -198,20 +184,23 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
         .vtk = Case::VtkOutput::none, .volume = Case::VolumeOutput::none, .volume_depth = {}};
     if (level > 0)
         of_point = io::parse_case(io::write_case(of_point), name, finer(model, of_point, level));
+    Case content = of_point;
+    content.fem.cache.clear();  // where things are kept changes no number
     return {.model = model,
             .level = level,
             .c = of_point,
             .output = c.output,
             .resolved = io::write_case(of_point),
-            .key = key_of(of_point)};
+            .key = point_key(io::write_case(content) + file_digests(content))};
 }
 
 std::string surface_file(const StudyPoint& point) {
     return folder_of(point) + '/' + point.model + "/surface.pvd";
 }
 
-comparisons::Results results_of(const io::PointOutcome& outcome) {
-    return comparisons::read_stored_results(json::parse(*outcome.results));
+std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome) {
+    if (!outcome || !outcome->results) return {};
+    return comparisons::read_stored_results(json::parse(*outcome->results));
 }
 
 }  // namespace tricontact::app

@@ -26,17 +26,11 @@ std::string length(double metres) {
     return fmt::format("\"{} m\"", metres);
 }
 
-/// The case with its own resolution.
-struct Start {
-    Case c;
-    double size;  // [m]
-};
-
-/// KeyBlock and element size of our own mesh of the case [m].
-struct KeyBlock {
+/// Block and element size of our own mesh of the case [m].
+struct MeshBlock {
     double size, width, depth;
 };
-KeyBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
+MeshBlock block_of([[maybe_unused]] const Case& c, [[maybe_unused]] const Say& say) {
 #ifdef TRICONTACT_WITH_FEM
     const meshes::LayerMeshSpec spec = fem_entries().mesh_spec(c, say);
     return {spec.size, 2 * spec.half_x, 2 * spec.half_y};
@@ -58,18 +52,18 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
     return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
 }
 
-Start read_start(const RefineOptions& options, const Say& say) {
+/// The case for the model alone.
+Case case_of(const RefineOptions& options) {
     const Case all = io::read_case(options.file, options.overrides);
     refuse_rolling_on(all, options.file);
-    if (std::find(all.models.begin(), all.models.end(), options.model) == all.models.end())
+    if (!std::ranges::count(all.models, options.model))
         throw contact::InputError(fmt::format(
             "{}: models: {} is not among the models of the case; add it, or name another with "
             "--model",
             options.file, options.model));
     Overrides overrides = options.overrides;
     std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
-    const Case c = io::read_case(options.file, overrides, {options.model});
-    return {c, start_size(c, options, say)};
+    return io::read_case(options.file, overrides, {options.model});
 }
 
 /// The case with further keys set, checked like any case file.
@@ -96,7 +90,7 @@ Overrides resolution(const Case& c, const std::string& key, double size, int k) 
 }
 
 Level wider(const Level& level, double factor, const std::string& case_file, const Say& say) {
-    const KeyBlock block = block_of(level.c, say);
+    const MeshBlock block = block_of(level.c, say);
     Overrides sides{"substrate.width=" + length(factor * block.width)};
     // Where a roller's substrate ends along y is part of the problem; a cylinder's does not.
     if (!level.c.is_cylindrical())
@@ -109,14 +103,15 @@ Level wider(const Level& level, double factor, const std::string& case_file, con
 }  // namespace
 
 RefinementPlan plan_refinement(const RefineOptions& options, const Say& say) {
-    const Start start = read_start(options, say);
+    const Case c = case_of(options);
+    const double coarsest = start_size(c, options, say);
     RefinementPlan plan;
     plan.key = options.model == "bem" ? "bem.spacing" : "fem.size";
     for (int k = 0; k < options.levels; ++k) {
-        const double size = start.size * std::pow(2., -k / 2.);
-        plan.levels.push_back(make_level(start.c, fmt::format("level_{}", k),
+        const double size = coarsest * std::pow(2., -k / 2.);
+        plan.levels.push_back(make_level(c, fmt::format("level_{}", k),
                                          fmt::format("{} = {:.4g} mm", plan.key, 1e3 * size), size,
-                                         resolution(start.c, plan.key, size, k), options.file));
+                                         resolution(c, plan.key, size, k), options.file));
     }
     if (options.model == "fem")
         plan.wide = wider(plan.levels[plan.levels.size() - 2], plan.wide_factor, options.file, say);

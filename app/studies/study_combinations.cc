@@ -19,11 +19,6 @@ struct Block {
     std::vector<Entries> rows;  ///< one entry per axis
 };
 
-bool is_sampled(const Study::Axis& axis) {
-    const auto* range = std::get_if<Study::Range>(&axis.values);
-    return range && !range->points;
-}
-
 Entries values_of(const Study::Axis& axis) {
     if (const auto* list = std::get_if<Entries>(&axis.values)) return *list;
     const int n = *std::get<Study::Range>(axis.values).points;
@@ -35,7 +30,7 @@ Entries values_of(const Study::Axis& axis) {
 Block sampled_block(const Study& study) {
     Block block;
     for (std::size_t i = 0; i < study.axes.size(); ++i)
-        if (is_sampled(study.axes[i])) block.axes.push_back(i);
+        if (study.axes[i].is_sampled()) block.axes.push_back(i);
     if (block.axes.empty()) return block;
     const auto sample = statistics::latin_hypercube(
         study.sampling->points, static_cast<int>(block.axes.size()), study.sampling->seed);
@@ -53,7 +48,7 @@ std::vector<Block> blocks_of(const Study& study) {
     std::vector<Block> blocks;
     const Block sampled = sampled_block(study);
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
-        if (!is_sampled(study.axes[i])) {
+        if (!study.axes[i].is_sampled()) {
             Block& block = blocks.emplace_back();
             block.axes = {i};
             for (io::Entry& entry : values_of(study.axes[i])) block.rows.push_back({entry});
@@ -74,45 +69,31 @@ void check_number(const Study& study, const std::vector<Block>& blocks, std::siz
             study.name, n, most_points));
 }
 
-/// Goes through the blocks' rows like an odometer.
-class Odometer {
-  public:
-    Odometer(const Study& study, std::vector<Block> blocks,
-             const std::function<void(const Combination&)>& call)
-        : study_(study), blocks_(std::move(blocks)), call_(call) {
-        at_.entries = study.settings;
-        at_.values.resize(study.axes.size());
-    }
-
-    void run(std::size_t depth = 0) {
-        if (depth == blocks_.size()) return call_(at_);
-        const Block& block = blocks_[depth];
-        const std::size_t n_before = at_.entries.size();
-        for (const Entries& row : block.rows) {
-            for (std::size_t j = 0; j < row.size(); ++j) {
-                at_.values[block.axes[j]] =
-                    io::table_value(*study_.axes[block.axes[j]].key, row[j]);
-                at_.entries.push_back(row[j]);
-            }
-            run(depth + 1);
-            at_.entries.resize(n_before);
+/// All combinations of the rows of the blocks from the `depth`-th on, like an odometer.
+void for_each_row(const Study& study, const std::vector<Block>& blocks, std::size_t depth,
+                  Combination& at, const std::function<void(const Combination&)>& call) {
+    if (depth == blocks.size()) return call(at);
+    const Block& block = blocks[depth];
+    const std::size_t n_before = at.entries.size();
+    for (const Entries& row : block.rows) {
+        for (std::size_t j = 0; j < row.size(); ++j) {
+            const std::size_t axis = block.axes[j];
+            at.values[axis] = io::table_value(*study.axes[axis].key, row[j]);
+            at.entries.push_back(row[j]);
         }
+        for_each_row(study, blocks, depth + 1, at, call);
+        at.entries.resize(n_before);
     }
-
-  private:
-    const Study& study_;
-    std::vector<Block> blocks_;
-    const std::function<void(const Combination&)>& call_;
-    Combination at_;
-};
+}
 
 }  // namespace
 
 void for_each_combination(const Study& study, std::size_t n_each,
                           const std::function<void(const Combination&)>& call) {
-    std::vector<Block> blocks = blocks_of(study);
+    const std::vector<Block> blocks = blocks_of(study);
     check_number(study, blocks, n_each);
-    Odometer(study, std::move(blocks), call).run();
+    Combination at{std::vector<std::string>(study.axes.size()), study.settings};
+    for_each_row(study, blocks, 0, at, call);
 }
 
 std::string text_of(const Study& study, const Combination& combination) {

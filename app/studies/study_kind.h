@@ -71,8 +71,8 @@ StudyPoint make_point(const contact::Case& c, const std::string& model, int leve
 /// Where the files for ParaView of a point belong, from the folder of its sweep.
 std::string surface_file(const StudyPoint& point);
 
-/// What a point of a contact that did not fail gave.
-comparisons::Results results_of(const io::PointOutcome& outcome);
+/// What a point of a contact gave; empty if it failed or has not been computed.
+std::optional<comparisons::Results> results_of(const std::optional<io::PointOutcome>& outcome);
 
 /// Name of the page that the report of walking machines over two axes has beside it.
 inline constexpr const char* map_page_name = "map.html";

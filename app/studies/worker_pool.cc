@@ -111,24 +111,19 @@ class Worker {
     std::string text_;
 };
 
-// Until one of them has something to say, a signal comes, or the patience ends [ms]; -1: never.
-std::vector<pollfd> wait_for_any(const std::list<Worker>& workers, int patience) {
-    std::vector<pollfd> ends;
-    for (const Worker& worker : workers) ends.push_back({worker.fd(), POLLIN, 0});
-    if (::poll(ends.data(), ends.size(), patience) < 0 && errno != EINTR)
-        fail("waiting for processes");
-    return ends;
-}
-
 void run_once(const std::vector<std::size_t>& tasks, int n_workers, const Task& task,
               const Done& done, const std::function<void()>& attend) {
-    constexpr int patience = 100;  // between two calls of `attend` [ms]
+    const int patience = attend ? 100 : -1;  // between two calls of `attend` [ms]; -1: no end
     std::list<Worker> workers;
     std::size_t next = 0;
     while (next < tasks.size() || !workers.empty()) {
         while (next < tasks.size() && workers.size() < static_cast<std::size_t>(n_workers))
             workers.emplace_back(tasks[next++], task);
-        const std::vector<pollfd> ends = wait_for_any(workers, attend ? patience : -1);
+        // Until one of them has something to say, a signal comes, or the patience ends.
+        std::vector<pollfd> ends;
+        for (const Worker& worker : workers) ends.push_back({worker.fd(), POLLIN, 0});
+        if (::poll(ends.data(), ends.size(), patience) < 0 && errno != EINTR)
+            fail("waiting for processes");
         if (attend) attend();
         auto worker = workers.begin();
         for (const pollfd& end : ends) {

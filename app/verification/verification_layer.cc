@@ -180,9 +180,7 @@ void verify_layer_shifts(const Say& say, Verification& all) {
 }  // namespace
 
 void verify_fem(const Say& say, Verification& all) {
-    const auto& models = known_models();
-    if (std::none_of(models.begin(), models.end(), [](const auto& m) { return m.name == "fem"; }))
-        return;
+    if (!std::ranges::count(known_models(), "fem", &ModelDescription::name)) return;
     verify_fem_layer(say, all);
     verify_fem_line(say, all);
 }

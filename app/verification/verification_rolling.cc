@@ -44,12 +44,20 @@ rolling::RollingState steady_state(Case& c, double cells, const char* what, cons
     return roll_grid("bem", c, {.points = 0}).history.steady;
 }
 
-/// Errors of cells are of the first order: what two grids, one half as fine as the other, lead to.
-/// One value fewer than given.
-std::vector<double> led_to(const std::vector<double>& values) {
-    std::vector<double> result;
-    for (std::size_t i = 1; i < values.size(); ++i) result.push_back(2 * values[i] - values[i - 1]);
-    return result;
+/// Errors of cells are of the first order: adds rows of what two grids, one half as fine as the
+/// other, lead to.
+template <std::size_t n, class Level>
+void add_extrapolated(std::array<VerificationRow, n> rows, Verification& all, const Level& level) {
+    std::array<double, n> before{};
+    for (const int factor : {1, 2, 4, 8}) {
+        const auto [size, values] = level(factor);
+        for (std::size_t i = 0; i < n && factor > 1; ++i) {
+            rows[i].sizes.push_back(size);
+            rows[i].values.push_back(2 * values[i] - before[i]);
+        }
+        before = values;
+    }
+    for (VerificationRow& row : rows) all.rows.push_back(std::move(row));
 }
 
 void verify_springs(bool brief, const Say& say, Verification& all) {
@@ -86,19 +94,13 @@ void verify_carter(bool brief, const Say& say, Verification& all) {
     stick.reference = theory::carter_stick_ratio(rolling_force);
     stick.source = "Johnson, Contact Mechanics (1985), eq. 8.46; likewise; whole cells stick";
     stick.tolerance = brief ? .05 : 3e-3;
-    std::vector<double> creepages, sticks;
-    for (const int factor : {1, 2, 4, 8}) {
+    add_extrapolated<2>({creepage, stick}, all, [&](int factor) {
         Case c = cylinder();
         const auto steady = steady_state(c, (brief ? 10 : 40) * factor, "rolling cylinder", say);
-        creepages.push_back(steady.creepage.longitudinal / rolling::creepage_unit(c));
-        sticks.push_back(steady.stick_area / steady.contact_area);
-        if (factor == 1) continue;
-        for (VerificationRow* row : {&creepage, &stick}) row->sizes.push_back(cell_in_radius(c));
-    }
-    creepage.values = led_to(creepages);
-    stick.values = led_to(sticks);
-    all.rows.push_back(std::move(creepage));
-    all.rows.push_back(std::move(stick));
+        return std::pair(cell_in_radius(c),
+                         std::array{steady.creepage.longitudinal / rolling::creepage_unit(c),
+                                    steady.stick_area / steady.contact_area});
+    });
 }
 
 /// C11, C22, C23 and C33 of the pressed contact, a circle of the area that its pressure has.
@@ -118,30 +120,25 @@ std::array<double, 4> coefficients(const Case& c) {
 void verify_kalker(const Say& say, Verification& all) {
     constexpr const char* names[] = {"C11", "C22", "C23", "C33"};
     for (const double nu : {0., .25, .5}) {
-        std::array<std::vector<double>, 4> values;
-        std::vector<double> sizes;
-        for (const int factor : {1, 2, 4, 8}) {
-            Case c = rolling_on(nu);
-            c.bem.cells_per_radius = 8 * factor;
-            say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
-                            *c.bem.cells_per_radius));
-            const auto found = coefficients(c);
-            for (std::size_t i = 0; i < 4; ++i) values[i].push_back(found[i]);
-            if (factor > 1) sizes.push_back(cell_in_radius(c));
-        }
         const theory::KalkerCoefficients table = theory::kalker_coefficients(1, nu);
         const double expected[] = {table.longitudinal, table.lateral, table.spin, table.moment};
+        std::array<VerificationRow, 4> rows;
         for (std::size_t i = 0; i < 4; ++i)
-            all.rows.push_back({.problem = "Linear creep",
-                                .quantity = fmt::format("{}, nu = {}", names[i], nu),
-                                .model = "bem",
-                                .source = "Kalker (1990), Three-Dimensional Elastic Bodies in "
-                                          "Rolling Contact, table E.3, three digits; extrapolated "
-                                          "from this and twice the size of cells",
-                                .reference = expected[i],
-                                .sizes = sizes,
-                                .values = led_to(values[i]),
-                                .tolerance = 6e-3});  // half of the last digit of 1.16, and cells
+            rows[i] = {.problem = "Linear creep",
+                       .quantity = fmt::format("{}, nu = {}", names[i], nu),
+                       .model = "bem",
+                       .source =
+                           "Kalker (1990), Three-Dimensional Elastic Bodies in Rolling "
+                           "Contact, table E.3, three digits; extrapolated from this and "
+                           "twice the size of cells",
+                       .reference = expected[i],
+                       .tolerance = 6e-3};  // half of the last digit of 1.16, and cells
+        add_extrapolated(std::move(rows), all, [&](int factor) {
+            const Case c = cells_in_radius(8).refined(rolling_on(nu), factor);
+            say(fmt::format("bem, creep without slip, nu = {}, {} cells", nu,
+                            *c.bem.cells_per_radius));
+            return std::pair(cell_in_radius(c), coefficients(c));
+        });
     }
 }
 

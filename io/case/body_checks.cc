@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "contact/bodies/half_space_scales.h"
@@ -17,17 +16,6 @@ using Base = Case::Base;
 
 constexpr double whole_periods = 1e-6;  // how far lengths may be from them
 constexpr double cells_in_a_wave = 2;   // of the shortest wavelength, Nyquist
-
-bool is_rough(const Case& c) {
-    return contact::is_nominally_flat(c) || c.indenter.roughness;
-}
-
-void check_rough_models(const Case& c, const Document& document) {
-    for (const std::string& model : c.models)
-        if (model != "bem" && model != "bem-layer")
-            refuse(document, "models", model + " does not model rough surfaces",
-                   "take bem or bem-layer alone");
-}
 
 void check_wavelengths(const Case& c, const Document& document) {
     const contact::Roughness& r = *c.indenter.roughness;
@@ -79,22 +67,6 @@ void check_period(const Case& c, const Document& document) {
                    "is not the " + rounded(side[0]) + " m x " + rounded(side[1]) +
                        " m of the height map, nodes times spacing",
                    "use a square map and its length");
-}
-
-void check_lengths(const Case& c, const Document& document) {
-    const std::string rule = "a nominally flat contact has no radius";
-    if (!c.bem.spacing) refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
-    if (c.rolling && c.rolling->amplitude_ratio)
-        refuse(document, "rolling.amplitude_ratio", rule, "give rolling.amplitude");
-}
-
-void check_length(const std::string& key, std::size_t n, std::size_t n_layers,
-                  const Document& document) {
-    if (n == n_layers) return;
-    refuse(document, key,
-           "has " + std::to_string(n) + " elements, but lower_layer.thickness has " +
-               std::to_string(n_layers),
-           "give one for each layer, from the top down");
 }
 
 // Of its contact radius: as a membrane it gives way (a/b) times as far along itself as across, and
@@ -153,16 +125,10 @@ void check_size(const Case& c, const Document& document) {
                    rounded(c.indenter.length) + " m: no line contact",
                "enlarge it or reduce the load");
     if (a > largest_slope * c.indenter.radius)
-        refuse(document, used(document, "load.normal_force", "load.indentation"),
+        refuse(document, load_key(document),
                "the contact's half width of " + rounded(a) + " m exceeds half of the radius " +
                    rounded(c.indenter.radius) + " m: small deformations are assumed",
                "check the units of the load and of indenter.radius; no model goes further");
-}
-
-void check_line_path(const Case& c, const Document& document) {
-    if (!c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12) return;
-    refuse(document, "rolling.angle", "a cylinder or roller rolls across its axis, along x, only",
-           "omit it, or take a body of revolution");
 }
 
 void check_options(const Case& c, const Document& document) {
@@ -200,8 +166,11 @@ void resolve_height_map(Case& c, const Document& document) {
 }
 
 void check_rough_bodies(const Case& c, const Document& document) {
-    if (!is_rough(c)) return;
-    check_rough_models(c, document);
+    if (!contact::is_nominally_flat(c) && !c.indenter.roughness) return;
+    for (const std::string& model : c.models)
+        if (model != "bem" && model != "bem-layer")
+            refuse(document, "models", model + " does not model rough surfaces",
+                   "take bem or bem-layer alone");
     if (c.indenter.roughness && c.is_cylindrical())
         refuse(document, "indenter.shape",
                "roughness makes spots of what is taken as a line contact",
@@ -210,15 +179,23 @@ void check_rough_bodies(const Case& c, const Document& document) {
     if (c.indenter.shape == Shape::flat) check_plane(c, document);
     if (!contact::is_nominally_flat(c)) return;
     if (c.bem.period) check_period(c, document);
-    check_lengths(c, document);
+    const std::string rule = "a nominally flat contact has no radius";
+    if (!c.bem.spacing) refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
+    if (c.rolling && c.rolling->amplitude_ratio)
+        refuse(document, "rolling.amplitude_ratio", rule, "give rolling.amplitude");
 }
 
 void resolve_lower_layers(Case& c, const Document& document) {
     if (!c.lower_layers_input) return;
     const auto& input = *c.lower_layers_input;
     const std::size_t n = input.thickness.size();
-    check_length("lower_layer.young", input.young.size(), n, document);
-    check_length("lower_layer.poisson", input.poisson.size(), n, document);
+    for (const auto& [key, list] : {std::pair("lower_layer.young", &input.young),
+                                    std::pair("lower_layer.poisson", &input.poisson)})
+        if (list->size() != n)
+            refuse(document, key,
+                   "has " + std::to_string(list->size()) +
+                       " elements, but lower_layer.thickness has " + std::to_string(n),
+                   "give one for each layer, from the top down");
     for (std::size_t i = 0; i < n; ++i)
         c.layer.lower.push_back({input.thickness[i], {input.young[i], input.poisson[i]}});
     c.lower_layers_input.reset();
@@ -263,7 +240,10 @@ void check_layer(const std::string& model, const Case& c, const Document& docume
 void check_line_contact(const Case& c, const Document& document) {
     if (!c.is_cylindrical()) return;
     check_line_models(c, document);
-    check_line_path(c, document);
+    if (c.rolling && std::abs(std::sin(c.rolling->angle)) >= 1e-12)
+        refuse(document, "rolling.angle",
+               "a cylinder or roller rolls across its axis, along x, only",
+               "omit it, or take a body of revolution");
     check_options(c, document);
     check_size(c, document);
 }

@@ -1,12 +1,10 @@
 #include "io/case/case_checks.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::io {
 
@@ -28,14 +26,14 @@ void check_scales(const HalfSpaceScales& s, const Document& document) {
     for (const double scale :
          {s.contact_radius, s.indentation, s.normal_force, s.peak_pressure, s.unit_shift})
         if (!(scale > 0) || !std::isfinite(scale))
-            refuse(document, used(document, "load.normal_force", "load.indentation"),
+            refuse(document, load_key(document),
                    "contact radius, force or pressure on the half-space overflow double precision",
                    "check the units of radius, moduli and load");
 }
 
 void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& document) {
     if (c.indenter.shape != Case::Shape::sphere) return;
-    const std::string load = used(document, "load.normal_force", "load.indentation");
+    const std::string load = load_key(document);
     // A force presses less deep into a layer than into a half-space.
     const bool layer_only = c.models == std::vector<std::string>{"fem"} && c.layer.thickness;
     const double a = layer_only ? contact_radius_bounds(c).low : s.contact_radius;
@@ -53,14 +51,8 @@ void check_sphere(const Case& c, const HalfSpaceScales& s, const Document& docum
 }
 
 auto find_mdr(const Case& c) {
-    return std::find_if(c.models.begin(), c.models.end(),
-                        [](const auto& model) { return model == "mdr" || model == "mdr-layer"; });
-}
-
-/// The scales of the case's body; what is wrong with it is a matter of its load.
-HalfSpaceScales scales_of(const Case& c, const Document& document) {
-    return told_at(document, used(document, "load.normal_force", "load.indentation"),
-                   [&] { return contact::half_space_scales(c); });
+    return std::ranges::find_if(
+        c.models, [](const auto& model) { return model == "mdr" || model == "mdr-layer"; });
 }
 
 void check_revolution(const Case& c, const Document& document) {
@@ -113,7 +105,9 @@ double steps_per_period(const Case::Rolling& rolling, double amplitude) {
 }
 
 double check_steps(const Case& c, const HalfSpaceScales& s, const Document& document) {
-    if (c.tractive_rolling) return steps_of_tractive_rolling(c, s);
+    if (c.tractive_rolling)  // loading, then one per cell
+        return 2 + c.tractive_rolling->distance * (c.bem.spacing ? s.contact_radius / *c.bem.spacing
+                                                                 : *c.bem.cells_per_radius);
     if (!c.rolling) return 2;
     const double amplitude = rolling_amplitude(c, s);
     const bool increment = c.rolling->steps == Case::Steps::increment;
@@ -133,11 +127,6 @@ double check_steps(const Case& c, const HalfSpaceScales& s, const Document& docu
     return steps;
 }
 
-double largest_contact_radius(const Case& c, const HalfSpaceScales& s) {
-    const double growth = 1 + c.load.normal_amplitude_ratio;
-    return s.contact_radius * (c.load.normal_force ? std::cbrt(growth) : std::sqrt(growth));
-}
-
 void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const std::string key = used(document, "bem.cells_per_radius", "bem.spacing");
     const double h = c.bem.spacing ? *c.bem.spacing : s.contact_radius / *c.bem.cells_per_radius;
@@ -148,9 +137,9 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                    rounded(radius) + " m: too coarse",
                "use a spacing of at most " + rounded(radius / 10) + " m");
     const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
-    const double a = largest_contact_radius(c, s);
     const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
-    const double grown = a / s.contact_radius;
+    const double crest = 1 + c.load.normal_amplitude_ratio;
+    const double grown = c.load.normal_force ? std::cbrt(crest) : std::sqrt(crest);
     const double n_x = whole_period
                            ? *c.bem.period / h
                            : 2 * (grown * s.half_widths[0] + w * std::abs(std::cos(angle))) / h;
@@ -191,7 +180,9 @@ void check_case(const Case& c, const Document& document) {
     check_line_contact(c, document);
     check_rough_bodies(c, document);
     check_revolution(c, document);
-    const HalfSpaceScales scales = scales_of(c, document);
+    // What is wrong with the scales of the body is a matter of its load.
+    const HalfSpaceScales scales =
+        told_at(document, load_key(document), [&] { return contact::half_space_scales(c); });
     check_scales(scales, document);
     check_coupling(c, document);
     check_sphere(c, scales, document);
@@ -199,7 +190,6 @@ void check_case(const Case& c, const Document& document) {
     check_oscillation(c, document);
     check_relaxation(c, document);
     check_ground(c, document);
-    check_direction_of_force(c, document);
     check_friction_limit(c, scales, document);
     const double steps = check_steps(c, scales, document);
     check_bem_options(c, document);

@@ -19,6 +19,11 @@ inline bool computes(const contact::Case& c, std::string_view model) {
     return std::ranges::count(c.models, model) > 0;
 }
 
+/// The key that presses the contact.
+inline std::string load_key(const Document& document) {
+    return document.find("load.indentation") ? "load.indentation" : "load.normal_force";
+}
+
 /// Rules that concern several keys at once: friction limit, coupling of the materials, scale of
 /// the contact against the indenter, resolution and cost.
 void check_case(const contact::Case& c, const Document& document);
@@ -65,19 +70,13 @@ void resolve_height_map(contact::Case& c, const Document& document);
 /// nothing that refers to a radius of contact where there is none.
 void check_rough_bodies(const contact::Case& c, const Document& document);
 
-/// F_T points along x except where the body rolls on.
-void check_direction_of_force(const contact::Case& c, const Document& document);
-
-/// F_T stays below mu F_N all along the path, by what the models can tell. With a prescribed
-/// indentation they find F_N, and check again.
+/// F_T points along x except where the body rolls on, and stays below mu F_N all along the path, by
+/// what the models can tell. With a prescribed indentation they find F_N, and check again.
 void check_friction_limit(const contact::Case& c, const contact::HalfSpaceScales& scales,
                           const Document& document);
 
 /// Refuses what does not go with [tractive_rolling].
 void check_tractive_rolling(const contact::Case& c, const Document& document);
-
-/// Steps of a case that rolls on, at most: loading, then one per cell. The case has to be one.
-double steps_of_tractive_rolling(const contact::Case& c, const contact::HalfSpaceScales& scales);
 
 /// The word that stands for a shape in case files.
 std::string_view word_of(contact::Case::Shape shape);

@@ -21,8 +21,7 @@ const CaseKey* find_key(std::string_view path);
 
 /// Groups of alternative keys: exactly one of each group, or its default.
 enum KeyGroup {
-    no_group = 0,
-    normal_load,
+    normal_load = 1,
     tangential_load,
     amplitude,
     steps,

@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/error.h"
 #include "contact/substrates/relaxing_case.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
 #include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 #include "io/tables/body_tables.h"
 
 namespace tricontact::io {
@@ -18,12 +16,6 @@ using contact::Relaxation;
 using Input = Case::RelaxationInput;
 
 const std::string prefix = "substrate.relaxation.";
-
-void resolve_standard_solid(Input& input) {
-    input.moduli = {*input.maxwell_modulus};
-    input.times = {*input.viscosity / *input.maxwell_modulus};
-    input.maxwell_modulus = input.viscosity = std::nullopt;
-}
 
 // The shape of the table, ratios over its relaxed modulus, goes with the case's own modulus.
 void resolve_dma(Case& c, const Document& document) {
@@ -114,7 +106,9 @@ void resolve_relaxation(Case& c, const Document& document) {
     std::string key = prefix + "moduli";
     if (input.maxwell_modulus) {
         key = prefix + "eta";
-        resolve_standard_solid(input);
+        input.moduli = {*input.maxwell_modulus};
+        input.times = {*input.viscosity / *input.maxwell_modulus};
+        input.maxwell_modulus = input.viscosity = std::nullopt;
     } else if (input.dma) {
         key = prefix + "dma";
         resolve_dma(c, document);

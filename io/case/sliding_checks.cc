@@ -50,13 +50,6 @@ double largest_ratio(const Case::Load& load, double mean_ratio,
     return worst;
 }
 
-/// On the half-space; that of a layer falls no less where the indentation falls.
-double force_at(const Case& c, const HalfSpaceScales& scales, double factor) {
-    Case other = c;
-    other.load.indentation = *c.load.indentation * factor;
-    return contact::half_space_scales(other).normal_force / scales.normal_force;
-}
-
 void check_oscillating_ratio(const std::string& key, double worst, const Document& document) {
     if (worst >= 1)
         refuse(document, key,
@@ -126,12 +119,15 @@ void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document
     const std::string key = "load.tangential_ratio";
     if (!c.load.tangential_ratio || contact::is_nominally_flat(c)) return;
     const double mean = std::abs(*c.load.tangential_ratio);
+    // On the half-space; that of a layer falls no less where the indentation falls.
+    const auto force = [&](double factor) {
+        Case other = c;
+        other.load.indentation = *c.load.indentation * factor;
+        return contact::half_space_scales(other).normal_force / scales.normal_force;
+    };
     // What relaxes remembers more forces than this one.
-    const double worst = c.relaxation || c.load.normal_amplitude_ratio == 0
-                             ? mean
-                             : largest_ratio(c.load, mean, [&](double factor) {
-                                   return force_at(c, scales, factor);
-                               });
+    const bool constant = c.relaxation || c.load.normal_amplitude_ratio == 0;
+    const double worst = constant ? mean : largest_ratio(c.load, mean, force);
     check_oscillating_ratio(key, worst, document);
     check_tells_sliding(c, key, worst, document);
     check_force_of_cells(c, scales, worst, document);
@@ -171,14 +167,6 @@ void check_cylinder(const Case& c, const Document& document) {
                    "omit it, or take a body that touches in an area");
 }
 
-/// Others would bring new hills into contact at every step.
-void check_smooth(const Case& c, const Document& document) {
-    const Case::Shape shape = c.indenter.shape;
-    if (c.indenter.roughness || shape == Case::Shape::flat || shape == Case::Shape::height_map)
-        refuse(document, "indenter.shape", "a rough body is not the same after it has rolled on",
-               "take a smooth one, or omit [tractive_rolling]");
-}
-
 void check_model(const std::string& model, const Case& c, const Document& document) {
     if (model != "mdr" && model != "bem" && model != "bem-layer")
         refuse(document, "models",
@@ -191,10 +179,8 @@ void check_model(const std::string& model, const Case& c, const Document& docume
                    "omit it, or leave mdr out");
 }
 
-}  // namespace
-
-void check_direction_of_force(const Case& c, const Document& document) {
-    if (c.tractive_rolling) return;
+/// F_T points along x except where the body rolls on.
+void check_direction(const Case& c, const Document& document) {
     if (c.load.tangential_ratio.value_or(0) < 0)
         refuse(document, "load.tangential_ratio",
                "must be at least 0 and less than 1 but with [tractive_rolling]",
@@ -204,7 +190,10 @@ void check_direction_of_force(const Case& c, const Document& document) {
                "give its amount, x points along F_T");
 }
 
+}  // namespace
+
 void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Document& document) {
+    if (!c.tractive_rolling) check_direction(c, document);
     if (c.load.indentation) return check_at_depth(c, scales, document);
     if (!c.load.tangential_ratio && !c.load.tangential_force) return;
     const double mean =
@@ -226,15 +215,12 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
 void check_tractive_rolling(const Case& c, const Document& document) {
     if (!c.tractive_rolling) return;
     check_rolls_one_way(c, document);
-    check_smooth(c, document);
+    // Others would bring new hills into contact at every step.
+    if (c.indenter.roughness || contact::is_nominally_flat(c))
+        refuse(document, "indenter.shape", "a rough body is not the same after it has rolled on",
+               "take a smooth one, or omit [tractive_rolling]");
     check_cylinder(c, document);
     for (const std::string& model : c.models) check_model(model, c, document);
-}
-
-double steps_of_tractive_rolling(const Case& c, const contact::HalfSpaceScales& scales) {
-    const double cells =
-        c.bem.spacing ? scales.contact_radius / *c.bem.spacing : *c.bem.cells_per_radius;
-    return 2 + c.tractive_rolling->distance * cells;
 }
 
 }  // namespace tricontact::io

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
+#include <set>
 
 #include "io/case/study_reader.h"
 #include "io/keys/field_reader.h"
@@ -21,11 +23,6 @@ using Kind = Key::Kind;
     fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
          did_you_mean(likely_path(path, keys.paths()),
                       std::string(keys.reference()) + " lists the keys"));
-}
-
-// What says how results are kept, not what they are.
-bool changes_no_number(const Key& key) {
-    return key.path == "title" || key.path == "fem.cache" || key.section() == "output";
 }
 
 const Key& checked_key(const Entry& entry, const std::string& path, const KeyList& keys) {
@@ -86,13 +83,12 @@ std::vector<Value> elements_of(const Key& key, const Entry& entry) {
 
 std::vector<Entry> read_list(const Key& key, const Entry& entry) {
     std::vector<Entry> entries;
-    std::vector<std::string> seen;
+    std::set<std::string> seen;
     for (Value& value : elements_of(key, entry)) {
         entries.push_back(entry_of(key, std::move(value), entry.place));
         read_field(key, entries.back(), Field());
-        seen.push_back(table_value(key, entries.back()));
-        if (std::find(seen.begin(), seen.end() - 1, seen.back()) != seen.end() - 1)
-            fail(entry.place, entry.path, seen.back() + " stands twice", "name each once");
+        const auto [shown, is_new] = seen.insert(table_value(key, entries.back()));
+        if (!is_new) fail(entry.place, entry.path, *shown + " stands twice", "name each once");
     }
     return entries;
 }
@@ -119,23 +115,15 @@ double end_of(const Key& key, const Entry& part) {
     return std::get<double>(entry.value);
 }
 
-const Key& points_key() {
-    static const Key key = integer_key("points", {2, most_values}, "5", "values of a range");
-    return key;
-}
-
-const Key& scale_key() {
-    static const Key key =
-        choice_key("scale", {{"linear"}, {"log"}}, R"("log")", "how the values of a range lie");
-    return key;
-}
+const Key points_key = integer_key("points", {2, most_values}, "5", "values of a range");
+const Key scale_key =
+    choice_key("scale", {{"linear"}, {"log"}}, R"("log")", "how the values of a range lie");
 
 const Entry& part_of(const Document& document, const std::string& range, const char* part) {
-    const Entry* entry = document.find(range + '.' + part);
-    if (entry) return *entry;
-    const Document::Section* section = document.find_section(range);
-    fail(section ? section->place : document.name + ":1:1", range,
-         std::string("the range has no ") + part, "write {from = ..., to = ..., points = 5}");
+    const std::string path = range + '.' + part;
+    if (const Entry* entry = document.find(path)) return *entry;
+    fail(document.place_of(path), range, std::string("the range has no ") + part,
+         "write {from = ..., to = ..., points = 5}");
 }
 
 void check_parts(const Document& document, const Key& key, const std::string& range) {
@@ -162,14 +150,14 @@ Study::Range read_range(const Document& document, const Key& key) {
     if (range.from >= range.to)
         fail(to.place, to.subject(), "must be greater than from", "exchange or correct them");
     if (const Entry* points = document.find(name + ".points"))
-        read_field(points_key(), *points, Field(&range.points.emplace()));
+        read_field(points_key, *points, Field(&range.points.emplace()));
     if (key.kind == Kind::integer && range.points && *range.points > range.to - range.from + 1)
         fail(document.place_of(name + ".points"), name + ".points",
              "there are not so many whole numbers from " + shortest(range.from) + " to " +
                  shortest(range.to),
              "take fewer points");
     if (const Entry* scale = document.find(name + ".scale"))
-        range.logarithmic = read_choice(scale_key(), *scale).word == "log";
+        range.logarithmic = read_choice(scale_key, *scale).word == "log";
     if (range.logarithmic && range.from <= 0)
         fail(from.place, from.subject(), "must be greater than 0 on a logarithmic scale",
              "begin above 0, or omit scale");
@@ -184,14 +172,11 @@ double twelve_digits(double value) {
 
 // A table without keys leaves no entry behind: it would be overlooked. The innermost is to blame.
 void check_not_empty(const Document& document) {
-    const auto is_empty = [&](const Document::Section& section) {
-        return std::none_of(
-            document.entries.begin(), document.entries.end(),
-            [&](const Entry& entry) { return entry.path.starts_with(section.name + '.'); });
-    };
-    const auto empty = std::find_if(document.sections.rbegin(), document.sections.rend(), is_empty);
-    if (empty != document.sections.rend())
-        fail(empty->place, "", '[' + empty->name + "] is empty", "fill it, or omit it");
+    for (const Document::Section& table : document.sections | std::views::reverse)
+        if (std::ranges::none_of(document.entries, [&](const Entry& entry) {
+                return entry.path.starts_with(table.name + '.');
+            }))
+            fail(table.place, "", '[' + table.name + "] is empty", "fill it, or omit it");
 }
 
 }  // namespace
@@ -217,7 +202,8 @@ std::vector<Study::Axis> read_axes(const Document& document, const KeyList& keys
         if (!entry.path.starts_with("vary.")) continue;
         const Name name = name_of(entry, keys);
         const Key& key = checked_key(entry, name.path, keys);
-        if (changes_no_number(key))
+        // What says how results are kept, not what they are.
+        if (key.path == "title" || key.path == "fem.cache" || key.section() == "output")
             fail(entry.key_place, entry.path, "changes no number", "omit it");
         if (name.part.empty())
             axes.push_back({&key, entry.place, read_list(key, entry)});
@@ -235,13 +221,10 @@ std::vector<Entry> entries_at(const Study::Axis& axis, const std::vector<double>
         double value = range.logarithmic ? range.from * std::pow(range.to / range.from, t)
                                          : range.from + t * (range.to - range.from);
         value = std::clamp(twelve_digits(value), range.from, range.to);
-        if (is_quantity(key))
-            entries.push_back(entry_of(
-                key, shortest(value) + ' ' + std::string(si_unit(key.dimension)), axis.place));
-        else
-            entries.push_back(
-                entry_of(key, number(key, key.kind == Kind::integer ? std::round(value) : value),
-                         axis.place));
+        if (key.kind == Kind::integer) value = std::round(value);
+        Value written = number(key, value);
+        if (is_quantity(key)) written = shortest(value) + ' ' + std::string(si_unit(key.dimension));
+        entries.push_back(entry_of(key, std::move(written), axis.place));
     }
     return entries;
 }

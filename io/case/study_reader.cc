@@ -5,7 +5,6 @@
 #include "io/case/case_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key.h"
 #include "io/keys/key_checks.h"
 #include "io/keys/messages.h"
 
@@ -25,8 +24,8 @@ const std::vector<PlacedKey<Study>>& own_keys() {
          [](Study& s) -> Field { return &s.levels; }},
         {integer_key("latin_hypercube.points", {2, most_values}, "50", "points of the sample",
                      {.required = true})},
-        {integer_key("latin_hypercube.seed", {0, 2147483647}, "1",
-                     "another seed, another sample")}};
+        {integer_key("latin_hypercube.seed", {0, 2147483647}, "1", "another seed, another sample",
+                     {.default_value = "1"})}};
     return keys;
 }
 
@@ -75,21 +74,9 @@ void refuse_models(const Document& document) {
                  "omit the key");
 }
 
-int integer_at(std::string_view path, const Document& document, int otherwise) {
-    const KeyList& keys = own_key_list();
-    int value = otherwise;
-    if (const Entry* entry = document.find(path))
-        read_field(*keys.find(path), *entry, Field(&value));
-    return value;
-}
-
 std::optional<Study::LatinHypercube> read_sampling(const Document& document,
                                                    const std::vector<Study::Axis>& axes) {
-    const auto is_sampled = [](const Study::Axis& axis) {
-        const auto* range = std::get_if<Study::Range>(&axis.values);
-        return range && !range->points;
-    };
-    const auto sampled = std::find_if(axes.begin(), axes.end(), is_sampled);
+    const auto sampled = std::ranges::find_if(axes, &Study::Axis::is_sampled);
     const Document::Section* section = document.find_section("latin_hypercube");
     if (!section && sampled == axes.end()) return {};
     if (!section)
@@ -98,10 +85,11 @@ std::optional<Study::LatinHypercube> read_sampling(const Document& document,
     if (sampled == axes.end())
         fail(section->place, "", "[latin_hypercube] samples nothing: every range has points",
              "omit points in the ranges to be sampled, or this section");
-    const std::string points = "latin_hypercube.points";
-    required(*own_key_list().find(points), document, own_key_list());
-    const int seed = integer_at("latin_hypercube.seed", document, 1);
-    return Study::LatinHypercube{integer_at(points, document, 0), static_cast<std::uint64_t>(seed)};
+    const KeyList& keys = own_key_list();
+    int points = 0, seed = 0;
+    read_or_default(*keys.find("latin_hypercube.points"), &points, document, keys);
+    read_or_default(*keys.find("latin_hypercube.seed"), &seed, document, keys);
+    return Study::LatinHypercube{points, static_cast<std::uint64_t>(seed)};
 }
 
 }  // namespace

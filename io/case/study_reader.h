@@ -24,6 +24,11 @@ struct Study {
         const Key* key = nullptr;
         std::string place;  ///< file:line:column
         std::variant<std::vector<Entry>, Range> values;
+
+        bool is_sampled() const {
+            const auto* range = std::get_if<Range>(&values);
+            return range && !range->points;
+        }
     };
     struct LatinHypercube {
         int points = 0;

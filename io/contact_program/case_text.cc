@@ -43,7 +43,13 @@ class SequenceReading {
         find_period();
     }
 
-    contact::MaterialPair materials() const { return {indenter_material(), substrate()}; }
+    contact::MaterialPair materials() const {
+        return {is_rigid() ? std::nullopt : std::optional(material(0)), material(1)};
+    }
+
+    ImportedCase imported(bool is_coupled) const {
+        return {text(is_coupled), steps_.size(), cases_.size() - steps_.size()};
+    }
 
     std::string text(bool is_coupled) const {
         return fmt::format("title = {}\nmodels = [\"bem\"]\n",
@@ -53,15 +59,15 @@ class SequenceReading {
                            toml_number(head().tolerance));
     }
 
-    std::size_t left_out() const { return cases_.size() - steps_.size(); }
-    std::size_t n_steps() const { return steps_.size(); }
-
     /// Each step of the file is one of the case's. How an uncoupled contact is pressed is all the
     /// same.
     void check_steps(std::vector<SequenceStep> expected, bool is_coupled) const {
         Sequence given = steps_;
         if (!is_coupled) {
-            for (const ProgramCase& one : given.first(n_pressing())) check_pressing(one);
+            for (const ProgramCase& one : given.first(n_pressing()))
+                if (one.digits.tangential == 1 && length(one.tangential) != 0)
+                    refuse(one.loads_line, "FX, FY",
+                           "load the contact tangentially in several steps", "load it in one");
             expected.erase(expected.begin());
             given = given.subspan(n_pressing());
         }
@@ -173,10 +179,6 @@ class SequenceReading {
         const double nu = head().poisson[body];
         return {2 * head().shear_modulus[body] * (1 + nu), nu};
     }
-    contact::Material substrate() const { return material(1); }
-    std::optional<contact::Material> indenter_material() const {
-        return is_rigid() ? std::nullopt : std::optional(material(0));
-    }
 
     std::string body_text() const {
         const auto radius = [&](std::size_t axis) {
@@ -197,7 +199,7 @@ class SequenceReading {
             return fmt::format("young = \"{} MPa\"\npoisson = {}\n", 1e-6 * m.young,
                                toml_number(m.poisson));
         };
-        return (is_rigid() ? "" : text_of(material(0))) + "[substrate]\n" + text_of(substrate()) +
+        return (is_rigid() ? "" : text_of(material(0))) + "[substrate]\n" + text_of(material(1)) +
                fmt::format("[friction]\ncoefficient = {}\n",
                            toml_number(head().friction_coefficient));
     }
@@ -224,12 +226,6 @@ class SequenceReading {
             1e3 * length(turning_point_),
             std::atan2(turning_point_[1], turning_point_[0]) * 180 / std::numbers::pi, n_periods_,
             steps);
-    }
-
-    void check_pressing(const ProgramCase& one) const {
-        if (one.digits.tangential == 1 && length(one.tangential) != 0)
-            refuse(one.loads_line, "FX, FY", "load the contact tangentially in several steps",
-                   "load it in one");
     }
 
     void check_step(const ProgramCase& given, const SequenceStep& expected) const {
@@ -285,7 +281,7 @@ ImportedCase case_of_sequence(std::string text, const std::string& name,
                               const std::function<bool(const contact::MaterialPair&)>& is_coupled) {
     const SequenceReading reading(std::move(text), name);
     const bool coupled = is_coupled(reading.materials());
-    ImportedCase out{reading.text(coupled), reading.n_steps(), reading.left_out()};
+    ImportedCase out = reading.imported(coupled);
     reading.check_steps(sequence_of(parse_case(out.text, name + ", as a case"), coupled), coupled);
     return out;
 }

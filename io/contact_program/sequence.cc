@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "contact/error.h"
 #include "contact/solvers/contact_region.h"
 #include "io/keys/messages.h"
 
@@ -17,48 +16,37 @@ using contact::LoadStep;
 using contact::NormalControl;
 using contact::Vector2;
 
-[[noreturn]] void refuse_key(const char* key, const char* rule, const char* remedy) {
-    throw contact::InputError(fmt::format("{}: {}; {}", key, rule, remedy));
-}
-
 /// What the half-space and layer of CONTACT do not do.
 void check_bodies(const Case& c, bool is_coupled) {
     if (c.relaxation)
-        refuse_key("substrate.relaxation", "CONTACT takes relaxing bodies in steady rolling alone",
-                   "such a case cannot be written for it");
-    if (c.bem.period) refuse_key("bem.period", "CONTACT has no periodic contacts", "omit it");
+        fail("substrate.relaxation", "", "CONTACT takes relaxing bodies in steady rolling alone",
+             "such a case cannot be written for it");
+    if (c.bem.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
     if (c.contact.kinematics != Case::Kinematics::linear)
-        refuse_key("contact.kinematics", "CONTACT's kinematics are linear", "take \"linear\"");
+        fail("contact.kinematics", "", "CONTACT's kinematics are linear", "take \"linear\"");
     if (is_coupled && !c.contact.coupling)
-        refuse_key("contact.coupling", "CONTACT always couples such bodies", "omit it");
+        fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };
     if (out_of_range(c.substrate) || (c.indenter.material && out_of_range(*c.indenter.material)))
-        refuse_key("poisson", "CONTACT takes Poisson's ratios from 0 to 1/2",
-                   "such a material cannot be written for it");
+        fail("poisson", "", "CONTACT takes Poisson's ratios from 0 to 1/2",
+             "such a material cannot be written for it");
 }
 
 /// F_T is over mu F_N there; what F_N will be under a prescribed depth only a run knows.
 void check_loads(const Case& c) {
     if (c.tractive_rolling)
-        refuse_key("tractive_rolling", "rolling on is not written as shifts in fixed coordinates",
-                   "give [rolling], or none");
+        fail("tractive_rolling", "", "rolling on is not written as shifts in fixed coordinates",
+             "give [rolling], or none");
     if (c.rolling && c.rolling->amplitude_reference == Case::AmplitudeReference::model)
-        refuse_key("rolling.amplitude_reference", "the model's radius is known by a run alone",
-                   "take \"hertz\", or give rolling.amplitude");
+        fail("rolling.amplitude_reference", "", "the model's radius is known by a run alone",
+             "take \"hertz\", or give rolling.amplitude");
     if (!c.load.indentation) return;
     if (c.rolling)
-        refuse_key("load.indentation", "CONTACT takes F_T over the F_N of each step",
-                   "give load.normal_force where the indenter rolls");
+        fail("load.indentation", "", "CONTACT takes F_T over the F_N of each step",
+             "give load.normal_force where the indenter rolls");
     if (c.load.tangential_force)
-        refuse_key("load.tangential_force", "CONTACT takes F_T over F_N, which d does not tell",
-                   "give load.tangential_ratio");
-}
-
-SequenceStep step_of(const LoadStep& step, double friction_coefficient) {
-    // Under a prescribed depth the path was made for F_N = 1 N.
-    const double normal = step.normal.kind == NormalControl::Kind::force ? step.normal.value : 1;
-    return {step.friction, step.normal, step.tangential[0].value / (friction_coefficient * normal),
-            step.offset};
+        fail("load.tangential_force", "", "CONTACT takes F_T over F_N, which d does not tell",
+             "give load.tangential_ratio");
 }
 
 constexpr double mm = 1e3;              // in 1 m
@@ -71,14 +59,6 @@ constexpr const char* inner_iterations = "999 999 50";
 constexpr int turns_if_coupled = 50;
 
 constexpr std::size_t most_program_cells = 2'000'000;  // that CONTACT takes
-
-void check_size(const contact::ContactPoints& grid) {
-    if (grid.size() > most_program_cells)
-        throw contact::InputError(
-            fmt::format("bem.spacing: {} x {} cells are more than the {} that CONTACT takes; "
-                        "enlarge it",
-                        grid.n_x, grid.n_y, most_program_cells));
-}
 
 /// Curvatures A, B [1/m] of a body h = A x^2 + B y^2; empty: another one.
 std::optional<Vector2> quadratic_body(const Case& c) {
@@ -120,16 +100,14 @@ std::string distance_per_cell(const contact::ContactPoints& grid, const contact:
 }
 
 /// Writes the steps of one case.
-class SequenceWriter {
-  public:
-    SequenceWriter(const Case& c, const contact::ContactPoints& grid, bool is_coupled,
-                   const std::optional<std::string>& influence)
-        : case_(c),
-          grid_(grid),
-          is_coupled_(is_coupled),
-          influence_(influence),
-          curvature_(quadratic_body(c)),
-          body_(c.make_indenter()) {}
+struct SequenceWriter {
+    const Case& case_;
+    const contact::ContactPoints& grid_;
+    bool is_coupled_;
+    std::optional<std::string> influence_;
+    std::optional<Vector2> curvature_ = quadratic_body(case_);
+    std::unique_ptr<contact::Indenter> body_ = case_.make_indenter();
+    std::string text_ = {};
 
     std::string write() {
         const auto steps = sequence_of(case_, is_coupled_);
@@ -141,7 +119,6 @@ class SequenceWriter {
         return text_ + "\n 0 MODULE\n";
     }
 
-  private:
     void append(std::size_t number, const SequenceStep& step, const SequenceStep* before) {
         const bool moved = !before || step.offset != before->offset;
         text_ += fmt::format("\n% {}\n 3 MODULE\n", number);
@@ -196,14 +173,6 @@ class SequenceWriter {
                              grid_.n_x, grid_.n_y, mm * grid_.first[0], mm * grid_.first[1],
                              mm * grid_.spacing[0], mm * grid_.spacing[1]);
     }
-
-    const Case& case_;
-    const contact::ContactPoints& grid_;
-    bool is_coupled_;
-    std::optional<std::string> influence_;
-    std::optional<Vector2> curvature_;
-    std::unique_ptr<contact::Indenter> body_;
-    std::string text_;
 };
 
 }  // namespace
@@ -216,7 +185,13 @@ std::vector<SequenceStep> sequence_of(const Case& c, bool is_coupled) {
 
     std::vector<SequenceStep> steps;
     const auto append = [&](const std::vector<LoadStep>& part) {
-        for (const LoadStep& step : part) steps.push_back(step_of(step, c.friction_coefficient));
+        for (const LoadStep& step : part) {
+            // Under a prescribed depth the path was made for F_N = 1 N.
+            const bool force = step.normal.kind == NormalControl::Kind::force;
+            const double limit = c.friction_coefficient * (force ? step.normal.value : 1);
+            steps.push_back(
+                {step.friction, step.normal, step.tangential[0].value / limit, step.offset});
+        }
     };
     if (is_coupled)
         append(path.pressing);
@@ -236,8 +211,12 @@ ShearModuli shear_moduli(const Case& c) {
 
 std::string sequence_text(const Case& c, const contact::ContactPoints& grid, bool is_coupled,
                           const std::optional<std::string>& influence) {
-    check_size(grid);
-    return SequenceWriter(c, grid, is_coupled, influence).write();
+    if (grid.size() > most_program_cells)
+        fail("bem.spacing", "",
+             fmt::format("{} x {} cells are more than the {} that CONTACT takes", grid.n_x,
+                         grid.n_y, most_program_cells),
+             "enlarge it");
+    return SequenceWriter{c, grid, is_coupled, influence}.write();
 }
 
 }  // namespace tricontact::io

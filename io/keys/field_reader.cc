@@ -101,17 +101,14 @@ std::vector<double> numbers_of(const Key& key, const Entry& entry) {
         [&](double value) { return in_range(value, key, entry, toml_number(value) + ' '); });
 }
 
-std::string words_of(const Key& key) {
-    return joined(key.choices, [](const Choice& choice) { return toml_string(choice.word); });
-}
-
 const Choice& choice_of(const std::string& word, const Key& key, const Entry& entry) {
     const auto it = std::ranges::find(key.choices, word, &Choice::word);
     if (it != key.choices.end()) return *it;
     std::vector<std::string_view> words;
     for (const Choice& choice : key.choices) words.push_back(choice.word);
     const std::string_view near = nearest(word, words);
-    refuse(key, entry, toml_string(shortened(word, 40)) + " is not one of " + words_of(key),
+    refuse(key, entry,
+           toml_string(shortened(word, 40)) + " is not one of " + joined(words, toml_string),
            near.empty() ? "use one of them" : "did you mean " + toml_string(near) + "?");
 }
 

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <system_error>
 
@@ -77,23 +76,6 @@ constexpr std::array<Mark, 12> marks{{{FileKind::rig, "rig", false},
                                       {FileKind::contact, "tractive_rolling", true},
                                       {FileKind::contact, "indenter", true}}};
 
-struct Found {
-    FileKind kind;
-    std::string place;
-};
-
-std::optional<Found> kind_of(const Document& document) {
-    for (const Mark& mark : marks) {
-        if (mark.section) {
-            if (const auto* section = document.find_section(mark.name))
-                return Found{mark.kind, section->place};
-        } else if (const Entry* entry = document.find(mark.name)) {
-            return Found{mark.kind, entry->key_place};
-        }
-    }
-    return {};
-}
-
 // Name and command of a kind, in the order of FileKind.
 struct KindText {
     std::string_view name, command;
@@ -105,10 +87,6 @@ constexpr std::array<KindText, 6> kind_texts{
      {"a rig file", "tricontact rig checks it"},
      {"an experiment file", "tricontact experiment evaluates it"},
      {"a measurement", "tricontact identify evaluates it"}}};
-
-const KindText& text_of(FileKind kind) {
-    return kind_texts[static_cast<std::size_t>(kind)];
-}
 
 }  // namespace
 
@@ -135,21 +113,25 @@ std::string read_input_file(const std::string& path, std::string_view what, std:
 }
 
 void require_kind(FileKind expected, const Document& document) {
-    const auto found = kind_of(document);
-    if (!found || found->kind == expected) return;
-    const bool rolls_on =
-        found->kind == FileKind::contact && document.find_section("tractive_rolling");
-    fail(found->place, "",
-         fmt::format("this is {}, not {}", text_of(found->kind).name, text_of(expected).name),
-         rolls_on ? "tricontact roll computes it" : text_of(found->kind).command);
-}
-
-bool is_contact_program_input(std::string_view path) {
-    return path.ends_with(".inp");
+    for (const auto& [kind, name, is_section] : marks) {
+        const auto* section = document.find_section(name);
+        const Entry* entry = document.find(name);
+        if (is_section ? !section : !entry) continue;
+        if (kind == expected) return;
+        const KindText &found = kind_texts[static_cast<std::size_t>(kind)],
+                       &due = kind_texts[static_cast<std::size_t>(expected)];
+        const bool rolls_on =
+            kind == FileKind::contact && document.find_section("tractive_rolling");
+        fail(is_section ? section->place : entry->key_place, "",
+             fmt::format("this is {}, not {}", found.name, due.name),
+             rolls_on ? "tricontact roll computes it" : found.command);
+    }
 }
 
 void refuse_contact_program_input(const std::string& path) {
-    fail(path, "", "this is input of the program CONTACT", "tricontact import makes a case of it");
+    if (path.ends_with(".inp"))
+        fail(path, "", "this is input of the program CONTACT",
+             "tricontact import makes a case of it");
 }
 
 void refuse_toml(const std::string& path) {

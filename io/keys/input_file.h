@@ -30,11 +30,9 @@ bool is_walk_case(const Document& document);
 /// document shows by its keys and sections that it is of another kind than the one expected.
 void require_kind(FileKind expected, const Document& document);
 
-/// Whether a file is input of the program CONTACT by its name.
-bool is_contact_program_input(std::string_view path);
-/// "this is input of the program CONTACT": throws contact::InputError with the command that reads
-/// it.
-[[noreturn]] void refuse_contact_program_input(const std::string& path);
+/// Throws contact::InputError, naming the command that reads it, if a file is input of the program
+/// CONTACT by its name.
+void refuse_contact_program_input(const std::string& path);
 /// Throws contact::InputError if a file that should be such input is one of TOML by its name.
 void refuse_toml(const std::string& path);
 

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <utility>
 #include <vector>
 
-#include "io/keys/field_reader.h"
-#include "io/keys/key.h"
-#include "io/keys/messages.h"
+#include "io/keys/number_text.h"
 
 namespace tricontact::io {
 
@@ -35,18 +32,6 @@ void check_table_known(const Entry& entry, Paths nested) {
     if (!near.empty()) refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, {});
 }
 
-// The keys of the same section.
-std::string siblings_of(std::string_view path, const KeyList& keys) {
-    Paths names;
-    for (const Key* key : keys.keys())
-        if (key->section() == section_of(path)) names.push_back(key->path);
-    return "known are " + join(names);
-}
-
-bool is_given(std::string_view needs, const Document& document) {
-    return needs.empty() || document.find(needs) || document.find_section(needs);
-}
-
 // At most one of the keys that exclude each other, and no key without the one it needs.
 void check_combinations(const Document& document, const KeyList& keys) {
     for (const Entry& entry : document.entries) {
@@ -56,7 +41,8 @@ void check_combinations(const Document& document, const KeyList& keys) {
                 &entry > document.find(other->path))  // blame the later one
                 fail(entry.place, entry.subject(),
                      "contradicts " + document.find(other->path)->subject(), "give one of the two");
-        if (is_given(key.needs, document)) continue;
+        if (key.needs.empty() || document.find(key.needs) || document.find_section(key.needs))
+            continue;
         const std::string need = keys.has_section(key.needs) ? '[' + std::string(key.needs) + ']'
                                                              : std::string(key.needs);
         fail(entry.place, entry.subject(), "has no effect without " + need + ", which is missing",
@@ -64,29 +50,24 @@ void check_combinations(const Document& document, const KeyList& keys) {
     }
 }
 
-// What formulas and textbooks call a key.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> symbols{
-    {{"E", "young"},
-     {"modulus", "young"},
-     {"nu", "poisson"},
-     {"mu", "coefficient"},
-     {"mu", "friction_coefficient"},
-     {"friction", "coefficient"},
-     {"R", "radius"},
-     {"b", "thickness"},
-     {"h", "spacing"},
-     {"h", "size"},
-     {"d", "indentation"},
-     {"F_N", "normal_force"},
-     {"FN", "normal_force"},
-     {"F_T", "tangential_force"},
-     {"FT", "tangential_force"},
-     {"f_T", "tangential_ratio"},
-     {"fT", "tangential_ratio"},
-     {"w", "amplitude_ratio"},
-     {"W", "amplitude"},
-     {"v_0", "base_velocity"},
-     {"v0", "base_velocity"}}};
+// Keys, and what formulas and textbooks call them.
+constexpr std::pair<std::string_view, std::string_view> symbols[] = {
+    {"young", "E modulus"},
+    {"poisson", "nu"},
+    {"coefficient", "mu friction"},
+    {"friction_coefficient", "mu"},
+    {"radius", "R"},
+    {"thickness", "b"},
+    {"spacing", "h"},
+    {"size", "h"},
+    {"indentation", "d"},
+    {"normal_force", "F_N FN"},
+    {"tangential_force", "F_T FT"},
+    {"tangential_ratio", "f_T fT"},
+    {"amplitude_ratio", "w"},
+    {"amplitude", "W"},
+    {"base_velocity", "v_0 v0"},
+};
 
 std::string_view named(std::string_view name, const Paths& paths) {
     const auto found = std::ranges::find(paths, name, name_of_key);
@@ -94,9 +75,9 @@ std::string_view named(std::string_view name, const Paths& paths) {
 }
 
 std::string_view behind_symbol(std::string_view symbol, const Paths& paths) {
-    for (const auto& [from, to] : symbols)
-        if (from == symbol)
-            if (const auto path = named(to, paths); !path.empty()) return path;
+    for (const auto& [key, called] : symbols)
+        if (std::ranges::count(words_of(called), symbol))
+            if (const auto path = named(key, paths); !path.empty()) return path;
     return {};
 }
 
@@ -156,8 +137,11 @@ void check_names(const Document& document, const KeyList& keys, const OtherNames
             fail(entry.place, entry.subject(), "this is the name of a section, not of a key",
                  "write [" + entry.path + "] on its own line and its keys below");
         check_table_known(entry, sections);
-        refuse_unknown(entry.key_place, "key " + entry.path, likely_path(entry.path, keys.paths()),
-                       others.remedy.empty() ? siblings_of(entry.path, keys) : others.remedy);
+        Paths known = keys.paths();
+        const std::string likely = likely_path(entry.path, known);
+        std::erase_if(known, [&](auto path) { return section_of(path) != section_of(entry.path); });
+        refuse_unknown(entry.key_place, "key " + entry.path, likely,
+                       others.remedy.empty() ? "known are " + join(known) : others.remedy);
     }
 }
 

@@ -55,6 +55,12 @@ std::vector<TextLine> lines_of(std::string_view text, std::size_t most) {
     return lines;
 }
 
+char divider_in(std::string_view line, std::string_view dividers, char otherwise) {
+    for (const char divider : dividers)
+        if (line.find(divider) != line.npos) return divider;
+    return otherwise;
+}
+
 std::vector<std::string_view> cells_of(std::string_view line, char divider) {
     std::vector<std::string_view> cells;
     for (;;) {

@@ -74,56 +74,32 @@ bool has_zero(const Value& value) {
     return list && std::ranges::count(*list, 0.) > 0;
 }
 
-struct Positioned {
-    toml::source_position at;
-    Entry entry;
-    const toml::table* table;  // null: the entry is none
-    toml::source_position source;
+struct Item {
+    std::string path;
+    toml::source_position at;  // of the key
+    const toml::node* node;
 };
 
-using Items = std::vector<Positioned>;
-
-void sort(Items& items) {
+void sort(std::vector<Item>& items) {
     std::sort(items.begin(), items.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
-}
-
-Items items_of(const toml::table& table, const std::string& prefix, const std::string& name,
-               const NonAsciiEscaper& escaper) {
-    Items out;
-    for (const auto& [key, node] : table) {
-        const auto& at = key.source().begin;
-        out.push_back({at,
-                       {.path = path_of(prefix, escaper.restored(key.str())),
-                        .value = value_of(node, escaper),
-                        .place = place(name, node.source().begin),
-                        .key_place = place(name, at)},
-                       node.as_table(),
-                       node.source().begin});
-    }
-    sort(out);
-    return out;
 }
 
 // Sections go to the document, keys to `keys`. Goes as deep as known sections are.
 void flatten(const toml::table& table, const std::string& prefix, IsSection is_nested,
-             const NonAsciiEscaper& escaper, Document& document, Items& keys) {
-    for (auto& item : items_of(table, prefix, document.name, escaper)) {
-        const std::string path = item.entry.path;
-        if (item.table && (prefix.empty() || is_nested(path))) {
-            document.sections.push_back({path, item.entry.place});
-            flatten(*item.table, path + '.', is_nested, escaper, document, keys);
+             const NonAsciiEscaper& escaper, Document& document, std::vector<Item>& keys) {
+    std::vector<Item> items;
+    for (const auto& [key, node] : table)
+        items.push_back({path_of(prefix, escaper.restored(key.str())), key.source().begin, &node});
+    sort(items);
+    for (Item& item : items) {
+        if (item.node->is_table() && (prefix.empty() || is_nested(item.path))) {
+            document.sections.push_back(
+                {item.path, place(document.name, item.node->source().begin)});
+            flatten(*item.node->as_table(), item.path + '.', is_nested, escaper, document, keys);
         } else {
             keys.push_back(std::move(item));
         }
     }
-}
-
-// Bytes that no text has: better "binary" than a complaint about one odd character.
-bool looks_binary(std::string_view text) {
-    return std::ranges::any_of(text, [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 &&
-               std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
-    });
 }
 
 // "line:column" of an offset, in characters.
@@ -142,20 +118,16 @@ bool escapes_private_use(std::string_view text) {
            text.find("\\U000f") != std::string_view::npos;
 }
 
-// Tables within tables are built, and taken down, by functions that call themselves.
-void check_nesting(std::string_view text, const std::string& name) {
-    const std::size_t at = first_too_deep(text);
-    if (at != std::string_view::npos)
-        fail(name + ':' + line_and_column(text, at), "", "tables or lists are nested too deep",
-             "write keys as section.key");
-}
-
 constexpr const char* examples = "begin with one of the files in examples/";
 
 void check_text(std::string_view text, const std::string& name) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
         fail(name + ":1:1", "", "the file is empty", examples);
-    if (looks_binary(text))
+    const auto is_binary = [](unsigned char c) {
+        return c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+    };
+    // Better "binary" than a complaint about one odd character.
+    if (std::ranges::any_of(text, is_binary))
         fail(name + ":1:1", "", "the file is binary, not a TOML text", examples);
     const std::size_t bad = first_non_utf8(text);
     if (bad != std::string_view::npos)
@@ -164,15 +136,19 @@ void check_text(std::string_view text, const std::string& name) {
     if (escapes_private_use(text))
         fail(name + ":1:1", "", "escapes of private-use characters (\\U000F...) are not supported",
              "omit them");
+    // Tables within tables are built, and taken down, by functions that call themselves.
+    const std::size_t deep = first_too_deep(text);
+    if (deep != std::string_view::npos)
+        fail(name + ':' + line_and_column(text, deep), "", "tables or lists are nested too deep",
+             "write keys as section.key");
 }
 
 toml::table parse_toml(std::string_view text, const std::string& name, NonAsciiEscaper& escaper) {
     check_text(text, name);
     try {
-        check_nesting(text, name);
         return toml::parse(escaper.escaped(text));
     } catch (const toml::parse_error& error) {
-        if (is_contact_program_input(name)) refuse_contact_program_input(name);
+        refuse_contact_program_input(name);
         const std::string what = escaper.restored(error.description());
         const bool twice = what.find("redefine") != std::string::npos;
         fail(place(name, error.source().begin), "", "not valid TOML: " + shortened(what, 200),
@@ -255,14 +231,18 @@ Document parse_document(std::string_view text, const std::string& name, IsSectio
     NonAsciiEscaper escaper;
     const toml::table root = parse_toml(text, name, escaper);
     Document document{.name = name, .sections = {}, .entries = {}};
-    Items keys;
+    std::vector<Item> keys;
     flatten(root, "", is_nested, escaper, document, keys);
     sort(keys);
-    for (auto& item : keys) {
-        if (has_zero(item.entry.value) &&
-            underflows(source_at(text, item.source.line, item.source.column)))
-            item.entry.value = OtherValue{too_small};
-        document.entries.push_back(std::move(item.entry));
+    for (Item& item : keys) {
+        const toml::source_position& at = item.node->source().begin;
+        Value value = value_of(*item.node, escaper);
+        if (has_zero(value) && underflows(source_at(text, at.line, at.column)))
+            value = OtherValue{too_small};
+        document.entries.push_back({.path = std::move(item.path),
+                                    .value = std::move(value),
+                                    .place = place(name, at),
+                                    .key_place = place(name, item.at)});
     }
     return document;
 }

@@ -32,19 +32,12 @@ void write_or_refuse(const std::string& path, std::string_view bytes, const std:
     }
 }
 
-namespace fs = std::filesystem;
-
 const char* kind_of(fs::file_type type) {
-    switch (type) {
-        case fs::file_type::symlink:
-            return "is a link, and nothing is written through links";
-        case fs::file_type::fifo:
-            return "is a named pipe, not a regular file";
-        case fs::file_type::socket:
-            return "is a socket, not a regular file";
-        default:
-            return "is a device, not a regular file";
-    }
+    using enum fs::file_type;
+    return type == symlink  ? "is a link, and nothing is written through links"
+           : type == fifo   ? "is a named pipe, not a regular file"
+           : type == socket ? "is a socket, not a regular file"
+                            : "is a device, not a regular file";
 }
 
 // The drawing goes last: a removal that is interrupted is made up for.

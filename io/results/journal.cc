@@ -12,71 +12,32 @@ namespace {
 using contact::LoadStep;
 using contact::StepRecord;
 
-// An entry is the bytes of the call, then those of the answer. A member that is added to one of
-// these structures does not compile until it is named here.
-template <class Visit>
-auto visiting(const Visit& visit) {
-    return [visit](auto&... members) { (visit(members), ...); };
-}
-
-template <class Step, class Visit>
-void visit_step(Step& step, const Visit& visit) {
-    const auto each = visiting(visit);
-    auto& [phase, offset, normal, tangential, duration, friction] = step;
-    const auto visit_control = [&](auto& control) {
-        auto& [kind, value] = control;
-        each(kind, value);
-    };
-    each(phase, offset);
-    visit_control(normal);
-    for (auto& control : tangential) visit_control(control);
-    each(duration, friction);
-}
-
-template <class Record, class Visit>
-void visit_record(Record& record, const Visit& visit) {
-    auto& [phase, time, offset, normal_force, tangential_force, indentation, shift, dissipation,
-           material_dissipation, stored_energy, contact_area, stick_area, slip_area, open_area,
-           normal_iterations, tangential_iterations, normal_residual, tangential_residual,
-           force_residual] = record;
-    visiting(visit)(phase, time, offset, normal_force, tangential_force, indentation, shift,
-                    dissipation, material_dissipation, stored_energy, contact_area, stick_area,
-                    slip_area, open_area, normal_iterations, tangential_iterations, normal_residual,
-                    tangential_residual, force_residual);
-}
-
-// Appends the bytes of a number or an array of numbers.
-auto appends_to(std::string& bytes) {
-    return [&bytes](const auto& value) {
-        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(value)>>);
-        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-    };
-}
-
 constexpr std::string_view advance_call = "advance ";
 constexpr std::string_view release_call = "release ";
 constexpr std::string_view limit_call = "limit   ";
 
+template <class T>
+std::string_view bytes_in(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+// An entry is the bytes of the call, then those of the answer. Of a step, between whose members
+// there may be room, one by one: a member that is added to it does not compile until it is named
+// here.
 std::string bytes_of(const LoadStep& step) {
     std::string bytes(advance_call);
-    visit_step(step, appends_to(bytes));
+    const auto add = [&](const auto&... members) { ((bytes += bytes_in(members)), ...); };
+    const auto add_control = [&](const auto& control) {
+        const auto& [kind, value] = control;
+        add(kind, value);
+    };
+    const auto& [phase, offset, normal, tangential, duration, friction] = step;
+    add(phase, offset);
+    add_control(normal);
+    for (const auto& control : tangential) add_control(control);
+    add(duration, friction);
     return bytes;
-}
-
-std::string bytes_of(const StepRecord& record) {
-    std::string bytes;
-    visit_record(record, appends_to(bytes));
-    return bytes;
-}
-
-// Takes the record from the front of the bytes.
-StepRecord take_record(std::string_view& bytes) {
-    StepRecord record;
-    visit_record(record, [&bytes](auto& value) {
-        std::memcpy(&value, bytes.data(), sizeof value);
-        bytes.remove_prefix(sizeof value);
-    });
-    return record;
 }
 
 }  // namespace
@@ -96,11 +57,11 @@ JournalledModel::JournalledModel(std::unique_ptr<contact::Model> model, const st
 }
 
 StepRecord JournalledModel::advance(const LoadStep& step) {
-    const std::string call = bytes_of(step);
+    std::string call = bytes_of(step);
     if (const auto answer = replayed(call)) {
-        std::string_view rest = *answer;
-        const StepRecord record = take_record(rest);
-        model_->read_state(rest);
+        StepRecord record;
+        std::memcpy(&record, answer->data(), sizeof record);
+        model_->read_state(std::string_view(*answer).substr(sizeof record));
         ++n_reused_;
         return record;
     }
@@ -110,7 +71,7 @@ StepRecord JournalledModel::advance(const LoadStep& step) {
     if (state.empty())
         finish();
     else
-        remember(call + bytes_of(record) + state);
+        remember(call.append(bytes_in(record)) + state);
     return record;
 }
 

@@ -2,12 +2,12 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <system_error>
 
 #include "io/keys/messages.h"
@@ -80,12 +80,6 @@ void write_at(int fd, std::uint64_t start, std::string_view bytes, const std::st
     }
 }
 
-std::uint64_t size_of(int fd, const std::string& path) {
-    struct stat status {};
-    if (::fstat(fd, &status) != 0) fail_by_system(errno, path);
-    return static_cast<std::uint64_t>(status.st_size);
-}
-
 }  // namespace
 
 JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(path) {
@@ -94,10 +88,16 @@ JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(
     if (fd_ < 0) fail_by_system(errno, path_);
     try {
         if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail_by_system(errno, path_);
-        if (read_header(key))
+        const std::string due = std::string(magic) + bytes_of(key.size()) + std::string(key);
+        header_checksum_ = checksum(first_checksum, due);
+        const std::string header = due + bytes_of(header_checksum_);
+        end_ = header.size();
+        if (read_at(fd_, 0, end_, path_) == header) {
             find_entries();
-        else
-            write_header(key);
+        } else {
+            truncate(0);
+            write_at(fd_, 0, header, path_);
+        }
     } catch (...) {
         ::close(fd_);
         throw;
@@ -119,24 +119,9 @@ JournalFile::~JournalFile() {
     if (fd_ >= 0) ::close(fd_);
 }
 
-bool JournalFile::read_header(std::string_view key) {
-    const std::string due = std::string(magic) + bytes_of(key.size()) + std::string(key);
-    header_checksum_ = checksum(first_checksum, due);
-    header_end_ = end_ = due.size() + number_size;
-    return read_at(fd_, 0, header_end_, path_) == due + bytes_of(header_checksum_);
-}
-
-void JournalFile::write_header(std::string_view key) {
-    truncate(0);
-    write_at(
-        fd_, 0,
-        std::string(magic) + bytes_of(key.size()) + std::string(key) + bytes_of(header_checksum_),
-        path_);
-}
-
 // An entry: size, content, checksum.
 void JournalFile::find_entries() {
-    const std::uint64_t size = size_of(fd_, path_);
+    const std::uint64_t size = std::filesystem::file_size(path_);
     std::uint64_t sum = header_checksum_;
     while (end_ + 2 * number_size <= size) {
         const std::string length = read_at(fd_, end_, number_size, path_);

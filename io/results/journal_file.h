@@ -46,8 +46,6 @@ class JournalFile {
         std::uint64_t checksum;     // of everything up to the content's end
     };
 
-    bool read_header(std::string_view key);
-    void write_header(std::string_view key);
     void find_entries();
     void truncate(std::uint64_t size);
 
@@ -55,7 +53,6 @@ class JournalFile {
     int fd_ = -1;
     std::uint64_t end_ = 0;              // of the last whole entry
     std::uint64_t header_checksum_ = 0;  // what the first entry's goes on from
-    std::uint64_t header_end_ = 0;
     std::vector<Entry> entries_;
 };
 

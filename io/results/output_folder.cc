@@ -1,6 +1,5 @@
 #include "io/results/output_folder.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -88,11 +87,10 @@ std::vector<std::string> missing_folders(const std::string& path) {
 OutputFolder::OutputFolder(std::string path, OutputNames names)
     : path_(std::move(path)), names_(std::move(names)) {
     for (const auto* part : {&names_.results, &names_.kept})
-        for (const std::string& name : *part) claims_.insert(name.substr(0, name.find('/') + 1));
-    claims_.erase("");
-    for (const auto* part : {&names_.results, &names_.kept})
-        for (const std::string& name : *part)
-            if (name.find('/') == std::string::npos) claims_.insert(name);
+        for (const std::string& name : *part) {
+            const auto slash = name.find('/');
+            claims_.insert(slash == name.npos ? name : name.substr(0, slash + 1));
+        }
     check();
 }
 

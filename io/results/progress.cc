@@ -29,10 +29,6 @@ std::string remaining(double fraction, double elapsed) {
     return ", " + clock_text(elapsed * (1 - fraction) / fraction) + " left";
 }
 
-std::chrono::duration<double> steady_time() {
-    return std::chrono::steady_clock::now().time_since_epoch();
-}
-
 }  // namespace
 
 ProgressBar::Style ProgressBar::style_of_stderr(bool quiet) {
@@ -48,7 +44,8 @@ ProgressBar::ProgressBar(std::ostream& out, Style style, std::string label, Cloc
       style_(style),
       label_(std::move(label)),
       noun_(std::move(noun)),
-      clock_(clock ? std::move(clock) : Clock(steady_time)),
+      clock_(clock ? std::move(clock)
+                   : Clock([] { return std::chrono::steady_clock::now().time_since_epoch(); })),
       start_(clock_()) {}
 
 void ProgressBar::update(int done, int total) {
@@ -58,29 +55,21 @@ void ProgressBar::update(int done, int total) {
     const double fraction = std::clamp(static_cast<double>(done) / total, 0., 1.);
     const double elapsed = (now - start_).count();
     if (style_ == Style::lines) {
-        print_line(total, fraction, elapsed);
+        const int tenths = static_cast<int>(10 * fraction);
+        if (tenths <= tenths_) return;
+        tenths_ = tenths;
+        out_ << fmt::format("{}: {} %, {} {} of at most {}{}", label_, 10 * tenths, noun_, done_,
+                            total, remaining(fraction, elapsed))
+             << std::endl;
     } else if (drawn_.count() < 0 || (now - drawn_).count() >= redraw_interval || done >= total) {
         drawn_ = now;
-        draw_bar(total, fraction, elapsed);
+        const auto filled = static_cast<std::size_t>(bar_width * fraction);
+        // Carriage return: same line again; ESC [K erases what an older, longer line left.
+        out_ << fmt::format("\r{} [{:.<{}}] {} % {} {}/{}{}\x1b[K", label_,
+                            std::string(filled, '#'), bar_width, static_cast<int>(100 * fraction),
+                            noun_, done_, total, remaining(fraction, elapsed))
+             << std::flush;
     }
-}
-
-void ProgressBar::draw_bar(int total, double fraction, double elapsed) {
-    const auto filled = static_cast<std::size_t>(bar_width * fraction);
-    // Carriage return: same line again; ESC [K erases what an older, longer line left.
-    out_ << fmt::format("\r{} [{:.<{}}] {} % {} {}/{}{}\x1b[K", label_, std::string(filled, '#'),
-                        bar_width, static_cast<int>(100 * fraction), noun_, done_, total,
-                        remaining(fraction, elapsed))
-         << std::flush;
-}
-
-void ProgressBar::print_line(int total, double fraction, double elapsed) {
-    const int tenths = static_cast<int>(10 * fraction);
-    if (tenths <= tenths_) return;
-    tenths_ = tenths;
-    out_ << fmt::format("{}: {} %, {} {} of at most {}{}", label_, 10 * tenths, noun_, done_, total,
-                        remaining(fraction, elapsed))
-         << std::endl;
 }
 
 void ProgressBar::finish(const std::string& remark) {

@@ -28,9 +28,6 @@ class ProgressBar {
     void finish(const std::string& remark = {});
 
   private:
-    void draw_bar(int total, double fraction, double elapsed);
-    void print_line(int total, double fraction, double elapsed);
-
     std::ostream& out_;
     Style style_;
     std::string label_, noun_;

@@ -93,45 +93,31 @@ void insert(SqliteFile& file, const PointOutcome& outcome) {
     file.prepare(
             "INSERT INTO points (key, version, model, resolved_case, results, error, digest) "
             "VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .bind(0, std::string_view(outcome.key))
-        .bind(1, std::string_view(outcome.version))
-        .bind(2, std::string_view(outcome.model))
-        .bind(3, std::string_view(outcome.resolved))
-        .bind(4, outcome.results)
-        .bind(5, outcome.error)
-        .bind(6, std::string_view(content_digest(outcome)))
+        .bind(outcome.key, outcome.version, outcome.model, outcome.resolved, outcome.results,
+              outcome.error, content_digest(outcome))
         .step();
     file.prepare(
             "INSERT INTO times (point, cpu_s, wall_s, digest) "
             "VALUES (last_insert_rowid(), ?, ?, ?)")
-        .bind(0, outcome.cpu_s)
-        .bind(1, outcome.wall_s)
-        .bind(2, std::string_view(times_digest(outcome)))
+        .bind(outcome.cpu_s, outcome.wall_s, times_digest(outcome))
         .step();
 }
 
-// Everything between construction and `commit`, or nothing.
-class Transaction {
-  public:
-    explicit Transaction(SqliteFile& file) : file_(file) { file_.execute("BEGIN IMMEDIATE"); }
-    ~Transaction() {
-        if (committed_) return;
+// All of the work, or nothing.
+template <class Work>
+void in_transaction(SqliteFile& file, const Work& work) {
+    file.execute("BEGIN IMMEDIATE");
+    try {
+        work();
+        file.execute("COMMIT");
+    } catch (...) {
         try {
-            file_.execute("ROLLBACK");
+            file.execute("ROLLBACK");
         } catch (...) {  // SQLite has rolled back by itself
         }
+        throw;
     }
-    Transaction(const Transaction&) = delete;
-    Transaction& operator=(const Transaction&) = delete;
-    void commit() {
-        file_.execute("COMMIT");
-        committed_ = true;
-    }
-
-  private:
-    SqliteFile& file_;
-    bool committed_ = false;
-};
+}
 
 }  // namespace
 
@@ -178,27 +164,27 @@ void ResultStore::remove_damaged() {
     while (rows.step())
         if (!is_whole(rows)) damaged.push_back(rows.integer(id_column));
     if (damaged.empty()) return;
-    Transaction transaction(file_);
-    for (const std::int64_t id : damaged) {
-        file_.prepare("DELETE FROM times WHERE point = ?").bind(0, id).step();
-        file_.prepare("DELETE FROM points WHERE id = ?").bind(0, id).step();
-    }
-    transaction.commit();
+    in_transaction(file_, [&] {
+        for (const std::int64_t id : damaged) {
+            file_.prepare("DELETE FROM times WHERE point = ?").bind(id).step();
+            file_.prepare("DELETE FROM points WHERE id = ?").bind(id).step();
+        }
+    });
     n_damaged_ = damaged.size();
 }
 
 void ResultStore::make_tables() {
-    Transaction transaction(file_);
-    file_.execute(tables);
-    file_.execute("PRAGMA application_id = " + std::to_string(application_id));
-    file_.execute("PRAGMA user_version = " + std::to_string(form));
-    transaction.commit();
+    in_transaction(file_, [&] {
+        file_.execute(tables);
+        file_.execute("PRAGMA application_id = " + std::to_string(application_id));
+        file_.execute("PRAGMA user_version = " + std::to_string(form));
+    });
 }
 
 std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
     auto row = file_.prepare(std::string(selection) +
                              "WHERE key = ? ORDER BY results IS NULL, id DESC LIMIT 1");
-    row.bind(0, std::string_view(key));
+    row.bind(key);
     if (!row.step()) return {};
     const PointOutcome outcome = outcome_of(row);
     if (outcome.key != key || !is_whole(row))
@@ -209,34 +195,33 @@ std::optional<PointOutcome> ResultStore::find(const std::string& key) const {
 }
 
 void ResultStore::add(std::span<const PointOutcome> outcomes) {
-    Transaction transaction(file_);
-    for (const PointOutcome& outcome : outcomes) {
-        const auto found = find(outcome.key);
-        if (!found || !found->results) insert(file_, outcome);
-    }
-    transaction.commit();
+    in_transaction(file_, [&] {
+        for (const PointOutcome& outcome : outcomes) {
+            const auto found = find(outcome.key);
+            if (!found || !found->results) insert(file_, outcome);
+        }
+    });
 }
 
 ResultStore::Merged ResultStore::merge(const ResultStore& other) {
     Merged merged;
-    Transaction transaction(file_);
-    auto rows = other.file_.prepare(std::string(selection) + "ORDER BY id");
-    while (rows.step()) {
-        if (!is_whole(rows)) {
-            ++merged.damaged;
-            continue;
-        }
-        const PointOutcome outcome = outcome_of(rows);
+    const auto take_over = [&](const PointOutcome& outcome) {
         const auto here = find(outcome.key);
         if (here && here->results) {
             merged.different += outcome.results && *outcome.results != *here->results;
-            continue;
+        } else if (!here || here->error != outcome.error) {
+            insert(file_, outcome);
+            ++(outcome.results ? merged.points : merged.failures);
         }
-        if (here && here->error == outcome.error) continue;
-        insert(file_, outcome);
-        ++(outcome.results ? merged.points : merged.failures);
-    }
-    transaction.commit();
+    };
+    in_transaction(file_, [&] {
+        auto rows = other.file_.prepare(std::string(selection) + "ORDER BY id");
+        while (rows.step())
+            if (is_whole(rows))
+                take_over(outcome_of(rows));
+            else
+                ++merged.damaged;
+    });
     return merged;
 }
 

@@ -91,27 +91,18 @@ void SqliteFile::check(int code) const {
          refusal.remedy);
 }
 
-SqliteFile::Statement& SqliteFile::Statement::bind(int parameter, std::string_view text) {
-    file_->check(sqlite3_bind_text(statement_.get(), parameter + 1, text.data(),
-                                   static_cast<int>(text.size()), SQLITE_TRANSIENT));
-    return *this;
+void SqliteFile::Statement::set(int parameter, const std::optional<std::string>& text) {
+    file_->check(text ? sqlite3_bind_text(statement_.get(), parameter, text->data(),
+                                          static_cast<int>(text->size()), SQLITE_TRANSIENT)
+                      : sqlite3_bind_null(statement_.get(), parameter));
 }
 
-SqliteFile::Statement& SqliteFile::Statement::bind(int parameter, std::int64_t value) {
-    file_->check(sqlite3_bind_int64(statement_.get(), parameter + 1, value));
-    return *this;
+void SqliteFile::Statement::set(int parameter, double value) {
+    file_->check(sqlite3_bind_double(statement_.get(), parameter, value));
 }
 
-SqliteFile::Statement& SqliteFile::Statement::bind(int parameter, double value) {
-    file_->check(sqlite3_bind_double(statement_.get(), parameter + 1, value));
-    return *this;
-}
-
-SqliteFile::Statement& SqliteFile::Statement::bind(int parameter,
-                                                   const std::optional<std::string>& text) {
-    if (text) return bind(parameter, std::string_view(*text));
-    file_->check(sqlite3_bind_null(statement_.get(), parameter + 1));
-    return *this;
+void SqliteFile::Statement::set(int parameter, std::int64_t value) {
+    file_->check(sqlite3_bind_int64(statement_.get(), parameter, value));
 }
 
 bool SqliteFile::Statement::step() {

@@ -16,13 +16,15 @@ namespace tricontact::io {
 /// Not for use on both sides of a fork.
 class SqliteFile {
   public:
-    /// A statement that is being carried out: parameters and columns count from 0.
+    /// A statement that is being carried out: columns count from 0.
     class Statement {
       public:
-        Statement& bind(int parameter, std::string_view text);
-        Statement& bind(int parameter, double value);
-        Statement& bind(int parameter, std::int64_t value);
-        Statement& bind(int parameter, const std::optional<std::string>& text);
+        template <class... Values>
+        Statement& bind(const Values&... values) {
+            int parameter = 0;
+            (set(++parameter, values), ...);
+            return *this;
+        }
         /// Goes on to the next row; false after the last one.
         bool step();
         std::optional<std::string> text(int column) const;
@@ -31,6 +33,10 @@ class SqliteFile {
 
       private:
         friend class SqliteFile;
+        void set(int parameter, const std::optional<std::string>& text);  // from 1
+        void set(int parameter, double value);
+        void set(int parameter, std::int64_t value);
+
         const SqliteFile* file_ = nullptr;
         std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_{nullptr, nullptr};
     };

@@ -203,9 +203,9 @@ VtkSeries::VtkSeries(std::string folder, std::string name, Provenance provenance
     : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
 
 void VtkSeries::add(double time, const VtkFile& file) {
-    const std::string name = fmt::format("{}_{:06}{}", name_, entries_.size(), file.extension);
+    const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
     write_file((std::filesystem::path(folder_) / name).string(), file.bytes);
-    entries_.push_back({time, name});
+    files_.emplace_back(time, name);
 }
 
 void VtkSeries::finish() const {
@@ -213,9 +213,9 @@ void VtkSeries::finish() const {
         "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
         "  <Collection>\n";
-    for (const Entry& entry : entries_)
-        out += "    <DataSet timestep=\"" + shortest(entry.time) +
-               "\" group=\"\" part=\"0\" file=\"" + xml_attribute(entry.file) + "\"/>\n";
+    for (const auto& [time, file] : files_)
+        out += "    <DataSet timestep=\"" + shortest(time) + "\" group=\"\" part=\"0\" file=\"" +
+               xml_attribute(file) + "\"/>\n";
     out += "  </Collection>\n</VTKFile>\n";
     write_file((std::filesystem::path(folder_) / (name_ + ".pvd")).string(), out);
 }

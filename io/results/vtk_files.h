@@ -43,7 +43,7 @@ class VtkSeries {
     VtkSeries(std::string folder, std::string name, Provenance provenance);
 
     /// Begins again: the first file comes next.
-    void clear() { entries_.clear(); }
+    void clear() { files_.clear(); }
     /// Writes the next file of the series. Throws contact::InputError if that fails.
     template <class Fields>
     void add(double phase, const Fields& fields) {
@@ -55,14 +55,9 @@ class VtkSeries {
     void finish() const;
 
   private:
-    struct Entry {
-        double time;
-        std::string file;
-    };
-
     std::string folder_, name_;
     Provenance provenance_;
-    std::vector<Entry> entries_;
+    std::vector<std::pair<double, std::string>> files_;  // and their times
 };
 
 /// The script, with a place for the folder.

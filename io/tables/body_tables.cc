@@ -12,11 +12,11 @@ namespace {
 
 using Point = contact::ProfileCurve::Point;
 
-const CsvForm& profile_form() {
-    // The transform of a profile costs the square of its points.
-    static const CsvForm form{"profile", "r [mm], h [um]", 1000, "thin it out"};
-    return form;
-}
+// The transform of a profile costs the square of its points; an analysis has dozens of rows.
+constexpr std::size_t most_rows = 1000;
+const CsvForm profile_form{"profile", "r [mm], h [um]", most_rows, "thin it out"};
+const CsvForm dma_form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", most_rows,
+                       "thin it out"};
 
 void check_points(const CsvTable& table, const std::vector<Point>& points) {
     if (points[0].radius != 0)
@@ -35,31 +35,7 @@ void check_points(const CsvTable& table, const std::vector<Point>& points) {
                            "give points beyond its edge");
 }
 
-std::vector<Point> points_in(const CsvTable& table) {
-    table.check_names({"r", "h", "kink"});
-    const auto radii = table.values("r", Dimension::length);
-    const auto heights = table.values("h", Dimension::length);
-    if (radii.size() < 2) table.refuse_header("fewer than two rows are no profile");
-    std::vector<double> kinks(radii.size(), 0.);
-    if (table.has("kink")) kinks = table.values("kink", Dimension::none);
-    std::vector<Point> points;
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-        if (kinks[i] != 0 && kinks[i] != 1)
-            table.refuse_value(i, "kink", "must be 0 or 1", "write 1 where the slope jumps");
-        points.push_back({radii[i], heights[i], kinks[i] == 1});
-    }
-    check_points(table, points);
-    return points;
-}
-
 constexpr std::array<std::string_view, 3> names{"frequency", "G'", "G''"};
-
-const CsvForm& dma_form() {
-    // An analysis has dozens of rows.
-    static const CsvForm form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", 1000,
-                              "thin it out"};
-    return form;
-}
 
 void check_dma_columns(const CsvTable& table) {
     const auto& columns = table.columns();
@@ -88,7 +64,28 @@ std::vector<double> angular_frequencies(const CsvTable& table) {
     return table.values(names[0], Dimension::angular_frequency);
 }
 
-contact::DmaTable dma_table_in(const CsvTable& table) {
+}  // namespace
+
+std::vector<Point> read_profile_table(const std::string& path) {
+    const CsvTable table = read_csv_table(path, profile_form);
+    table.check_names({"r", "h", "kink"});
+    const auto radii = table.values("r", Dimension::length);
+    const auto heights = table.values("h", Dimension::length);
+    if (radii.size() < 2) table.refuse_header("fewer than two rows are no profile");
+    std::vector<double> kinks(radii.size(), 0.);
+    if (table.has("kink")) kinks = table.values("kink", Dimension::none);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        if (kinks[i] != 0 && kinks[i] != 1)
+            table.refuse_value(i, "kink", "must be 0 or 1", "write 1 where the slope jumps");
+        points.push_back({radii[i], heights[i], kinks[i] == 1});
+    }
+    check_points(table, points);
+    return points;
+}
+
+contact::DmaTable read_dma_table(const std::string& path) {
+    const CsvTable table = read_csv_table(path, dma_form);
     check_dma_columns(table);
     for (const std::string_view column : names) table.check_positive(column);
     table.check_increasing(names[0], "frequencies must increase from row to row", "sort the table");
@@ -96,24 +93,6 @@ contact::DmaTable dma_table_in(const CsvTable& table) {
             .omega = angular_frequencies(table),
             .storage = table.values(names[1], Dimension::pressure),
             .loss = table.values(names[2], Dimension::pressure)};
-}
-
-}  // namespace
-
-std::vector<Point> parse_profile_table(std::string_view text, const std::string& name) {
-    return points_in(CsvTable(text, name, profile_form()));
-}
-
-std::vector<Point> read_profile_table(const std::string& path) {
-    return points_in(read_csv_table(path, profile_form()));
-}
-
-contact::DmaTable parse_dma_table(std::string_view text, const std::string& name) {
-    return dma_table_in(CsvTable(text, name, dma_form()));
-}
-
-contact::DmaTable read_dma_table(const std::string& path) {
-    return dma_table_in(read_csv_table(path, dma_form()));
 }
 
 }  // namespace tricontact::io

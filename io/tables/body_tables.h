@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "contact/bodies/profile_curve.h"
@@ -13,16 +12,11 @@ namespace tricontact::io {
 /// (0, 0) on, radii increasing and heights not falling, and perhaps a column `kink` of 0 and 1, 1
 /// where the slope jumps. Throws contact::InputError.
 std::vector<contact::ProfileCurve::Point> read_profile_table(const std::string& path);
-std::vector<contact::ProfileCurve::Point> parse_profile_table(std::string_view text,
-                                                              const std::string& name);
 
 /// Reads a table of dynamic mechanical analysis: columns divided by commas, semicolons or tabs,
 /// the first line naming them with units: `frequency [Hz], G' [MPa], G'' [MPa]`, in this order.
 /// The frequency may be in rad/s and is then angular. Numbers have a decimal point. Empty lines and
 /// lines that begin with # are left out. Throws contact::InputError `file:line: rule; remedy`.
 contact::DmaTable read_dma_table(const std::string& path);
-
-/// Same for a text; `name` stands for the file in messages.
-contact::DmaTable parse_dma_table(std::string_view text, const std::string& name);
 
 }  // namespace tricontact::io

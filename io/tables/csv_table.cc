@@ -14,12 +14,6 @@ namespace tricontact::io {
 
 namespace {
 
-char divider_of(std::string_view header) {
-    for (const char divider : {';', '\t'})
-        if (header.find(divider) != std::string_view::npos) return divider;
-    return ',';
-}
-
 CsvTable::Column column_of(std::string_view cell) {
     CsvTable::Column column{std::string(cell), {}, {}, {}};
     const auto open = cell.find('[');
@@ -61,7 +55,7 @@ CsvTable::CsvTable(std::string_view text, std::string name, CsvForm form)
         return name_ + ':' + std::to_string(line.number);
     };
     header_place_ = place(lines[0]);
-    const char divider = divider_of(lines[0].text);
+    const char divider = divider_in(lines[0].text, ";\t", ',');
     for (const std::string_view cell : cells_of(lines[0].text, divider)) {
         if (has(column_of(cell).name))
             refuse_header("the column " + toml_string(shortened(cell, 40)) + " stands twice");
@@ -82,8 +76,7 @@ CsvTable::CsvTable(std::string_view text, std::string name, CsvForm form)
 }
 
 const CsvTable::Column* CsvTable::find(std::string_view column) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(),
-                                    [&](const Column& c) { return c.name == column; });
+    const auto found = std::ranges::find(columns_, column, &Column::name);
     return found == columns_.end() ? nullptr : &*found;
 }
 
@@ -112,7 +105,7 @@ std::vector<double> CsvTable::values(std::string_view column, Dimension dimensio
             const double given =
                 std::exchange(values[row], divide ? values[row] / divisor : values[row] * factor);
             if (!std::isfinite(values[row]) || (values[row] == 0 && given != 0))
-                refuse_value(row, found, "leaves the range of double precision in SI units",
+                refuse_value(row, column, "leaves the range of double precision in SI units",
                              "correct the row");
         }
     } catch (const QuantityError& error) {
@@ -130,33 +123,27 @@ void CsvTable::check_names(std::initializer_list<std::string_view> known) const 
 }
 
 void CsvTable::check_positive(std::string_view column) const {
-    const Column& checked = at(column);
+    const std::vector<double>& values = at(column).values;
     for (std::size_t row = 0; row < n_rows(); ++row)
-        if (!(checked.values[row] > 0))
-            refuse_value(row, checked, "must be positive", "correct or remove the row");
+        if (!(values[row] > 0))
+            refuse_value(row, column, "must be positive", "correct or remove the row");
 }
 
 void CsvTable::check_increasing(std::string_view column, const std::string& rule,
                                 const std::string& remedy) const {
-    const Column& checked = at(column);
+    const std::vector<double>& values = at(column).values;
     for (std::size_t row = 1; row < n_rows(); ++row)
-        if (!(checked.values[row] > checked.values[row - 1]))
-            refuse_value(row, checked, rule, remedy);
+        if (!(values[row] > values[row - 1])) refuse_value(row, column, rule, remedy);
 }
 
 void CsvTable::refuse_header(const std::string& rule) const {
     fail(header_place_, "", rule, example(form_));
 }
 
-void CsvTable::refuse_value(std::size_t row, const Column& column, const std::string& rule,
-                            const std::string& remedy) const {
-    fail(name_ + ':' + std::to_string(lines_.at(row)),
-         column.name + " = " + shortest(column.values.at(row)), rule, remedy);
-}
-
 void CsvTable::refuse_value(std::size_t row, std::string_view column, const std::string& rule,
                             const std::string& remedy) const {
-    refuse_value(row, at(column), rule, remedy);
+    fail(name_ + ':' + std::to_string(lines_.at(row)),
+         std::string(column) + " = " + shortest(at(column).values.at(row)), rule, remedy);
 }
 
 CsvTable read_csv_table(const std::string& path, const CsvForm& form) {

@@ -56,9 +56,6 @@ class CsvTable {
     /// Throws contact::InputError about the header line.
     [[noreturn]] void refuse_header(const std::string& rule) const;
     /// Throws contact::InputError about one value: `file:line: column = value: rule; remedy`.
-    [[noreturn]] void refuse_value(std::size_t row, const Column& column, const std::string& rule,
-                                   const std::string& remedy) const;
-    /// The same about the value of a named column.
     [[noreturn]] void refuse_value(std::size_t row, std::string_view column,
                                    const std::string& rule, const std::string& remedy) const;
 

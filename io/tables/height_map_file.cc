@@ -1,6 +1,5 @@
-// Height maps as a matrix of numbers.
-// Height maps in the ASCII surface data file of ISO 25178-71: a header "key = value", the heights,
-// a trailer, each ended by a line with a star.
+// Height maps as a matrix of numbers, and in the ASCII surface data file of ISO 25178-71: a header
+// "key = value", the heights, a trailer, each ended by a line with a star.
 #include "io/tables/height_map_file.h"
 
 #include <algorithm>
@@ -27,16 +26,8 @@ std::string extension(const std::string& path) {
     return end;
 }
 
-std::string place(const std::string& name, std::size_t line) {
+std::string line_place(const std::string& name, std::size_t line) {
     return name + ":" + std::to_string(line);
-}
-
-/// An empty cell between two commas is a missing value: the divider is one of these alone, blanks
-/// are not counted.
-char divider_in(std::string_view line) {
-    for (const char c : {';', ',', '\t'})
-        if (line.find(c) != line.npos) return c;
-    return ' ';
 }
 
 double height_in(std::string_view word, const std::string& at) {
@@ -47,19 +38,12 @@ double height_in(std::string_view word, const std::string& at) {
     return *value;
 }
 
-std::vector<double> row_in(std::string_view line, char divider, const std::string& at) {
-    std::vector<double> row;
-    for (const auto word : divider == ' ' ? words_of(line) : cells_of(line, divider))
-        row.push_back(height_in(word, at));
-    return row;
-}
-
 struct Reading {
     std::string_view text;
     const std::string& name;
     std::size_t at = 0, line = 0;
 
-    std::string place() const { return name + ":" + std::to_string(line); }
+    std::string place() const { return line_place(name, line); }
     bool ended() const { return at >= text.size(); }
     std::string_view next_line() {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -129,12 +113,7 @@ void read_heights(Reading& file, double unit, contact::HeightMap& map) {
         const std::string_view line = file.next_line();
         if (line == "*") break;
         for (const auto word : words_of(line)) {
-            const auto value = number_in(word);
-            if (!value || !std::isfinite(*value))
-                fail(file.place(), toml_string(shortened(word, 40)),
-                     "is no finite number: missing values are not filled in",
-                     "interpolate them first");
-            map.height.push_back(scaled(*value, unit, file.place()));
+            map.height.push_back(scaled(height_in(word, file.place()), unit, file.place()));
             if (map.height.size() > n)
                 fail(file.place(), "",
                      "more heights than NumPoints x NumProfiles = " + std::to_string(n),
@@ -173,9 +152,12 @@ contact::HeightMap parse_height_matrix(std::string_view text, const std::string&
     constexpr auto most_rows = static_cast<std::size_t>(most_height_nodes) + 1;
     std::optional<char> divider;  // as the first row has it
     for (const auto& [line, content] : lines_of(text, most_rows)) {
-        if (!divider) divider = divider_in(content);
-        const std::string at = place(name, line);
-        const std::vector<double> row = row_in(content, *divider, at);
+        // Between two commas an empty cell is a missing value, between blanks there is none.
+        if (!divider) divider = divider_in(content, ";,\t", ' ');
+        const std::string at = line_place(name, line);
+        std::vector<double> row;
+        for (const auto word : *divider == ' ' ? words_of(content) : cells_of(content, *divider))
+            row.push_back(height_in(word, at));
         if (map.n_y > 0 && row.size() != static_cast<std::size_t>(map.n_x))
             fail(at, "",
                  "has " + std::to_string(row.size()) + " heights, but the rows above have " +

@@ -4,10 +4,8 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <optional>
-#include <sstream>
 
 #include "io/keys/messages.h"
 #include "io/keys/number_text.h"
@@ -55,20 +53,14 @@ std::string_view dictionary(std::string_view bytes, const std::string& name, Npy
     return bytes.substr(first, length);
 }
 
-/// Removes `front` from the text; false if it does not begin so.
-bool take(std::string_view& text, std::string_view front) {
-    if (!text.starts_with(front)) return false;
-    text.remove_prefix(front.size());
-    return true;
-}
-
-/// The text up to `end`, both removed; empty without an end.
-std::optional<std::string_view> take_until(std::string_view& text, char end) {
-    const auto at = text.find(end);
-    if (at == text.npos) return {};
-    const std::string_view front = text.substr(0, at);
+/// What stands between `front`, with which the text begins, and `end`; all three are removed.
+/// Empty where it is not so.
+std::optional<std::string_view> take(std::string_view& text, std::string_view front, char end) {
+    const auto at = text.find(end, front.size());
+    if (!text.starts_with(front) || at == text.npos) return {};
+    const std::string_view found = text.substr(front.size(), at - front.size());
     text.remove_prefix(at + 1);
-    return front;
+    return found;
 }
 
 /// "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }" and blanks, as NumPy writes it.
@@ -77,13 +69,11 @@ struct Dictionary {
 };
 
 std::optional<Dictionary> parse_dictionary(std::string_view text) {
-    if (!take(text, "{'descr': '")) return {};
-    const auto type = take_until(text, '\'');
-    if (!type || !take(text, ", 'fortran_order': ")) return {};
-    const auto order = take_until(text, ',');
-    if (!order || (*order != "True" && *order != "False") || !take(text, " 'shape': (")) return {};
-    const auto shape = take_until(text, ')');
-    if (!shape || !take(text, ", }") || text.find_first_not_of(" \t\n\r\f\v") != text.npos)
+    const auto type = take(text, "{'descr': '", '\'');
+    const auto order = take(text, ", 'fortran_order': ", ',');
+    const auto shape = take(text, " 'shape': (", ')');
+    if (!type || !order || !shape || (*order != "True" && *order != "False") ||
+        !text.starts_with(", }") || text.find_first_not_of(" \t\n\r\f\v", 3) != text.npos)
         return {};
     return Dictionary{*type, *order, *shape};
 }
@@ -148,10 +138,8 @@ double number_at(std::string_view data, std::size_t k, std::size_t item) {
 }
 
 [[noreturn]] void refuse_missing(const std::string& name, std::size_t row, std::size_t column) {
-    std::ostringstream index;
-    index << '[' << row << ", " << column << ']';
-    fail(name, index.str(), "is no finite number: missing values are not filled in",
-         "interpolate them first");
+    fail(name, '[' + std::to_string(row) + ", " + std::to_string(column) + ']',
+         "is no finite number: missing values are not filled in", "interpolate them first");
 }
 
 }  // namespace

@@ -15,13 +15,6 @@ namespace {
 
 using contact::Material;
 
-LayerCompliance by_propagation(const LayerStack& stack, double k) {
-    const InteriorWaves surface = interior_waves(stack, k, std::array{0.}).front();
-    // u_along = i C13 p: of a cosine as -sin; u_z = -i C13 t_along: as sin.
-    return {surface.pressed.u_z, surface.sheared.u_along, surface.across_u,
-            (surface.sheared.u_z - surface.pressed.u_along) / 2};
-}
-
 using Matrix4 = Eigen::Matrix4d;
 /// Two independent states (g k u_along, g k u_z, tau, sigma_z) by columns, g a modulus common to
 /// the whole stack: u_z and sigma_z as cos(k s), u_along and tau as sin(k s).
@@ -188,7 +181,10 @@ LayerCompliance surface_compliance(const LayerStack& stack, double wave_number) 
             wave_number));
     if (wave_number * top.thickness >= half_space_from)
         return half_space_compliance_at(top.material, wave_number);
-    return by_propagation(stack, wave_number);
+    const InteriorWaves surface = interior_waves(stack, wave_number, std::array{0.}).front();
+    // u_along = i C13 p: of a cosine as -sin; u_z = -i C13 t_along: as sin.
+    return {surface.pressed.u_z, surface.sheared.u_along, surface.across_u,
+            (surface.sheared.u_z - surface.pressed.u_along) / 2};
 }
 
 LayerCompliance half_space_compliance_at(const Material& material, double k) {

@@ -31,6 +31,19 @@ inline std::string content_of(const std::filesystem::path& path) {
     return text.str();
 }
 
+/// What `read` makes of a file of this content.
+template <class Read>
+auto read_text(const std::string& text, const std::string& name, const Read& read) {
+    struct Folder {
+        std::filesystem::path path =
+            std::filesystem::path(testing::TempDir()) / ("text" + std::to_string(::getpid()));
+        Folder() { std::filesystem::create_directories(path); }
+        ~Folder() { std::filesystem::remove_all(path); }
+    } const folder;
+    std::ofstream(folder.path / name, std::ios::binary) << text;
+    return read((folder.path / name).string());
+}
+
 class TemporaryFolder : public testing::Test {
   protected:
     void SetUp() override {

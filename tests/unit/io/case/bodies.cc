@@ -7,6 +7,7 @@
 #include "contact/error.h"
 #include "io/case/case_reader.h"
 #include "io/tables/body_tables.h"
+#include "tests/unit/io/temporary_folder.h"
 
 namespace tricontact::io::bodies_test {
 namespace {
@@ -38,6 +39,10 @@ TEST(IoBodies, ComeBackFromAResolvedCase) {
         EXPECT_EQ(again.indenter.profile.size(), c.indenter.profile.size());
         EXPECT_EQ(again.make_indenter()->height(.004, .003), c.make_indenter()->height(.004, .003));
     }
+}
+
+auto parse_profile_table(const std::string& text, const std::string& name) {
+    return read_text(text, name, read_profile_table);
 }
 
 TEST(IoBodies, ProfileTablesHaveUnitsAndKinks) {

@@ -7,9 +7,14 @@
 
 #include "contact/error.h"
 #include "io/tables/body_tables.h"
+#include "tests/unit/io/temporary_folder.h"
 
 namespace tricontact::io::dma_table_test {
 namespace {
+
+contact::DmaTable parse_dma_table(const std::string& text, const std::string& name) {
+    return read_text(text, name, read_dma_table);
+}
 
 constexpr double turn = 2 * std::numbers::pi;
 
