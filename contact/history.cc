@@ -9,15 +9,9 @@ namespace tricontact::contact {
 
 void Audit::record(const std::string& name, double violation, double allowed) {
     if (std::isnan(violation)) violation = infinity;
-    auto it = std::find_if(checks_.begin(), checks_.end(),
-                           [&](const Check& check) { return check.name == name; });
+    auto it = std::ranges::find(checks_, name, &Check::name);
     if (it == checks_.end()) it = checks_.insert(it, Check{name, 0, allowed});
     it->worst = std::max(it->worst, violation);
-}
-
-bool Audit::passed() const {
-    return std::all_of(checks_.begin(), checks_.end(),
-                       [](const Check& check) { return check.passed(); });
 }
 
 }  // namespace tricontact::contact

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -24,7 +25,7 @@ class Audit {
     /// Notes one violation (>= 0; NaN counts as infinite) of the named check.
     void record(const std::string& name, double violation, double allowed);
     const std::vector<Check>& checks() const { return checks_; }
-    bool passed() const;
+    bool passed() const { return std::ranges::all_of(checks_, &Check::passed); }
 
   private:
     std::vector<Check> checks_;  // in order of first appearance

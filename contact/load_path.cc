@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,19 +15,9 @@ namespace {
 
 /// Step `k` of 4 `n` in a period as a triangular wave; the same offset has the same bits each time.
 double triangle_of_step(int k, int n) {
-    const int quarter = k / n, rest = k % n;
-    const double up = static_cast<double>(rest) / n;
-    const double down = static_cast<double>(n - rest) / n;
-    switch (quarter % 4) {
-        case 0:
-            return up;
-        case 1:
-            return down;
-        case 2:
-            return -up;
-        default:
-            return -down;
-    }
+    const double up = static_cast<double>(k % n) / n;
+    const double down = static_cast<double>(n - k % n) / n;
+    return std::array{up, down, -up, -down}[k / n % 4];
 }
 
 Vector2 direction(double angle) {
@@ -40,13 +31,6 @@ NormalControl mean_normal_control(const Case& c) {
     return {NormalControl::Kind::indentation, *c.load.indentation};
 }
 
-/// What the case's amplitude ratio refers to [m].
-double amplitude_reference(const Case& c, double model_radius) {
-    return c.rolling->amplitude_reference == Case::AmplitudeReference::model
-               ? model_radius
-               : half_space_scales(c).contact_radius;
-}
-
 /// With friction, or in time, step by step.
 std::vector<LoadStep> pressing_steps(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
@@ -57,6 +41,18 @@ std::vector<LoadStep> pressing_steps(const Case& c) {
         steps[k - 1].normal.value *= static_cast<double>(k) / n;
         steps[k - 1].friction = friction;
         if (c.load.press_time) steps[k - 1].duration = *c.load.press_time / n;
+    }
+    return steps;
+}
+
+/// Waiting under constant loads: steps that grow as relaxation slows down.
+std::vector<LoadStep> hold_steps(const LoadStep& loaded, double hold) {
+    constexpr int n = 20;
+    std::vector<LoadStep> steps;
+    for (int k = 1; hold > 0 && k <= n; ++k) {
+        const auto reached = [&](int i) { return hold * std::pow(static_cast<double>(i) / n, 3); };
+        steps.push_back(loaded);
+        steps.back().duration = reached(k) - reached(k - 1);
     }
     return steps;
 }
@@ -102,28 +98,23 @@ bool ratio_of_loaded_step(const Case& c) {
            c.load.normal_amplitude_ratio == 0;
 }
 
+double crest_factor(const Case& c) {
+    return 1 + std::abs(c.load.normal_amplitude_ratio);
+}
+
+double path_amplitude(const Case& c, double model_radius) {
+    if (!c.rolling) return 0;
+    const bool of_model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+    return rolling_amplitude(*c.rolling,
+                             of_model ? model_radius : half_space_scales(c).contact_radius);
+}
+
 LoadStep press_step(const Case& c) {
     LoadStep step;
     step.normal = mean_normal_control(c);
     step.duration = std::numeric_limits<double>::infinity();
     return step;
 }
-
-namespace {
-
-/// Waiting under constant loads: steps that grow as relaxation slows down.
-std::vector<LoadStep> hold_steps(const LoadStep& loaded, double hold) {
-    constexpr int n = 20;
-    std::vector<LoadStep> steps;
-    for (int k = 1; hold > 0 && k <= n; ++k) {
-        const auto reached = [&](int i) { return hold * std::pow(static_cast<double>(i) / n, 3); };
-        steps.push_back(loaded);
-        steps.back().duration = reached(k) - reached(k - 1);
-    }
-    return steps;
-}
-
-}  // namespace
 
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
     const double mean_force =
@@ -152,7 +143,7 @@ LoadPath make_load_path(const Case& c, double normal_force, double contact_radiu
     path.loading.insert(path.loading.end(), hold.begin(), hold.end());
     if (!c.rolling) return path;
 
-    path.amplitude = rolling_amplitude(*c.rolling, amplitude_reference(c, contact_radius));
+    path.amplitude = path_amplitude(c, contact_radius);
     path.max_periods = c.rolling->periods;
     path.run_all = c.rolling->run_all;
     const int n = steps_in_quarter(*c.rolling, path.amplitude);

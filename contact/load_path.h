@@ -51,6 +51,13 @@ struct LoadPath {
 /// relaxing substrate has relaxed.
 LoadStep press_step(const Case& c);
 
+/// The case's hardest normal control over its mean.
+double crest_factor(const Case& c);
+
+/// W [m], 0 without rolling. `model_radius`: contact radius that an amplitude of the model's own
+/// refers to [m].
+double path_amplitude(const Case& c, double model_radius);
+
 /// mu F_N - F_T [N]; throws InputError if F_T > 0 reaches mu F_N.
 double check_friction_limit(const Case& c, double phase, double tangential_force,
                             double normal_force);

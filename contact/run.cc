@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <optional>
 
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
@@ -81,7 +80,7 @@ class LastingStates {
 
 class Run {
   public:
-    /// `negligible`: of run_until_decided.
+    /// `negligible`: see run().
     Run(const Case& c, Model& model, const Observer& observer, std::optional<double> negligible)
         : case_(c), model_(model), observer_(observer), negligible_(negligible) {}
 
@@ -305,8 +304,10 @@ class Run {
     bool nearly_settled_ = false, perhaps_last_period_ = false;
 };
 
-History run_on_large_enough_grid(const Case& c, Model& model, const Observer& observer,
-                                 std::optional<double> negligible) {
+}  // namespace
+
+History run(const Case& c, Model& model, const Observer& observer,
+            std::optional<double> negligible) {
     for (;;) {
         try {
             return Run(c, model, observer, negligible).go();
@@ -314,17 +315,6 @@ History run_on_large_enough_grid(const Case& c, Model& model, const Observer& ob
             model.enlarge(reached);
         }
     }
-}
-
-}  // namespace
-
-History run(const Case& c, Model& model, const Observer& observer) {
-    return run_on_large_enough_grid(c, model, observer, {});
-}
-
-History run_until_decided(const Case& c, Model& model, double negligible,
-                          const Observer& observer) {
-    return run_on_large_enough_grid(c, model, observer, negligible);
 }
 
 }  // namespace tricontact::contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "contact/case.h"
 #include "contact/history.h"
@@ -21,12 +22,11 @@ using Observer = std::function<void(const StepRecord&, Model&, const Progress&)>
 /// "settled": until it is known where it will stand or how fast it ratchets) or the last period. A
 /// contact that reaches the edge of its grid begins again on a larger one. Throws NotConverged
 /// (also when a solution fails its audit) and InputError.
-History run(const Case& c, Model& model, const Observer& observer = {});
-
-/// Rolls until the series of periods, and not the limit, decides whether increments of more than
-/// `negligible` U_max go on, or the last period; slip to and fro while the shift stands counts as
-/// shakedown. Surfaces are not kept.
-History run_until_decided(const Case& c, Model& model, double negligible,
-                          const Observer& observer = {});
+///
+/// With `negligible`: rolls until the series of periods, and not the limit, decides whether
+/// increments of more than `negligible` U_max go on, or the last period; slip to and fro while the
+/// shift stands counts as shakedown. Surfaces are not kept.
+History run(const Case& c, Model& model, const Observer& observer = {},
+            std::optional<double> negligible = {});
 
 }  // namespace tricontact::contact

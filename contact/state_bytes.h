@@ -13,6 +13,13 @@ namespace tricontact::contact {
 /// that the same program on the same machine reads again.
 class StateWriter {
   public:
+    template <class... T>
+    void operator()(const T&... values) {
+        (add(values), ...);
+    }
+    std::string take() { return std::move(bytes_); }
+
+  private:
     template <class T>
     void add(const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -29,9 +36,7 @@ class StateWriter {
         add(text.size());
         bytes_ += text;
     }
-    std::string take() { return std::move(bytes_); }
 
-  private:
     std::string bytes_;
 };
 
@@ -40,6 +45,13 @@ class StateReader {
   public:
     explicit StateReader(std::string_view bytes) : rest_(bytes) {}
 
+    template <class... T>
+    void operator()(T&... values) {
+        (get(values), ...);
+    }
+    bool at_end() const { return rest_.empty(); }
+
+  private:
     template <class T>
     void get(T& value) {
         std::memcpy(&value, next(sizeof value), sizeof value);
@@ -57,9 +69,7 @@ class StateReader {
         get(n);
         text.assign(next(n), n);
     }
-    bool at_end() const { return rest_.empty(); }
 
-  private:
     const char* next(std::size_t n) {
         if (n > rest_.size()) throw std::runtime_error("state: it ends too early");
         const char* const here = rest_.data();

@@ -41,10 +41,8 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
     double excess = 0, stick = 0, across = 0, backward = 0, largest_slip = 0;
     Vector2 force{};
     for (std::size_t i = 0; i < facts.bound.size(); ++i) {
-        const Vector2 t = {facts.traction.x[i], facts.traction.y[i]};
-        const Vector2 s = {facts.slip.x[i], facts.slip.y[i]};
-        force[0] += facts.area[i] * t[0];
-        force[1] += facts.area[i] * t[1];
+        const Vector2 t = facts.traction.at(i), s = facts.slip.at(i);
+        force = force + facts.area[i] * t;
         total_bound += facts.area[i] * facts.bound[i];
         excess = larger(excess, norm(t) - facts.bound[i]);
         if (facts.contact_state[i] == ContactState::open) continue;

@@ -58,10 +58,6 @@ void SurfaceModel::release() {
     substrate_->forget();
 }
 
-StepRecord SurfaceModel::advance(const LoadStep& step) {
-    return take(step, {solver_->tractions(), now().displacement, now().shift});
-}
-
 StepRecord SurfaceModel::roll(const LoadStep& step, double rotation) {
     check_rolls_on(name_, points());
     StepStart before = {solver_->tractions(), now().displacement, now().shift, rotation, true};
@@ -93,33 +89,20 @@ StepRecord SurfaceModel::take(const LoadStep& step, const StepStart& before) {
 void SurfaceModel::update_slip(const StepStart& before) {
     const ContactSolution& s = now();
     const double unit = std::max(s.shift_factor, 1.) * friction_coefficient_ * s.normal->length;
-    const Vector2 moved = {s.shift[0] - before.shift[0], s.shift[1] - before.shift[1]};
+    const Vector2 moved = s.shift - before.shift;
     const TangentialField &u = s.displacement.in_surface, &old = before.displacement.in_surface;
     for (std::size_t i = 0; i < s.bound.size(); ++i) {
-        const Vector2 t = {s.tangential.traction.x[i], s.tangential.traction.y[i]};
-        const Vector2 rotated = solver_->rotated(before, i);
-        slip_.x[i] = moved[0] + rotated[0] - (u.x[i] - old.x[i]);
-        slip_.y[i] = moved[1] + rotated[1] - (u.y[i] - old.y[i]);
+        slip_.set(i, moved + solver_->rotated(before, i) - (u.at(i) - old.at(i)));
         if (!(s.normal->pressure[i] > 0)) {
-            slip_.x[i] = slip_.y[i] = 0;
+            slip_.set(i, {0, 0});
             contact_state_[i] = ContactState::open;
             continue;
         }
         // On the bound without having moved is stick; 10 tolerances: the solver's noise.
         const bool moves = std::hypot(slip_.x[i], slip_.y[i]) > 10 * tolerance_ * unit;
-        const bool at_bound = norm(t) >= s.bound[i] * (1 - 1e-9);
+        const bool at_bound = norm(s.tangential.traction.at(i)) >= s.bound[i] * (1 - 1e-9);
         contact_state_[i] = at_bound && moves ? ContactState::slip : ContactState::stick;
     }
-}
-
-void SurfaceModel::start_period() {
-    slip_path_.assign(points().size(), 0);
-    friction_work_ = slip_path_;
-}
-
-void SurfaceModel::start_limit() {
-    least_pressure_ = now().normal->pressure;
-    least_pressure_force_ = now().normal->force;
 }
 
 double SurfaceModel::limit_tangential_ratio() const {

@@ -34,7 +34,9 @@ class SurfaceModel final : public Model {
 
     std::string name() const override { return name_; }
     bool is_coupled() const override { return !solver_->coupling().is_decoupled(); }
-    StepRecord advance(const LoadStep& step) override;
+    StepRecord advance(const LoadStep& step) override {
+        return take(step, {solver_->tractions(), now().displacement, now().shift});
+    }
     /// Rolls on by one cell of the grid along x, in the frame that moves with the indenter: its
     /// offset stays, and all fields are advected by one cell before the step is taken. In it the
     /// indenter also rotates by `rotation` [rad] about z through its lowest point, from x towards
@@ -42,12 +44,18 @@ class SurfaceModel final : public Model {
     StepRecord roll(const LoadStep& step, double rotation);
     void release() override;
     void enlarge(const ContactAtEdge& reached) override;
-    void start_period() override;
+    void start_period() override {
+        slip_path_.assign(points().size(), 0);
+        friction_work_ = slip_path_;
+    }
     Scales scales() const override;
     Surface surface() const override;
     std::vector<ContactState> contact_states() const override { return contact_state_; }
     double limit_tangential_ratio() const override;
-    void start_limit() override;
+    void start_limit() override {
+        least_pressure_ = now().normal->pressure;
+        least_pressure_force_ = now().normal->force;
+    }
     std::unique_ptr<const Interior> interior() override;
     std::unique_ptr<Model> sibling(const Case::Contact& options) const override;
     std::string write_state() const override;
@@ -65,11 +73,16 @@ class SurfaceModel final : public Model {
     const ContactPoints& points() const { return substrate_->compliance().points(); }
     void make_solver();
     void update_slip(const StepStart& before);
-    Vector2 slip(std::size_t i) const;          // of the last step, as results tell it [m]
-    double friction_work(std::size_t i) const;  // likewise [J/m^2]
+    // Of the last step, as results tell it [m], [J/m^2].
+    Vector2 slip(std::size_t i) const { return told_slip(contact_state_[i], slip_.at(i)); }
+    double friction_work(std::size_t i) const {
+        return frictional_work(contact_state_[i], now().tangential.traction.at(i), slip_.at(i));
+    }
     StepRecord record(const LoadStep& step) const;
     void audit_step(const LoadStep& step, bool advected);
     EnergyBalance update_energy();
+    template <class Archive, class Self>
+    static void transfer_rest(Archive& archive, Self& model);
 
     std::string name_;
     std::unique_ptr<Substrate> substrate_;

@@ -112,16 +112,6 @@ Scales SurfaceModel::scales() const {
             .unit_shift = displacement.x[centre]};
 }
 
-Vector2 SurfaceModel::slip(std::size_t i) const {
-    return told_slip(contact_state_[i], {slip_.x[i], slip_.y[i]});
-}
-
-double SurfaceModel::friction_work(std::size_t i) const {
-    return frictional_work(contact_state_[i],
-                           {now().tangential.traction.x[i], now().tangential.traction.y[i]},
-                           {slip_.x[i], slip_.y[i]});
-}
-
 Surface SurfaceModel::surface() const {
     const ContactPoints& points = this->points();
     Surface s;
@@ -167,36 +157,34 @@ Surface SurfaceModel::surface() const {
 
 namespace {
 
-/// Shows `visit` all that is kept of a solution; members are constant or not as `solution` is.
-template <class Solution, class Normal, class Visit>
-void visit_state(Solution& s, Normal& normal, Visit visit) {
-    visit(s.offset), visit(s.shift), visit(s.tangential.shift_increment);
-    visit(normal.pressure), visit(normal.displacement), visit(s.bound);
+/// Writes or reads all that is kept of a solution.
+template <class Archive, class Solution, class Normal>
+void transfer_solution(Archive& archive, Solution& s, Normal& normal) {
+    archive(s.offset, s.shift, s.tangential.shift_increment, normal.pressure, normal.displacement,
+            s.bound);
     for (auto* field :
          {&s.tangential.traction, &s.tangential.displacement, &s.displacement.in_surface})
-        visit(field->x), visit(field->y);
-    visit(s.displacement.down);
-    visit(normal.indentation), visit(normal.length), visit(normal.force), visit(normal.residual);
-    visit(s.tangential.residual), visit(s.tangential.force_residual);
-    visit(s.gap_residual), visit(s.shift_factor);
+        archive(field->x, field->y);
+    archive(s.displacement.down, normal.indentation, normal.length, normal.force, normal.residual,
+            s.tangential.residual, s.tangential.force_residual, s.gap_residual, s.shift_factor);
 }
 
 }  // namespace
 
+/// The same of all else.
+template <class Archive, class Self>
+void SurfaceModel::transfer_rest(Archive& archive, Self& m) {
+    archive(m.slip_.x, m.slip_.y, m.least_pressure_, m.slip_path_, m.friction_work_, m.phase_,
+            m.least_pressure_force_, m.energy_, m.contact_state_);
+    m.substrate_->transfer(archive);
+}
+
 std::string SurfaceModel::write_state() const {
     StateWriter out;
-    visit_state(now(), *now().normal, [&](const auto& value) { out.add(value); });
-    for (const auto* field : {&slip_.x, &slip_.y, &least_pressure_, &slip_path_, &friction_work_})
-        out.add(*field);
-    for (const double value : {phase_, least_pressure_force_, energy_}) out.add(value);
-    out.add(contact_state_);
-    substrate_->write(out);
-    out.add(audit_.checks().size());
-    for (const Audit::Check& check : audit_.checks()) {
-        out.add(check.name);
-        out.add(check.worst);
-        out.add(check.allowed);
-    }
+    transfer_solution(out, now(), *now().normal);
+    transfer_rest(out, *this);
+    out(audit_.checks().size());
+    for (const auto& [name, worst, allowed] : audit_.checks()) out(name, worst, allowed);
     return out.take();
 }
 
@@ -204,20 +192,14 @@ void SurfaceModel::read_state(std::string_view bytes) {
     StateReader in(bytes);
     ContactSolution solution;
     NormalSolution normal;
-    visit_state(solution, normal, [&](auto& value) { in.get(value); });
-    for (auto* field : {&slip_.x, &slip_.y, &least_pressure_, &slip_path_, &friction_work_})
-        in.get(*field);
-    for (double* value : {&phase_, &least_pressure_force_, &energy_}) in.get(*value);
-    in.get(contact_state_);
-    substrate_->read(in);
+    transfer_solution(in, solution, normal);
+    transfer_rest(in, *this);
     std::size_t n_checks = 0;
-    in.get(n_checks);
+    in(n_checks);
     audit_ = {};
     for (std::size_t k = 0; k < n_checks; ++k) {
         Audit::Check check;
-        in.get(check.name);
-        in.get(check.worst);
-        in.get(check.allowed);
+        in(check.name, check.worst, check.allowed);
         audit_.record(check.name, check.worst, check.allowed);
     }
     solution.normal = std::make_shared<const NormalSolution>(std::move(normal));

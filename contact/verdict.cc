@@ -25,6 +25,13 @@ constexpr double known_increment = 0.01;   // relative
 constexpr double time_constants = 3;
 constexpr double least_error = 0.1;  // of what is continued, relative
 
+/// Accuracy of a model's steps [-], which bounds how well its periods repeat each other: that of
+/// the solver for `bem` and `fem`, rounding for `mdr`, whose steps are exact.
+double step_accuracy(const Case& c, const std::string& model) {
+    if (model.starts_with("mdr")) return exact_steps;
+    return model.starts_with("fem") ? c.fem.tolerance : c.bem.tolerance;
+}
+
 /// Periods in which the slowest branch is forgotten.
 double memory_of(const Case& c, double amplitude) {
     if (!c.relaxation || !c.rolling || !(c.rolling->speed > 0) || !(amplitude > 0)) return 0;
@@ -79,11 +86,6 @@ const char* name_of(State state) {
     return names[static_cast<std::size_t>(state)];
 }
 
-double step_accuracy(const Case& c, const std::string& model) {
-    if (model.starts_with("mdr")) return exact_steps;
-    return model.starts_with("fem") ? c.fem.tolerance : c.bem.tolerance;
-}
-
 Judged judged(const Case& c, const std::string& model, bool coupled, double amplitude,
               double tangential_ratio) {
     const double accuracy = step_accuracy(c, model);
@@ -97,30 +99,6 @@ Judged judged(const Case& c, const std::string& model, bool coupled, double ampl
     if (!coupled && !c.relaxation && c.load.tangential_amplitude_ratio == 0)
         result.tangential_ratio = std::abs(tangential_ratio);
     return result;
-}
-
-void Judge::add(const RolledPeriod& period) {
-    periods_.push_back(period);
-    if (state_ == State::undecided) state_ = decide();
-}
-
-void Judge::set_limit(double limit_tangential_ratio) {
-    if (!judged_.tangential_ratio || by_limit_) return;
-    const double excess = *judged_.tangential_ratio - limit_tangential_ratio;
-    by_limit_ = std::abs(excess) > judged_.limit_accuracy;
-    if (by_limit_) state_ = excess > 0 ? State::ratcheting : State::shakedown;
-}
-
-bool Judge::has_forgotten() const {
-    return static_cast<double>(periods_.size()) >= judged_.memory;
-}
-
-bool Judge::has_hold(const RolledPeriod& period) const {
-    return period.something_sticks || !judged_.has_load;
-}
-
-bool Judge::stands(const RolledPeriod& period) const {
-    return std::abs(period.increment) <= judged_.negligible_shift && has_hold(period);
 }
 
 bool Judge::repeats_its_work() const {

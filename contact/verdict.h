@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,10 +26,6 @@ inline bool settles(State state) {
 /// A shift is known to this part of U_max: a tenth of the 0.1 % that discretisations leave and
 /// models differ by.
 inline constexpr double known_shift = 1e-4;
-
-/// Accuracy of a model's steps [-], which bounds how well its periods repeat each other: that of
-/// the solver for `bem` and `fem`, rounding for `mdr`, whose steps are exact.
-double step_accuracy(const Case& c, const std::string& model);
 
 /// What is known of a contact before it rolls.
 struct Judged {
@@ -79,9 +76,17 @@ class Judge {
   public:
     explicit Judge(const Judged& judged) : judged_(judged) {}
 
-    void add(const RolledPeriod& period);
+    void add(const RolledPeriod& period) {
+        periods_.push_back(period);
+        if (state_ == State::undecided) state_ = decide();
+    }
     /// Limit of the discrete path; from the first period on.
-    void set_limit(double limit_tangential_ratio);
+    void set_limit(double limit_tangential_ratio) {
+        if (!judged_.tangential_ratio || by_limit_) return;
+        const double excess = *judged_.tangential_ratio - limit_tangential_ratio;
+        by_limit_ = std::abs(excess) > judged_.limit_accuracy;
+        if (by_limit_) state_ = excess > 0 ? State::ratcheting : State::shakedown;
+    }
 
     State state() const { return state_; }
     /// The limit leaves the fate to the series, or does not hold.
@@ -94,12 +99,15 @@ class Judge {
     /// Decided, and what is still to come is known, to `known_shift`; or, of ratcheting, the
     /// increment to 1 %.
     bool is_known() const;
-    const std::vector<RolledPeriod>& periods() const { return periods_; }
 
   private:
-    bool has_forgotten() const;
-    bool has_hold(const RolledPeriod& period) const;
-    bool stands(const RolledPeriod& period) const;
+    bool has_forgotten() const { return static_cast<double>(periods_.size()) >= judged_.memory; }
+    bool has_hold(const RolledPeriod& period) const {
+        return period.something_sticks || !judged_.has_load;
+    }
+    bool stands(const RolledPeriod& period) const {
+        return std::abs(period.increment) <= judged_.negligible_shift && has_hold(period);
+    }
     bool repeats_its_work() const;
     bool ratchets() const;
     State decide() const;

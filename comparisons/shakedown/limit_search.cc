@@ -137,8 +137,7 @@ class LimitSearch {
     }
 
     LimitRun roll(const Case& c, contact::Model& model, double value) const {
-        const contact::History history =
-            contact::run_until_decided(c, model, negligible_part * tolerance_);
+        const contact::History history = contact::run(c, model, {}, negligible_part * tolerance_);
         LimitRun result{.value = value,
                         .state = history.verdict.state,
                         .periods = static_cast<int>(history.shift_per_period.size())};

@@ -3,9 +3,7 @@
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <numeric>
 
 #include "contact/error.h"
 #include "contact/root.h"
@@ -13,16 +11,8 @@
 namespace tricontact::contact {
 
 Ellipsoid::Ellipsoid(double radius_x, double radius_y) : radius_x_(radius_x), radius_y_(radius_y) {
-    if (!(radius_x > 0) || !std::isfinite(radius_x) || !(radius_y > 0) || !std::isfinite(radius_y))
+    if (!is_positive_and_finite(radius_x) || !is_positive_and_finite(radius_y))
         throw InputError("indenter: both radii of an ellipsoid must be positive and finite");
-}
-
-double Ellipsoid::height(double x, double y) const {
-    return x * x / (2 * radius_x_) + y * y / (2 * radius_y_);
-}
-
-Vector2 Ellipsoid::slope(double x, double y) const {
-    return {x / radius_x_, y / radius_y_};
 }
 
 double ellipse_ratio(double radius_x, double radius_y) {

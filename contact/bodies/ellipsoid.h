@@ -9,8 +9,10 @@ class Ellipsoid final : public Indenter {
   public:
     /// Radii [m] > 0 in the x-z and the y-z plane; InputError otherwise.
     Ellipsoid(double radius_x, double radius_y);
-    double height(double x, double y) const override;
-    Vector2 slope(double x, double y) const override;
+    double height(double x, double y) const override {
+        return x * x / (2 * radius_x_) + y * y / (2 * radius_y_);
+    }
+    Vector2 slope(double x, double y) const override { return {x / radius_x_, y / radius_y_}; }
     bool presses_like_a_ball() const override { return false; }
 
   private:

@@ -15,7 +15,7 @@ HeightMap checked(HeightMap map) {
                        map.height.size() == static_cast<std::size_t>(map.n_x) * map.n_y;
     if (!whole) throw InputError("height map: there must be 2 x 2 heights at least");
     for (const double h : map.spacing)
-        if (!(h > 0) || !std::isfinite(h))
+        if (!is_positive_and_finite(h))
             throw InputError("height map: the spacing must be positive and finite");
     if (!std::ranges::all_of(map.height, [](double z) { return std::isfinite(z); }))
         throw InputError("height map: all heights must be finite");
@@ -40,27 +40,18 @@ std::pair<int, double> node_below(double x, int n) {
 
 HeightField::HeightField(HeightMap map) : map_(checked(std::move(map))) {}
 
-HeightField::Cell HeightField::cell(double x, double y) const {
+HeightField::Place HeightField::at(double x, double y) const {
     const auto [i, right] = node_below(x / map_.spacing[0], map_.n_x);
     const auto [j, up] = node_below(y / map_.spacing[1], map_.n_y);
     const int next_i = i + 1 == map_.n_x ? 0 : i + 1, next_j = j + 1 == map_.n_y ? 0 : j + 1;
-    return {
-        map_.at(i, j), map_.at(next_i, j), map_.at(i, next_j), map_.at(next_i, next_j), right, up};
-}
-
-double HeightField::height(double x, double y) const {
-    const Cell c = cell(x, y);
-    const double low = c.low_low + c.x * (c.high_low - c.low_low);
-    const double high = c.low_high + c.x * (c.high_high - c.low_high);
-    return low + c.y * (high - low);
-}
-
-Vector2 HeightField::slope(double x, double y) const {
-    const Cell c = cell(x, y);
-    const double along_low = c.high_low - c.low_low, along_high = c.high_high - c.low_high;
-    const double across_low = c.low_high - c.low_low, across_high = c.high_high - c.high_low;
-    return {(along_low + c.y * (along_high - along_low)) / map_.spacing[0],
-            (across_low + c.x * (across_high - across_low)) / map_.spacing[1]};
+    const double low_low = map_.at(i, j), high_low = map_.at(next_i, j);
+    const double low_high = map_.at(i, next_j), high_high = map_.at(next_i, next_j);
+    const double along_low = high_low - low_low, along_high = high_high - low_high;
+    const double across_low = low_high - low_low, across_high = high_high - high_low;
+    const double low = low_low + right * along_low, high = low_high + right * along_high;
+    return {low + up * (high - low),
+            {(along_low + up * (along_high - along_low)) / map_.spacing[0],
+             (across_low + right * (across_high - across_low)) / map_.spacing[1]}};
 }
 
 double rms_height(const HeightMap& map) {
@@ -85,15 +76,6 @@ double rms_slope(const HeightMap& map) {
 RoughIndenter::RoughIndenter(std::unique_ptr<const Indenter> body, HeightMap roughness)
     : body_(std::move(body)), roughness_(std::move(roughness)), lowest_(find_lowest()) {}
 
-double RoughIndenter::height(double x, double y) const {
-    return body_->height(x, y) + roughness_.height(x, y) - lowest_;
-}
-
-Vector2 RoughIndenter::slope(double x, double y) const {
-    const Vector2 a = body_->slope(x, y), b = roughness_.slope(x, y);
-    return {a[0] + b[0], a[1] + b[1]};
-}
-
 /// Ring by ring of nodes around the origin, until the body alone lies higher than what was found
 /// plus the deepest roughness, or a whole period has been seen: bodies rise outwards.
 double RoughIndenter::find_lowest() const {
@@ -107,7 +89,7 @@ double RoughIndenter::find_lowest() const {
             const double x = i * map.spacing[0], y = j * map.spacing[1];
             const double body = body_->height(x, y);
             body_lowest = std::min(body_lowest, body);
-            lowest = std::min(lowest, body + roughness_.height(x, y));
+            lowest = std::min(lowest, body + roughness_.at(x, y).height);
         };
         for (int k = -ring; k <= ring; ++k) {
             look(k, -ring);
@@ -133,19 +115,14 @@ double MappedIndenter::height(double x, double y) const {
     const bool inside = x >= first_[0] - rounding * h[0] && x <= last_[0] + rounding * h[0] &&
                         y >= first_[1] - rounding * h[1] && y <= last_[1] + rounding * h[1];
     if (!inside) return infinity;
-    return field_.height(x - first_[0], y - first_[1]) - lowest_;
-}
-
-Vector2 MappedIndenter::slope(double x, double y) const {
-    return field_.slope(x - first_[0], y - first_[1]);
+    return field_.at(x - first_[0], y - first_[1]).height - lowest_;
 }
 
 HeightMap from_middle(const HeightMap& map) {
     HeightMap moved = map;
     for (int j = 0; j < map.n_y; ++j)
         for (int i = 0; i < map.n_x; ++i)
-            moved.height[static_cast<std::size_t>(j) * map.n_x + i] =
-                map.at((i + map.n_x / 2) % map.n_x, (j + map.n_y / 2) % map.n_y);
+            moved.at(i, j) = map.at((i + map.n_x / 2) % map.n_x, (j + map.n_y / 2) % map.n_y);
     return moved;
 }
 

@@ -16,6 +16,7 @@ struct HeightMap {
     std::vector<double> height;  ///< z out of the substrate [m], from any level; x runs fastest
 
     double at(int i, int j) const { return height[static_cast<std::size_t>(j) * n_x + i]; }
+    double& at(int i, int j) { return height[static_cast<std::size_t>(j) * n_x + i]; }
     /// Of a map that repeats itself, n_x by n_y nodes [m].
     Vector2 period() const { return {n_x * spacing[0], n_y * spacing[1]}; }
 };
@@ -30,17 +31,15 @@ class HeightField {
     explicit HeightField(HeightMap map);
 
     const HeightMap& map() const { return map_; }
-    /// Of the repeating map, whose node (0, 0) is at the origin [m].
-    double height(double x, double y) const;
-    /// Gradient of the same, within a cell [-].
-    Vector2 slope(double x, double y) const;
+    /// Height [m] of the repeating map, whose node (0, 0) is at the origin, and its gradient within
+    /// a cell [-].
+    struct Place {
+        double height;
+        Vector2 slope;
+    };
+    Place at(double x, double y) const;
 
   private:
-    struct Cell {  // corner heights and place of a point between them, 0 to 1
-        double low_low, high_low, low_high, high_high, x, y;
-    };
-    Cell cell(double x, double y) const;
-
     HeightMap map_;
 };
 
@@ -63,8 +62,12 @@ class RoughIndenter final : public Indenter {
   public:
     RoughIndenter(std::unique_ptr<const Indenter> body, HeightMap roughness);
 
-    double height(double x, double y) const override;
-    Vector2 slope(double x, double y) const override;
+    double height(double x, double y) const override {
+        return body_->height(x, y) + roughness_.at(x, y).height - lowest_;
+    }
+    Vector2 slope(double x, double y) const override {
+        return body_->slope(x, y) + roughness_.at(x, y).slope;
+    }
 
   private:
     double find_lowest() const;
@@ -81,7 +84,9 @@ class MappedIndenter final : public Indenter {
     explicit MappedIndenter(HeightMap map);
 
     double height(double x, double y) const override;
-    Vector2 slope(double x, double y) const override;
+    Vector2 slope(double x, double y) const override {
+        return field_.at(x - first_[0], y - first_[1]).slope;
+    }
 
   private:
     HeightField field_;

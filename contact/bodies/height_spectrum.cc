@@ -1,12 +1,10 @@
 #include "contact/bodies/height_spectrum.h"
 
-#include <fftw3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <new>
 #include <numbers>
+
+#include "contact/fftw.h"
 
 namespace tricontact::contact {
 
@@ -35,7 +33,7 @@ void remove_plane(HeightMap& map) {
         }
     for (int j = 0; j < map.n_y; ++j)
         for (int i = 0; i < map.n_x; ++i)
-            map.height[static_cast<std::size_t>(j) * map.n_x + i] -=
+            map.at(i, j) -=
                 level + along_x / square_x * (i - middle_x) + along_y / square_y * (j - middle_y);
 }
 
@@ -46,24 +44,16 @@ double window(int i, int n) {
 
 void taper(HeightMap& map) {
     for (int j = 0; j < map.n_y; ++j)
-        for (int i = 0; i < map.n_x; ++i)
-            map.height[static_cast<std::size_t>(j) * map.n_x + i] *=
-                window(i, map.n_x) * window(j, map.n_y);
+        for (int i = 0; i < map.n_x; ++i) map.at(i, j) *= window(i, map.n_x) * window(j, map.n_y);
 }
-
-struct FreePlan {
-    void operator()(void* p) const { fftw_free(p); }
-};
 
 /// |h_m|^2 [m^2] of the waves with m_x >= 0, fastest in m_x.
 std::vector<double> squared_coefficients(HeightMap map) {
     const std::size_t n = static_cast<std::size_t>(map.n_x / 2 + 1) * map.n_y;
-    const std::unique_ptr<fftw_complex[], FreePlan> waves(fftw_alloc_complex(n));
-    if (!waves) throw std::bad_alloc();
-    fftw_plan plan =
-        fftw_plan_dft_r2c_2d(map.n_y, map.n_x, map.height.data(), waves.get(), FFTW_ESTIMATE);
-    fftw_execute(plan);
-    fftw_destroy_plan(plan);
+    const auto waves = fftw_zeros<FftwComplex>(n);
+    const FftwPlan plan(
+        fftw_plan_dft_r2c_2d(map.n_y, map.n_x, map.height.data(), waves.get(), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
     std::vector<double> squares(n);
     const double nodes = static_cast<double>(map.height.size());
     for (std::size_t k = 0; k < n; ++k)
@@ -128,8 +118,8 @@ HeightSpectrum surface_spectrum(const Case& c) {
     const auto indenter = alone.make_indenter();
     for (int j = 0; j < map.n_y; ++j)
         for (int i = 0; i < map.n_x; ++i)
-            map.height[static_cast<std::size_t>(j) * map.n_x + i] = indenter->height(
-                (i - map.n_x / 2) * map.spacing[0], (j - map.n_y / 2) * map.spacing[1]);
+            map.at(i, j) = indenter->height((i - map.n_x / 2) * map.spacing[0],
+                                            (j - map.n_y / 2) * map.spacing[1]);
     const bool repeats = !c.indenter.height_map || c.bem.period;
     return height_spectrum(map, repeats ? MapEdges::repeat : MapEdges::open);
 }

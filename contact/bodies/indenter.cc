@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
 #include "contact/error.h"
-#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
 namespace {
 
 double checked_radius(double radius) {
-    if (!(radius > 0) || !std::isfinite(radius))
+    if (!is_positive_and_finite(radius))
         throw InputError("indenter: the radius must be positive and finite");
     return radius;
 }
@@ -57,11 +55,6 @@ double integral_of_slope(const AxisymmetricIndenter& indenter, double x, Weight 
 
 }  // namespace
 
-double AxisymmetricIndenter::height(double x, double y) const {
-    const double r = std::hypot(x, y);
-    return r <= outer_radius() ? profile(r) : infinity;
-}
-
 Vector2 AxisymmetricIndenter::slope(double x, double y) const {
     const double r = std::hypot(x, y);
     if (r == 0) return {0, 0};
@@ -70,42 +63,18 @@ Vector2 AxisymmetricIndenter::slope(double x, double y) const {
 }
 
 double AxisymmetricIndenter::slope_moment(double x, int k) const {
-    return transformed_slope_moment(*this, x, k);
+    return integral_of_slope(*this, x, [=](double t) { return std::pow(x * std::sin(t), k); });
 }
 
 double AxisymmetricIndenter::centre_pressure(double x) const {
-    return transformed_centre_pressure(*this, x);
+    if (profile_slope(0) > 0) return infinity;
+    // acos(sin t) = pi/2 - t; both factors of h' have the slope's zero at the centre to live on.
+    auto weight = [](double t) { return 1 + (std::numbers::pi / 2 - t) / std::tan(t); };
+    return integral_of_slope(*this, x, weight) / std::numbers::pi;
 }
 
 Paraboloid::Paraboloid(double radius) : radius_(checked_radius(radius)) {}
-double Paraboloid::outer_radius() const {
-    return infinity;
-}
-
-double Paraboloid::slope_moment(double x, int k) const {
-    return (k == 0 ? x : 2. / 3 * x * x * x) / radius_;
-}
 
 Sphere::Sphere(double radius) : radius_(checked_radius(radius)) {}
-
-// R - sqrt(R^2 - r^2) = r^2 / (R + sqrt(R^2 - r^2)): no cancellation at small r.
-double Sphere::profile(double r) const {
-    return r * r / (radius_ + std::sqrt(radius_ * radius_ - r * r));
-}
-
-double Sphere::profile_slope(double r) const {
-    return r / std::sqrt(radius_ * radius_ - r * r);
-}
-
-double transformed_slope_moment(const AxisymmetricIndenter& indenter, double x, int k) {
-    return integral_of_slope(indenter, x, [=](double t) { return std::pow(x * std::sin(t), k); });
-}
-
-double transformed_centre_pressure(const AxisymmetricIndenter& indenter, double x) {
-    if (indenter.profile_slope(0) > 0) return std::numeric_limits<double>::infinity();
-    // acos(sin t) = pi/2 - t; both factors of h' have the slope's zero at the centre to live on.
-    auto weight = [](double t) { return 1 + (std::numbers::pi / 2 - t) / std::tan(t); };
-    return integral_of_slope(indenter, x, weight) / std::numbers::pi;
-}
 
 }  // namespace tricontact::contact

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "contact/special_values.h"
 #include "contact/vector2.h"
 
 namespace tricontact::contact {
@@ -25,7 +26,10 @@ class Indenter {
 /// Body of revolution, profile h(r) with h(0) = 0.
 class AxisymmetricIndenter : public Indenter {
   public:
-    double height(double x, double y) const final;
+    double height(double x, double y) const final {
+        const double r = std::hypot(x, y);
+        return r <= outer_radius() ? profile(r) : infinity;
+    }
     Vector2 slope(double x, double y) const final;
 
     /// h(r) [m] at radius r >= 0 [m].
@@ -33,7 +37,7 @@ class AxisymmetricIndenter : public Indenter {
     /// dh/dr [-].
     virtual double profile_slope(double r) const = 0;
     /// Largest radius at which the profile is defined [m].
-    virtual double outer_radius() const = 0;
+    virtual double outer_radius() const { return infinity; }
     /// Radii in (0, outer radius) at which the profile is not smooth, increasing [m]; integrals
     /// over the profile are split there.
     virtual std::vector<double> kinks() const { return {}; }
@@ -41,10 +45,17 @@ class AxisymmetricIndenter : public Indenter {
     // Frictionless contact of the radius x with a half-space of the effective modulus E*; Sneddon
     // (1965), Int. J. Eng. Sci. 3. `x`: 0 < x <= outer radius [m].
 
-    /// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k] for k = 0 and 2; by quadrature (see
-    /// indenter.h) unless the shape has a closed form.
+    // Unless the shape has a closed form the first two are computed by double exponential
+    // quadrature between the kinks, r = x sin t taking away the singularity at r = x: 1e-12
+    // relative, unless h' itself is ill-conditioned (near a vertical rim). The slope must not be
+    // negative. They throw std::domain_error for another x and InputError where the estimated error
+    // exceeds 1e-10: kinks that are not declared.
+
+    /// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k] for k = 0 and 2.
     virtual double slope_moment(double x, int k) const;
-    /// p(0)/E* [-], the pressure at the centre: 1/pi ∫_0^x g'/s ds; infinite under a conical tip.
+    /// p(0)/E* [-], the pressure at the centre: 1/pi ∫_0^x g'/s ds, which is
+    /// 1/pi ∫_0^x h'(r) [1/sqrt(x^2 - r^2) + acos(r/x)/r] dr with the order of integration changed;
+    /// infinite under a conical tip.
     virtual double centre_pressure(double x) const;
     /// g(x) [m], x >= 0: the indentation d that the contact radius x belongs to, and the plane
     /// profile of the method of dimensionality reduction; Popov and Hess (2015), eq. 3.27.
@@ -60,38 +71,29 @@ class Paraboloid final : public AxisymmetricIndenter {
     double radius() const { return radius_; }
     double profile(double r) const override { return r * r / (2 * radius_); }
     double profile_slope(double r) const override { return r / radius_; }
-    double outer_radius() const override;
-    double slope_moment(double x, int k) const override;
+    double slope_moment(double x, int k) const override {
+        return (k == 0 ? x : 2. / 3 * x * x * x) / radius_;
+    }
 
   private:
     double radius_;
 };
 
-/// h = R - sqrt(R^2 - r^2), the exact lower half of a ball.
+/// h = R - sqrt(R^2 - r^2) = r^2 / (R + sqrt(R^2 - r^2)), the exact lower half of a ball.
 class Sphere final : public AxisymmetricIndenter {
   public:
     explicit Sphere(double radius);
-    double radius() const { return radius_; }
-    double profile(double r) const override;
-    double profile_slope(double r) const override;
+    double profile(double r) const override {
+        return r * r / (radius_ + std::sqrt(radius_ * radius_ - r * r));
+    }
+    double profile_slope(double r) const override {
+        return r / std::sqrt(radius_ * radius_ - r * r);
+    }
     double outer_radius() const override { return radius_; }
 
   private:
     double radius_;
 };
-
-// Integrals over the slope h' of a body of revolution by double exponential quadrature between its
-// kinks, r = x sin t taking away the singularity at r = x: 1e-12 relative, unless h' itself is
-// ill-conditioned (near a vertical rim). The slope must not be negative; 0 < x <= outer radius.
-// They throw std::domain_error for another x and InputError where the estimated error exceeds
-// 1e-10: kinks that are not declared.
-
-/// ∫_0^x h'(r) r^k/sqrt(x^2 - r^2) dr [m^k].
-double transformed_slope_moment(const AxisymmetricIndenter& indenter, double x, int k);
-
-/// 1/pi ∫_0^x h'(r) [1/sqrt(x^2 - r^2) + acos(r/x)/r] dr [-], which is 1/pi ∫_0^x g'(s)/s ds with
-/// the order of integration changed; infinite for h'(0) > 0.
-double transformed_centre_pressure(const AxisymmetricIndenter& indenter, double x);
 
 /// ∫_u^v r^k/sqrt(x^2 - r^2) dr [m^k], 0 <= u <= v <= x, k >= 0, by the recurrence
 ///   k M_k = (k - 1) x^2 M_(k-2) - [r^(k-1) sqrt(x^2 - r^2)]_u^v.

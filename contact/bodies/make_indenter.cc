@@ -42,8 +42,8 @@ std::unique_ptr<Indenter> smooth_body(const Case& c) {
         case Case::Shape::ellipsoid:
             return std::make_unique<Ellipsoid>(c.indenter.radius, c.indenter.radius_y);
         case Case::Shape::roller:
-            return std::make_unique<Roller>(c.indenter.radius, c.indenter.length,
-                                            c.indenter.chamfer);
+            return std::make_unique<Cylinder>(c.indenter.radius, c.indenter.length,
+                                              c.indenter.chamfer);
         default:
             return c.make_axisymmetric_indenter();
     }

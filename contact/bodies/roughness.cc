@@ -1,15 +1,14 @@
 #include "contact/bodies/roughness.h"
 
-#include <fftw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <random>
 
 #include "contact/error.h"
+#include "contact/fftw.h"
 #include "contact/memory.h"
 
 namespace tricontact::contact {
@@ -34,7 +33,7 @@ void check(const Roughness& r) {
     if (!ordered)
         throw InputError(
             "roughness: wavelengths must obey 0 < short_wavelength <= roll_off <= long_wavelength");
-    if (!(r.rms_slope > 0) || !std::isfinite(r.rms_slope))
+    if (!is_positive_and_finite(r.rms_slope))
         throw InputError("roughness: the rms slope must be positive and finite");
     if (!(r.hurst >= 0 && r.hurst <= 1)) throw InputError("roughness: hurst must be in [0, 1]");
     if (r.long_wavelength / r.short_wavelength > most_waves)
@@ -95,47 +94,6 @@ double random_phase(std::mt19937_64& bits) {
     return 2 * std::numbers::pi * std::ldexp(static_cast<double>(bits() >> 11), -53);
 }
 
-struct FreeBuffer {
-    void operator()(void* p) const { fftw_free(p); }
-};
-
-/// Half the complex spectrum, m_x >= 0, fastest in x.
-class Spectrum {
-  public:
-    explicit Spectrum(int n)
-        : n_(n),
-          columns_(n / 2 + 1),
-          values_(fftw_alloc_complex(static_cast<std::size_t>(columns_) * n)) {
-        if (!values_) throw std::bad_alloc();
-        std::fill_n(&values_[0][0], 2 * static_cast<std::size_t>(columns_) * n, 0.0);
-    }
-
-    void set(const Wave& m, double amplitude, double phase) {
-        const double re = amplitude * std::cos(phase), im = amplitude * std::sin(phase);
-        if (m.x >= 0) put(m, re, im);
-        if (m.x <= 0) put({-m.x, -m.y}, re, -im);  // the opposite wave
-    }
-
-    std::vector<double> surface() {
-        std::vector<double> out(static_cast<std::size_t>(n_) * n_);
-        fftw_plan plan = fftw_plan_dft_c2r_2d(n_, n_, values_.get(), out.data(), FFTW_ESTIMATE);
-        fftw_execute(plan);
-        fftw_destroy_plan(plan);
-        return out;
-    }
-
-  private:
-    void put(const Wave& m, double re, double im) {
-        const int row = m.y >= 0 ? m.y : m.y + n_;
-        fftw_complex& to = values_[static_cast<std::size_t>(row) * columns_ + m.x];
-        to[0] = re;
-        to[1] = im;
-    }
-
-    int n_, columns_;
-    std::unique_ptr<fftw_complex[], FreeBuffer> values_;
-};
-
 }  // namespace
 
 HeightMap make_roughness(const Roughness& roughness, int n) {
@@ -150,12 +108,25 @@ HeightMap make_roughness(const Roughness& roughness, int n) {
                    "enlarge indenter.roughness.short_wavelength");
     const double height = scale(roughness);
     std::mt19937_64 bits(static_cast<std::uint64_t>(roughness.seed));
-    Spectrum spectrum(n);
+    const int columns = n / 2 + 1;  // half the complex spectrum, m_x >= 0, fastest in x
+    const auto spectrum = fftw_zeros<FftwComplex>(static_cast<std::size_t>(columns) * n);
+    const auto put = [&](int x, int y, double re, double im) {
+        fftw_complex& to = spectrum[static_cast<std::size_t>(y >= 0 ? y : y + n) * columns + x];
+        to[0] = re;
+        to[1] = im;
+    };
     for_each_wave(waves, [&](const Wave& m) {
-        spectrum.set(m, height * amplitude(roughness, m), random_phase(bits));
+        const double a = height * amplitude(roughness, m), phase = random_phase(bits);
+        const double re = a * std::cos(phase), im = a * std::sin(phase);
+        if (m.x >= 0) put(m.x, m.y, re, im);
+        if (m.x <= 0) put(-m.x, -m.y, re, -im);  // the opposite wave
     });
     const double spacing = roughness.long_wavelength / n;
-    return {n, n, {spacing, spacing}, spectrum.surface()};
+    HeightMap map{n, n, {spacing, spacing}, std::vector<double>(static_cast<std::size_t>(n) * n)};
+    const FftwPlan plan(
+        fftw_plan_dft_c2r_2d(n, n, spectrum.get(), map.height.data(), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
+    return map;
 }
 
 int fewest_roughness_nodes(const Roughness& roughness) {

@@ -1,6 +1,5 @@
 #include "contact/solvers/compliance.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tricontact::contact {
@@ -31,38 +30,11 @@ ContactPoints ContactPoints::grid(int n_x, int n_y, Vector2 first, Vector2 spaci
     return points;
 }
 
-void Compliance::tangential_from_normal(std::span<const double>, TangentialField& u) const {
-    u = TangentialField(points().size());
-}
-
-void Compliance::normal_from_tangential(const TangentialField&, std::span<double> u_z) const {
-    std::fill(u_z.begin(), u_z.end(), 0.0);
-}
-
-std::vector<double> Compliance::consistent_traction(std::span<const double>, bool) const {
-    return {};
-}
-
-std::optional<std::array<double, 3>> Compliance::missing_reaction(std::span<const double>,
-                                                                  const TangentialField&) const {
-    return std::nullopt;
-}
-
-std::unique_ptr<const Interior> Compliance::interior(std::span<const double>,
-                                                     const TangentialField&) const {
-    return nullptr;
-}
-
 CombinedCompliance::CombinedCompliance(Parts parts, bool coupled)
     : parts_(std::move(parts)),
       coupled_(coupled && std::any_of(parts_.begin(), parts_.end(),
                                       [](const auto& part) { return part->is_coupled(); })),
       weights_(parts_.size(), 0.0) {}
-
-void CombinedCompliance::set_weights(std::vector<double> weights) {
-    weights_ = std::move(weights);
-    matrix_.clear();
-}
 
 const double* CombinedCompliance::dense() const {
     if (!std::all_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->dense(); }))
@@ -132,11 +104,6 @@ double CombinedCompliance::local_tangential() const {
 void CombinedCompliance::precondition_tangential(const TangentialField& r,
                                                  TangentialField& z) const {
     parts_.front()->precondition_tangential(r, z);
-}
-
-std::vector<double> CombinedCompliance::consistent_traction(std::span<const double> t,
-                                                            bool odd_in_y) const {
-    return parts_.front()->consistent_traction(t, odd_in_y);
 }
 
 std::optional<std::array<double, 3>> CombinedCompliance::missing_reaction(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -18,6 +19,11 @@ struct TangentialField {
     TangentialField() = default;
     explicit TangentialField(std::size_t n) : x(n, 0.0), y(n, 0.0) {}
     std::size_t size() const { return x.size(); }
+    Vector2 at(std::size_t i) const { return {x[i], y[i]}; }
+    void set(std::size_t i, const Vector2& value) {
+        x[i] = value[0];
+        y[i] = value[1];
+    }
 };
 
 /// Where tractions act and displacements are read. On a grid x runs fastest.
@@ -60,8 +66,12 @@ class Compliance {
     virtual void tangential(const TangentialField& t, TangentialField& u) const = 0;
     /// The coupling: displacement in the surface under the pressure p, and displacement into the
     /// substrate under the tangential traction t; one is the other's adjoint. None by default.
-    virtual void tangential_from_normal(std::span<const double> p, TangentialField& u) const;
-    virtual void normal_from_tangential(const TangentialField& t, std::span<double> u_z) const;
+    virtual void tangential_from_normal(std::span<const double>, TangentialField& u) const {
+        u = TangentialField(points().size());
+    }
+    virtual void normal_from_tangential(const TangentialField&, std::span<double> u_z) const {
+        std::fill(u_z.begin(), u_z.end(), 0.0);
+    }
     /// Displacement of a point under unit traction on its own area alone, a typical value [m/Pa].
     virtual double local_tangential() const = 0;
     /// A symmetric positive definite approximation of the inverse of `tangential`; its scale is
@@ -73,16 +83,23 @@ class Compliance {
     virtual const double* dense() const { return nullptr; }
     /// Tractions by the consistent mass of an element surface instead of the points' areas; empty
     /// where there are no elements. `odd_in_y`: of a y component.
-    virtual std::vector<double> consistent_traction(std::span<const double> t, bool odd_in_y) const;
+    virtual std::vector<double> consistent_traction(std::span<const double>,
+                                                    [[maybe_unused]] bool odd_in_y) const {
+        return {};
+    }
     /// Force of the ground [N] plus the force of these tractions (z out of the substrate), zero but
     /// for errors; null where there is no ground.
-    virtual std::optional<std::array<double, 3>> missing_reaction(std::span<const double> p,
-                                                                  const TangentialField& t) const;
+    virtual std::optional<std::array<double, 3>> missing_reaction(std::span<const double>,
+                                                                  const TangentialField&) const {
+        return {};
+    }
     /// What missing_reaction may be over the force, for the rounding of a stiff material.
     virtual double allowed_missing_reaction() const { return 1e-8; }
     /// What the body looks like inside under these tractions [Pa]; null if unavailable.
-    virtual std::unique_ptr<const Interior> interior(std::span<const double> p,
-                                                     const TangentialField& t) const;
+    virtual std::unique_ptr<const Interior> interior(std::span<const double>,
+                                                     const TangentialField&) const {
+        return nullptr;
+    }
 };
 
 /// A weighted sum of compliances on the same contact points.
@@ -93,7 +110,10 @@ class CombinedCompliance final : public Compliance {
     /// Weights are zero at first. Not `coupled`: the parts' coupling is left out.
     CombinedCompliance(Parts parts, bool coupled);
 
-    void set_weights(std::vector<double> weights);
+    void set_weights(std::vector<double> weights) {
+        weights_ = std::move(weights);
+        matrix_.clear();
+    }
     const std::vector<double>& weights() const { return weights_; }
 
     const ContactPoints& points() const override { return parts_.front()->points(); }
@@ -106,7 +126,9 @@ class CombinedCompliance final : public Compliance {
     void precondition_tangential(const TangentialField& r, TangentialField& z) const override;
     const double* dense() const override;
     std::vector<double> consistent_traction(std::span<const double> t,
-                                            bool odd_in_y) const override;
+                                            bool odd_in_y) const override {
+        return parts_.front()->consistent_traction(t, odd_in_y);
+    }
     /// The worst of the parts', by component.
     std::optional<std::array<double, 3>> missing_reaction(std::span<const double> p,
                                                           const TangentialField& t) const override;

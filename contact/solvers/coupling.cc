@@ -27,10 +27,7 @@ void Coupling::place(const IndenterPose& at) {
         }
         bare_height_[i] = indenter_->height(x, y);
         if (!deformed_) continue;
-        const Vector2 slope =
-            std::isfinite(bare_height_[i]) ? indenter_->slope(x, y) : Vector2{0, 0};
-        slope_.x[i] = slope[0];
-        slope_.y[i] = slope[1];
+        slope_.set(i, std::isfinite(bare_height_[i]) ? indenter_->slope(x, y) : Vector2{0, 0});
     }
 }
 
@@ -51,23 +48,17 @@ void Coupling::update_displacement(std::span<const double> p, const TangentialFi
     if (elastic_) compliance_->tangential_from_normal(downward_traction(p, t), displacement_);
     if (!deformed_) return;
     TangentialField by_pressure = surface_traction(p, t), u(p.size());
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        by_pressure.x[i] -= t.x[i];
-        by_pressure.y[i] -= t.y[i];
-    }
+    for (std::size_t i = 0; i < p.size(); ++i) by_pressure.set(i, by_pressure.at(i) - t.at(i));
     compliance_->tangential(by_pressure, u);
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        displacement_.x[i] = (elastic_ ? displacement_.x[i] : 0) + u.x[i];
-        displacement_.y[i] = (elastic_ ? displacement_.y[i] : 0) + u.y[i];
-    }
+    for (std::size_t i = 0; i < p.size(); ++i)
+        displacement_.set(i, (elastic_ ? displacement_.at(i) : Vector2{}) + u.at(i));
 }
 
 double Coupling::normal_force(const TangentialField& t) const {
     if (!deformed_) return 0;
     const auto& area = compliance_->points().area;
     double sum = 0;
-    for (std::size_t i = 0; i < area.size(); ++i)
-        sum -= area[i] * (t.x[i] * slope_.x[i] + t.y[i] * slope_.y[i]);
+    for (std::size_t i = 0; i < area.size(); ++i) sum -= area[i] * dot(t.at(i), slope_.at(i));
     return sum;
 }
 
@@ -86,26 +77,22 @@ double Coupling::inclined_force(std::span<const double> p) const {
     if (!deformed_) return 0;
     const auto& area = compliance_->points().area;
     double sum = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-        sum += area[i] * p[i] * norm({slope_.x[i], slope_.y[i]});
+    for (std::size_t i = 0; i < p.size(); ++i) sum += area[i] * p[i] * norm(slope_.at(i));
     return sum;
 }
 
 TangentialField Coupling::surface_traction(std::span<const double> p,
                                            const TangentialField& t) const {
     TangentialField all = t;
-    for (std::size_t i = 0; deformed_ && i < p.size(); ++i) {
-        all.x[i] += p[i] * slope_.x[i];
-        all.y[i] += p[i] * slope_.y[i];
-    }
+    for (std::size_t i = 0; deformed_ && i < p.size(); ++i)
+        all.set(i, all.at(i) + p[i] * slope_.at(i));
     return all;
 }
 
 std::vector<double> Coupling::downward_traction(std::span<const double> p,
                                                 const TangentialField& t) const {
     std::vector<double> all(p.begin(), p.end());
-    for (std::size_t i = 0; deformed_ && i < p.size(); ++i)
-        all[i] -= t.x[i] * slope_.x[i] + t.y[i] * slope_.y[i];
+    for (std::size_t i = 0; deformed_ && i < p.size(); ++i) all[i] -= dot(t.at(i), slope_.at(i));
     return all;
 }
 

@@ -87,11 +87,6 @@ double mean_pressure(const std::array<double, 6>& s) {
     return -(s[0] + s[1] + s[2]) / 3;
 }
 
-std::size_t Subsurface::axis() const {
-    const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    return std::min_element(x.begin(), x.end(), nearer) - x.begin();
-}
-
 Subsurface subsurface_of(const Interior& interior, double phase, const Vector2& offset) {
     Subsurface out;
     out.phase = phase;

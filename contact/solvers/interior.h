@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -50,7 +52,10 @@ struct Subsurface {
     std::vector<std::array<double, 6>> stress;  ///< XX YY ZZ XY YZ XZ [Pa]
 
     /// Index of the points below the indenter's centre: the x nearest to it.
-    std::size_t axis() const;
+    std::size_t axis() const {
+        const auto nearer = [](double a, double b) { return std::abs(a) < std::abs(b); };
+        return std::min_element(x.begin(), x.end(), nearer) - x.begin();
+    }
     const std::array<double, 6>& at(std::size_t i_x, std::size_t i_z) const {
         return stress[i_z * x.size() + i_x];
     }

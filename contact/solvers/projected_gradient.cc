@@ -32,13 +32,11 @@ class ProjectedGradient {
             const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
             const double beta = uphill(y, t, solution.traction) ? 0 : (momentum - 1) / next;
             momentum = beta == 0 ? 1 : next;
-            for (const std::size_t i : active_) {
-                y.x[i] = t.x[i] + beta * (t.x[i] - solution.traction.x[i]);
-                y.y[i] = t.y[i] + beta * (t.y[i] - solution.traction.y[i]);
-            }
+            for (const std::size_t i : active_)
+                y.set(i, t.at(i) + beta * (t.at(i) - solution.traction.at(i)));
             solution.traction = t;
         }
-        for (int d = 0; d < 2; ++d) solution.shift_increment[d] = shift_[d] / stiffness_;
+        solution.shift_increment = shift_ / stiffness_;
     }
 
   private:
@@ -51,20 +49,15 @@ class ProjectedGradient {
     /// displaces 2.5 times as far as a uniform one, which would never find it.
     double largest_eigenvalue() const {
         TangentialField v(area_.size()), u(area_.size());
-        for (const std::size_t i : active_) {
-            v.x[i] = 1 + std::sin(static_cast<double>(i));
-            v.y[i] = std::cos(static_cast<double>(i));
-        }
+        for (const std::size_t i : active_)
+            v.set(i, {1 + std::sin(static_cast<double>(i)), std::cos(static_cast<double>(i))});
         double eigenvalue = 0;
         for (int k = 0; k < 10; ++k) {
             compliance_.tangential(v, u);
             double size = 0;
             for (const std::size_t i : active_) size = std::max(size, std::hypot(u.x[i], u.y[i]));
             eigenvalue = size;
-            for (const std::size_t i : active_) {
-                v.x[i] = u.x[i] / size;
-                v.y[i] = u.y[i] / size;
-            }
+            for (const std::size_t i : active_) v.set(i, u.at(i) / size);
         }
         return 1.05 * eigenvalue;
     }
@@ -72,10 +65,8 @@ class ProjectedGradient {
     TangentialField gradient_step(const TangentialField& y, const TangentialField& u) const {
         TangentialField point(y.size());
         const auto& previous = problem_.previous_displacement;
-        for (const std::size_t i : active_) {
-            point.x[i] = y.x[i] + stiffness_ * (previous.x[i] - u.x[i]);
-            point.y[i] = y.y[i] + stiffness_ * (previous.y[i] - u.y[i]);
-        }
+        for (const std::size_t i : active_)
+            point.set(i, y.at(i) + stiffness_ * (previous.at(i) - u.at(i)));
         return point;
     }
 
@@ -90,16 +81,16 @@ class ProjectedGradient {
     Balance balance_at(const TangentialField& point, const Vector2& shift) const {
         Balance b;
         for (const std::size_t i : active_) {
-            const Vector2 v = {point.x[i] + shift[0], point.y[i] + shift[1]};
+            const Vector2 v = point.at(i) + shift;
             const double bound = problem_.bound[i], size = norm(v);
             const bool slips = size > bound;
             const Vector2 p = project_on_disc(v, bound);
-            for (int d = 0; d < 2; ++d) b.missing[d] -= area_[i] * p[d];
+            b.missing = b.missing - area_[i] * p;
             b.scale += area_[i] * bound;
             b.area += area_[i];
             b.potential += area_[i] * (slips ? bound * (size - bound / 2) : size * size / 2);
             const double a = area_[i] * (slips ? bound / size : 1);
-            const Vector2 e = slips ? Vector2{v[0] / size, v[1] / size} : Vector2{};
+            const Vector2 e = slips ? v / size : Vector2{};
             b.j_xx += a * (1 - e[0] * e[0]);
             b.j_xy -= a * e[0] * e[1];
             b.j_yy += a * (1 - e[1] * e[1]);
@@ -132,7 +123,7 @@ class ProjectedGradient {
             if (norm(balance.missing) <= 1e-13 * balance.scale) break;
             Vector2 step = newton_step(balance);
             for (int halving = 0; halving < 40; ++halving) {
-                const Vector2 next = {shift_[0] + step[0], shift_[1] + step[1]};
+                const Vector2 next = shift_ + step;
                 const Balance there = balance_at(point, next);
                 const double expected = 1e-4 * dot(step, balance.missing);
                 const double noise = 1e-14 * balance.scale * norm(next);
@@ -141,15 +132,11 @@ class ProjectedGradient {
                     balance = there;
                     break;
                 }
-                step = {step[0] / 4, step[1] / 4};
+                step = step / 4;
             }
         }
-        for (const std::size_t i : active_) {
-            const Vector2 p = project_on_disc({point.x[i] + shift_[0], point.y[i] + shift_[1]},
-                                              problem_.bound[i]);
-            t.x[i] = p[0];
-            t.y[i] = p[1];
-        }
+        for (const std::size_t i : active_)
+            t.set(i, project_on_disc(point.at(i) + shift_, problem_.bound[i]));
     }
 
     /// The last move goes against the momentum: start the acceleration again.
@@ -157,8 +144,7 @@ class ProjectedGradient {
                 const TangentialField& last) const {
         double product = 0;
         for (const std::size_t i : active_)
-            product += area_[i] * ((y.x[i] - t.x[i]) * (t.x[i] - last.x[i]) +
-                                   (y.y[i] - t.y[i]) * (t.y[i] - last.y[i]));
+            product += area_[i] * dot(y.at(i) - t.at(i), t.at(i) - last.at(i));
         return product > 0;
     }
 

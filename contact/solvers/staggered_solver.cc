@@ -16,25 +16,14 @@ namespace {
 // Solutions are kept while they fit: a period comes back to the same offsets again and again.
 constexpr std::size_t most_kept_bytes = std::size_t{1} << 28;
 
-/// The phase within its period, rounded: n + 1/3 has other last bits for each n.
+/// The phase within its period, rounded: n + 1/3 has other last bits for each n. All that comes
+/// before rolling has phase 0.
 long key_of_phase(double phase) {
     constexpr long parts = 1'000'000'000;
     return std::lround((phase - std::floor(phase)) * parts) % parts;
 }
 
 }  // namespace
-
-void PeriodStarts::keep(double phase, Start start) {
-    const std::size_t bytes = 4 * sizeof(double) * start.traction.x.size();
-    const long key = key_of_phase(phase);
-    if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
-        starts_[key] = std::move(start);
-}
-
-const PeriodStarts::Start* PeriodStarts::find(double phase) const {
-    const auto it = starts_.find(key_of_phase(phase));
-    return it == starts_.end() ? nullptr : &it->second;
-}
 
 StaggeredSolver::StaggeredSolver(std::string name, Substrate& substrate, const Indenter& indenter,
                                  double friction_coefficient, double tolerance,
@@ -121,17 +110,20 @@ void StaggeredSolver::solve_uncoupled(const LoadStep& step, const StepStart& bef
 /// The staggered iteration begins where the same phase ended one period ago, if there was one.
 void StaggeredSolver::recall_start(double phase) {
     now_.tangential.shift_increment = {};
-    const PeriodStarts::Start* start = starts_.find(phase);
-    if (!start || !(start->normal->force > 0)) return;
-    now_.normal = start->normal;
-    now_.tangential.traction = start->traction;
-    now_.tangential.shift_increment = start->shift_increment;
+    const auto found = starts_.find(key_of_phase(phase));
+    if (found == starts_.end() || !(found->second.normal->force > 0)) return;
+    const PeriodStart& start = found->second;
+    now_.normal = start.normal;
+    now_.tangential.traction = start.traction;
+    now_.tangential.shift_increment = start.shift_increment;
 }
 
 void StaggeredSolver::keep_start(double phase) {
-    if (!coupling_.is_decoupled())
-        starts_.keep(phase,
-                     {now_.normal, now_.tangential.traction, now_.tangential.shift_increment});
+    if (coupling_.is_decoupled()) return;
+    const std::size_t bytes = 4 * sizeof(double) * points().size();
+    const long key = key_of_phase(phase);
+    if (starts_.contains(key) || (starts_.size() + 1) * bytes <= most_kept_bytes)
+        starts_[key] = {now_.normal, now_.tangential.traction, now_.tangential.shift_increment};
 }
 
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
@@ -233,13 +225,9 @@ TangentialField StaggeredSolver::displaced_before(const StepStart& before) const
     const TangentialField& other = coupling_.displacement();
     const double stiffness = substrate_.stiffness();
     for (std::size_t i = 0; i < relative.size(); ++i) {
-        if (substrate_.relaxes()) {
-            relative.x[i] = stiffness * relative.x[i] + substrate_.offset().in_surface.x[i];
-            relative.y[i] = stiffness * relative.y[i] + substrate_.offset().in_surface.y[i];
-        }
-        const Vector2 by_rotation = rotated(before, i);
-        relative.x[i] += stiffness * by_rotation[0] - other.x[i];
-        relative.y[i] += stiffness * by_rotation[1] - other.y[i];
+        Vector2 u = relative.at(i);
+        if (substrate_.relaxes()) u = stiffness * u + substrate_.offset().in_surface.at(i);
+        relative.set(i, u + (stiffness * rotated(before, i) - other.at(i)));
     }
     return relative;
 }
@@ -286,8 +274,7 @@ void StaggeredSolver::update_displacement() {
     if (!coupling_.is_decoupled()) {
         const TangentialField& other = coupling_.displacement();
         for (std::size_t i = 0; i < down.size(); ++i) {
-            in_surface.x[i] += other.x[i];
-            in_surface.y[i] += other.y[i];
+            in_surface.set(i, in_surface.at(i) + other.at(i));
             down[i] += coupling_.lowering()[i];
         }
     }

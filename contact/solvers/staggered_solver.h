@@ -34,27 +34,6 @@ struct ContactSolution {
     int normal_iterations = 0, tangential_iterations = 0;
 };
 
-/// The last solution at each phase of the period. A contact that rolls to and fro comes back to
-/// nearly the same pressures and tractions one period later: the best start for an iteration that
-/// is to find them. Starts change no result by more than the solvers' tolerance.
-class PeriodStarts {
-  public:
-    struct Start {
-        std::shared_ptr<const NormalSolution> normal;
-        TangentialField traction;   ///< [Pa]
-        Vector2 shift_increment{};  ///< [m]
-    };
-
-    /// `phase`: of the step, in periods; all that comes before rolling has phase 0.
-    void keep(double phase, Start start);
-    /// Null where there was no step.
-    const Start* find(double phase) const;
-    void clear() { starts_.clear(); }
-
-  private:
-    std::map<long, Start> starts_;
-};
-
 /// Normal and tangential contact with Coulomb friction in one step. Uncoupled, one after the other;
 /// coupled by a staggered iteration (Panagiotopoulos 1975), Anderson-accelerated (see FixedPoint),
 /// until what the friction does to the gap no longer changes. A relaxing substrate is stepped as an
@@ -85,6 +64,14 @@ class StaggeredSolver {
     Vector2 rotated(const StepStart& before, std::size_t i) const;
 
   private:
+    /// The last solution at a phase of the period. A contact that rolls to and fro comes back to
+    /// nearly the same pressures and tractions one period later: the best start for an iteration
+    /// that is to find them. Starts change no result by more than the solvers' tolerance.
+    struct PeriodStart {
+        std::shared_ptr<const NormalSolution> normal;
+        TangentialField traction;   // [Pa]
+        Vector2 shift_increment{};  // [m]
+    };
     using Key = std::tuple<Vector2, NormalControl::Kind, double>;  // offset and normal control
 
     const ContactPoints& points() const { return substrate_.compliance().points(); }
@@ -110,7 +97,7 @@ class StaggeredSolver {
     std::optional<TangentialSolver> tangential_solver_;
     ContactSolution now_;
     std::map<Key, std::shared_ptr<const NormalSolution>> normal_cache_;
-    PeriodStarts starts_;  // of coupled contact
+    std::map<long, PeriodStart> starts_;  // of coupled contact, by the phase
 };
 
 }  // namespace tricontact::contact

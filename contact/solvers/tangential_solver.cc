@@ -73,13 +73,6 @@ class Newton {
 
   private:
     TangentialField& traction() { return solution_.traction; }
-    Vector2 traction_at(std::size_t i) const {
-        return {solution_.traction.x[i], solution_.traction.y[i]};
-    }
-    void set_traction(std::size_t i, const Vector2& t) {
-        solution_.traction.x[i] = t[0];
-        solution_.traction.y[i] = t[1];
-    }
 
     void sum_bounds() {
         for (const std::size_t i : active_) {
@@ -112,12 +105,12 @@ class Newton {
         std::size_t next = 0;
         for (std::size_t i = 0; i < n; ++i) {
             if (next == active_.size() || active_[next] != i) {
-                set_traction(i, {0, 0});
+                traction().set(i, {0, 0});
                 continue;
             }
-            const Vector2 t = traction_at(i);
+            const Vector2 t = traction().at(i);
             slipping_[next++] = norm(t) >= problem_.bound[i] * (1 - 1e-12);
-            set_traction(i, project_on_disc(t, problem_.bound[i]));
+            traction().set(i, project_on_disc(t, problem_.bound[i]));
         }
         for (int d = 0; d < 2; ++d)
             if (force_controlled_[d])
@@ -136,15 +129,13 @@ class Newton {
         const auto& now = solution_.displacement;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            slip_[k] = {solution_.shift_increment[0] + before.x[i] - now.x[i],
-                        solution_.shift_increment[1] + before.y[i] - now.y[i]};
+            slip_[k] = solution_.shift_increment + before.at(i) - now.at(i);
         }
     }
 
     /// t + s/alpha: inside the friction disc where the point sticks.
     Vector2 trial(std::size_t k) const {
-        const Vector2 t = traction_at(active_[k]);
-        return {t[0] + slip_[k][0] / alpha_, t[1] + slip_[k][1] / alpha_};
+        return solution_.traction.at(active_[k]) + slip_[k] / alpha_;
     }
 
     void update_residual() {
@@ -153,14 +144,13 @@ class Newton {
         on_bound_ = true;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            const Vector2 t = traction_at(i);
+            const Vector2 t = traction().at(i);
             const Vector2 p = project_on_disc(trial(k), problem_.bound[i]);
-            worst = larger(worst, norm({t[0] - p[0], t[1] - p[1]}));
+            worst = larger(worst, norm(t - p));
             // A start from other bounds may be close and yet slip below the bound: not accepted.
             on_bound_ = on_bound_ && (norm(trial(k)) <= problem_.bound[i] ||
                                       norm(t) >= problem_.bound[i] * (1 - 1e-11));
-            force[0] += area_[i] * t[0];
-            force[1] += area_[i] * t[1];
+            force = force + area_[i] * t;
         }
         solution_.residual = worst / mean_bound_;
         solution_.force_residual = 0;
@@ -183,10 +173,9 @@ class Newton {
         TangentialField right_hand_side(area_.size());
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            right_hand_side.x[i] = slip_[k][0];
-            right_hand_side.y[i] = slip_[k][1];
+            right_hand_side.set(i, slip_[k]);
             if (!slipping_[k]) continue;
-            const Vector2 t = traction_at(i);
+            const Vector2 t = traction().at(i);
             const double bound = problem_.bound[i];
             tangent[k] = {-t[1] / bound, t[0] / bound};
             curvature[k] = std::max(0.0, dot(slip_[k], t) / bound) / bound;
@@ -212,14 +201,13 @@ class Newton {
     }
 
     void move(const TangentialSystem::Result& result) {
-        for (int d = 0; d < 2; ++d) solution_.shift_increment[d] += result.shift_increment[d];
+        solution_.shift_increment = solution_.shift_increment + result.shift_increment;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
+            Vector2 t = traction().at(i) + result.z.at(i);
             if (slipping_[k]) t = onto_edge(t, problem_.bound[i]);
-            set_traction(i, t);
-            slip_[k][0] += result.shift_increment[0] - result.a_z.x[i];
-            slip_[k][1] += result.shift_increment[1] - result.a_z.y[i];
+            traction().set(i, t);
+            slip_[k] = slip_[k] + (result.shift_increment - result.a_z.at(i));
         }
     }
 
@@ -230,8 +218,8 @@ class Newton {
             const double bound = problem_.bound[i];
             const Vector2 y = trial(k);
             slipping_[k] = norm(y) > bound;
-            set_traction(
-                i, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction_at(i), bound));
+            traction().set(
+                i, slipping_[k] ? onto_edge(y, bound) : project_on_disc(traction().at(i), bound));
         }
     }
 

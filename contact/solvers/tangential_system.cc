@@ -159,41 +159,30 @@ void TangentialSystem::project(TangentialField& f) const {
     for (std::size_t k = 0; k < active_.size(); ++k) {
         if (!slipping_[k]) continue;
         const std::size_t i = active_[k];
-        const double along = tangent_[k][0] * f.x[i] + tangent_[k][1] * f.y[i];
-        f.x[i] = along * tangent_[k][0];
-        f.y[i] = along * tangent_[k][1];
+        f.set(i, dot(tangent_[k], f.at(i)) * tangent_[k]);
     }
 }
 
 void TangentialSystem::precondition(const TangentialField& r, TangentialField& z) {
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        const std::size_t i = active_[k];
-        scaled_.x[i] = scaling_[k] * r.x[i];
-        scaled_.y[i] = scaling_[k] * r.y[i];
-    }
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        scaled_.set(active_[k], scaling_[k] * r.at(active_[k]));
     products_.precondition(scaled_, full_);
-    for (std::size_t k = 0; k < active_.size(); ++k) {
-        const std::size_t i = active_[k];
-        z.x[i] = scaling_[k] * full_.x[i];
-        z.y[i] = scaling_[k] * full_.y[i];
-    }
+    for (std::size_t k = 0; k < active_.size(); ++k)
+        z.set(active_[k], scaling_[k] * full_.at(active_[k]));
     project(z);
 }
 
 double TangentialSystem::inner(const TangentialField& a, const TangentialField& b) const {
     const auto& area = compliance_.points().area;
     double sum = 0;
-    for (const std::size_t i : active_) sum += area[i] * (a.x[i] * b.x[i] + a.y[i] * b.y[i]);
+    for (const std::size_t i : active_) sum += area[i] * dot(a.at(i), b.at(i));
     return sum;
 }
 
 Vector2 TangentialSystem::total(const TangentialField& z) const {
     const auto& area = compliance_.points().area;
     Vector2 sum{};
-    for (const std::size_t i : active_) {
-        sum[0] += area[i] * z.x[i];
-        sum[1] += area[i] * z.y[i];
-    }
+    for (const std::size_t i : active_) sum = sum + area[i] * z.at(i);
     return sum;
 }
 
@@ -206,13 +195,6 @@ Vector2 TangentialSystem::constraint_multiplier(const Vector2& force) const {
     for (int d = 0; d < 2; ++d)
         if (!force_controlled_[d]) lambda[d] = 0;
     return lambda;
-}
-
-void TangentialSystem::add(TangentialField& to, double factor, const TangentialField& from) const {
-    for (const std::size_t i : active_) {
-        to.x[i] += factor * from.x[i];
-        to.y[i] += factor * from.y[i];
-    }
 }
 
 const TangentialSystem::Result& TangentialSystem::solve(const TangentialField& r, const Vector2& c,
@@ -238,9 +220,8 @@ void TangentialSystem::start(const TangentialField& r) {
     result_.iterations = 0;
     result_.shift_increment = {};
     for (const std::size_t i : active_) {
-        residual_.x[i] = r.x[i];
-        residual_.y[i] = r.y[i];
-        for (auto* field : {&result_.z, &result_.a_z, &direction_}) field->x[i] = field->y[i] = 0;
+        residual_.set(i, r.at(i));
+        for (auto* field : {&result_.z, &result_.a_z, &direction_}) field->set(i, {0, 0});
     }
     project(residual_);
 }
@@ -259,27 +240,11 @@ void TangentialSystem::carry(const Vector2& c) {
 void TangentialSystem::apply() {
     products_.apply(direction_, a_direction_);
     ++result_.iterations;
-    for (const std::size_t i : active_) {
-        h_direction_.x[i] = a_direction_.x[i];
-        h_direction_.y[i] = a_direction_.y[i];
-    }
+    for (const std::size_t i : active_) h_direction_.set(i, a_direction_.at(i));
     project(h_direction_);
     for (std::size_t k = 0; k < active_.size(); ++k) {
-        h_direction_.x[active_[k]] += curvature_[k] * direction_.x[active_[k]];
-        h_direction_.y[active_[k]] += curvature_[k] * direction_.y[active_[k]];
-    }
-}
-
-void TangentialSystem::move(double step) {
-    add(result_.z, step, direction_);
-    add(result_.a_z, step, a_direction_);
-    add(residual_, -step, h_direction_);
-}
-
-void TangentialSystem::turn(double beta) {
-    for (const std::size_t i : active_) {
-        direction_.x[i] = z_.x[i] + beta * direction_.x[i];
-        direction_.y[i] = z_.y[i] + beta * direction_.y[i];
+        const std::size_t i = active_[k];
+        h_direction_.set(i, h_direction_.at(i) + curvature_[k] * direction_.at(i));
     }
 }
 
@@ -293,10 +258,6 @@ void TangentialSystem::precondition_balanced() {
         add(z_, -lambda[d], preconditioned_[d]);
         result_.shift_increment[d] -= lambda[d];
     }
-}
-
-double TangentialSystem::rms_residual() const {
-    return std::sqrt(inner(residual_, residual_) / area_);
 }
 
 }  // namespace tricontact::contact

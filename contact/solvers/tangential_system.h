@@ -65,7 +65,9 @@ class TangentialSystem {
   private:
     void project(TangentialField& f) const;
     void precondition(const TangentialField& r, TangentialField& z);
-    void add(TangentialField& to, double factor, const TangentialField& from) const;
+    void add(TangentialField& to, double factor, const TangentialField& from) const {
+        for (const std::size_t i : active_) to.set(i, to.at(i) + factor * from.at(i));
+    }
     double inner(const TangentialField& a, const TangentialField& b) const;
     Vector2 total(const TangentialField& z) const;
     Vector2 constraint_multiplier(const Vector2& total_force) const;
@@ -73,10 +75,16 @@ class TangentialSystem {
     void start(const TangentialField& r);
     void carry(const Vector2& c);
     void apply();
-    void move(double step);
-    void turn(double beta);
+    void move(double step) {
+        add(result_.z, step, direction_);
+        add(result_.a_z, step, a_direction_);
+        add(residual_, -step, h_direction_);
+    }
+    void turn(double beta) {
+        for (const std::size_t i : active_) direction_.set(i, z_.at(i) + beta * direction_.at(i));
+    }
     void precondition_balanced();
-    double rms_residual() const;
+    double rms_residual() const { return std::sqrt(inner(residual_, residual_) / area_); }
 
     const Compliance& compliance_;
     const std::vector<std::size_t>& active_;

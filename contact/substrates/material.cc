@@ -1,15 +1,15 @@
 #include "contact/substrates/material.h"
 
-#include <cmath>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
 namespace {
 
 void check(const Material& material, const char* body) {
-    if (!(material.young > 0) || !std::isfinite(material.young))
+    if (!is_positive_and_finite(material.young))
         throw InputError(std::string(body) + ": Young's modulus must be positive and finite");
     if (!(material.poisson > -1 && material.poisson <= 0.5))
         throw InputError(std::string(body) + ": Poisson's ratio must lie in (-1, 0.5]");

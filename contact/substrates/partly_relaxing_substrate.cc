@@ -63,7 +63,8 @@ SurfaceField displaced(const Compliance& compliance, const SurfaceField& t, bool
 
 }  // namespace
 
-StieltjesInterpolation::StieltjesInterpolation(double range, double error) {
+StieltjesInterpolation::StieltjesInterpolation(double least_range, double most_error)
+    : range(least_range), error(most_error) {
     if (!(range > 1) || !std::isfinite(range) || !(error > 0))
         throw std::logic_error("Stieltjes interpolation: range and error");
     int n = 1;
@@ -74,30 +75,22 @@ StieltjesInterpolation::StieltjesInterpolation(double range, double error) {
         range = wider;
     const Symmetric map(range);
     const std::vector<double> points = zolotarev_points(n, map.k);
-    error_ = error_of(points);
-    range_ = range;
+    error = error_of(points);
     for (const double z : points) {
-        nodes_.push_back(map.back(z));
-        poles_.push_back(-map.back(-z));
+        nodes.push_back(map.back(z));
+        poles.push_back(-map.back(-z));
     }
     // Inverse of Cauchy's matrix 1/(x_j + a_m), row m.
-    weight_.resize(size() * size());
+    weights.resize(size() * size());
     for (std::size_t m = 0; m < size(); ++m)
         for (std::size_t j = 0; j < size(); ++j) {
-            double w = nodes_[j] + poles_[m];
+            double w = nodes[j] + poles[m];
             for (std::size_t k = 0; k < size(); ++k) {
-                if (k != m) w *= (nodes_[j] + poles_[k]) / (poles_[k] - poles_[m]);
-                if (k != j) w *= (nodes_[k] + poles_[m]) / (nodes_[k] - nodes_[j]);
+                if (k != m) w *= (nodes[j] + poles[k]) / (poles[k] - poles[m]);
+                if (k != j) w *= (nodes[k] + poles[m]) / (nodes[k] - nodes[j]);
             }
-            weight_[m * size() + j] = w;
+            weights[m * size() + j] = w;
         }
-}
-
-std::vector<double> StieltjesInterpolation::shares(double x) const {
-    std::vector<double> shares(size());
-    for (std::size_t m = 0; m < size(); ++m)
-        for (std::size_t j = 0; j < size(); ++j) shares[j] += weight(m, j) / (x + poles_[m]);
-    return shares;
 }
 
 StieltjesInterpolation interpolation_of(const Relaxation& relaxation) {
@@ -115,13 +108,9 @@ PartlyRelaxingSubstrate::PartlyRelaxingSubstrate(Parts parts, StieltjesInterpola
       step_(parts_, coupled),
       relaxed_(parts_, coupled) {
     relaxed_.set_weights(interpolation_.shares(1));
-    for (const double pole : interpolation_.poles())
+    for (const double pole : interpolation_.poles)
         modes_.push_back({Retardation(relaxation_, pole), {}, {}});
     forget();
-}
-
-std::unique_ptr<Substrate> PartlyRelaxingSubstrate::fresh(bool coupled) const {
-    return std::make_unique<PartlyRelaxingSubstrate>(parts_, interpolation_, relaxation_, coupled);
 }
 
 void PartlyRelaxingSubstrate::forget() {

@@ -18,23 +18,23 @@ namespace tricontact::contact {
 /// bounded without knowledge of the body:
 ///   |C(x) - exact| <= error * exact   for 1 <= x <= range, in the energy of any load.
 /// Zolotarev (1877); Braess (1986), Nonlinear Approximation Theory, V.5.
-class StieltjesInterpolation {
-  public:
-    /// `range` > 1. As few points as `error` [-] allows, in a range as wide as these do.
-    StieltjesInterpolation(double range, double error);
+struct StieltjesInterpolation {
+    /// `least_range` > 1. As few points as `most_error` [-] allows, in a range as wide as these do.
+    StieltjesInterpolation(double least_range, double most_error);
 
-    std::size_t size() const { return nodes_.size(); }
-    const std::vector<double>& nodes() const { return nodes_; }  ///< x_j > 1
-    const std::vector<double>& poles() const { return poles_; }  ///< > 0
-    double error() const { return error_; }                      ///< the bound
-    double range() const { return range_; }                      ///< where it holds
-    double weight(std::size_t m, std::size_t j) const { return weight_[m * size() + j]; }
+    std::size_t size() const { return nodes.size(); }
+    double weight(std::size_t m, std::size_t j) const { return weights[m * size() + j]; }
     /// The share of C(node_j) in C(x).
-    std::vector<double> shares(double x) const;
+    std::vector<double> shares(double x) const {
+        std::vector<double> shares(size());
+        for (std::size_t m = 0; m < size(); ++m)
+            for (std::size_t j = 0; j < size(); ++j) shares[j] += weight(m, j) / (x + poles[m]);
+        return shares;
+    }
 
-  private:
-    std::vector<double> nodes_, poles_, weight_;
-    double error_ = 0, range_ = 1;
+    double range, error;               ///< where the bound holds; the bound
+    std::vector<double> nodes, poles;  ///< x_j > 1; > 0
+    std::vector<double> weights;       ///< row by row, see weight()
 };
 
 /// A substrate of which a part relaxes: its shear and not its bulk, a layer and not the ground
@@ -50,12 +50,15 @@ class PartlyRelaxingSubstrate final : public Substrate {
   public:
     using Parts = CombinedCompliance::Parts;
 
-    /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes().
+    /// `parts`: elastic compliances with the relaxing part's moduli times interpolation.nodes.
     /// Not `coupled`: normal tractions displace normally alone.
     PartlyRelaxingSubstrate(Parts parts, StieltjesInterpolation interpolation,
                             Relaxation relaxation, bool coupled = true);
 
-    std::unique_ptr<Substrate> fresh(bool coupled) const override;
+    std::unique_ptr<Substrate> fresh(bool coupled) const override {
+        return std::make_unique<PartlyRelaxingSubstrate>(parts_, interpolation_, relaxation_,
+                                                         coupled);
+    }
     void forget() override;
     bool begin(double duration, const SurfaceField& t, const SurfaceField& u) override;
     const Compliance& compliance() const override { return step_; }

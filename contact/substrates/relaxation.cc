@@ -7,6 +7,7 @@
 
 #include "contact/error.h"
 #include "contact/root.h"
+#include "contact/special_values.h"
 
 namespace tricontact::contact {
 
@@ -76,13 +77,13 @@ std::complex<double> Relaxation::dynamic_ratio(double omega) const {
 
 void check(const Relaxation& relaxation) {
     for (const auto& [ratio, time] : relaxation.branches) {
-        if (!(ratio > 0) || !std::isfinite(ratio))
+        if (!is_positive_and_finite(ratio))
             throw InputError(
                 fmt::format("substrate.relaxation: a modulus of {:.6g} times the relaxed one; "
                             "moduli of branches "
                             "must be positive and finite, or G(t) would grow with time; correct it",
                             ratio));
-        if (!(time > 0) || !std::isfinite(time))
+        if (!is_positive_and_finite(time))
             throw InputError(
                 fmt::format("substrate.relaxation: a relaxation time of {:.6g} s; times must be "
                             "positive and finite; correct it",

@@ -45,15 +45,6 @@ RelaxingSubstrate::RelaxingSubstrate(std::shared_ptr<const Compliance> relaxed,
     forget();
 }
 
-std::unique_ptr<Substrate> RelaxingSubstrate::fresh(bool) const {
-    return std::make_unique<RelaxingSubstrate>(compliance_, relaxation_);
-}
-
-void RelaxingSubstrate::forget() {
-    relaxed_ = offset_ = before_ = SurfaceField(n_);
-    branches_.assign(relaxation_.branches.size(), {SurfaceField(n_), SurfaceField(n_)});
-}
-
 bool RelaxingSubstrate::begin(double duration, const SurfaceField&, const SurfaceField& u) {
     RelaxationStep step(relaxation_, duration);
     duration_ = duration;
@@ -72,13 +63,6 @@ bool RelaxingSubstrate::begin(double duration, const SurfaceField&, const Surfac
         }
     }
     return false;
-}
-
-std::vector<SurfaceField*> RelaxingSubstrate::memory() {
-    std::vector<SurfaceField*> fields{&relaxed_};
-    for (Branch& branch : branches_)
-        fields.insert(fields.end(), {&branch.displacement, &branch.traction});
-    return fields;
 }
 
 Substrate::Energies RelaxingSubstrate::end(const SurfaceField& t, const SurfaceField& u) {
@@ -205,7 +189,7 @@ std::unique_ptr<Substrate> make_substrate(const Case& c, std::shared_ptr<const C
         return std::make_unique<RelaxingSubstrate>(std::move(relaxed), *c.relaxation);
     const StieltjesInterpolation interpolation = interpolation_of(*c.relaxation);
     CombinedCompliance::Parts parts;
-    for (const double ratio : interpolation.nodes())
+    for (const double ratio : interpolation.nodes)
         parts.push_back(compliance_of(with_relaxing_ratio(c, ratio)));
     return std::make_unique<PartlyRelaxingSubstrate>(std::move(parts), interpolation,
                                                      *c.relaxation);

@@ -20,8 +20,13 @@ class RelaxingSubstrate final : public Substrate {
   public:
     RelaxingSubstrate(std::shared_ptr<const Compliance> relaxed, Relaxation relaxation);
 
-    std::unique_ptr<Substrate> fresh(bool coupled) const override;
-    void forget() override;
+    std::unique_ptr<Substrate> fresh(bool) const override {
+        return std::make_unique<RelaxingSubstrate>(compliance_, relaxation_);
+    }
+    void forget() override {
+        relaxed_ = offset_ = before_ = SurfaceField(n_);
+        branches_.assign(relaxation_.branches.size(), {SurfaceField(n_), SurfaceField(n_)});
+    }
     bool begin(double duration, const SurfaceField& t, const SurfaceField& u) override;
     const Compliance& compliance() const override { return *compliance_; }
     double stiffness() const override { return stiffness_; }
@@ -30,7 +35,12 @@ class RelaxingSubstrate final : public Substrate {
     std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
 
   private:
-    std::vector<SurfaceField*> memory() override;
+    std::vector<SurfaceField*> memory() override {
+        std::vector<SurfaceField*> fields{&relaxed_};
+        for (Branch& branch : branches_)
+            fields.insert(fields.end(), {&branch.displacement, &branch.traction});
+        return fields;
+    }
 
     struct Branch {
         SurfaceField displacement;  // h_i [m]

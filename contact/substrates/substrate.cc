@@ -12,25 +12,11 @@ void Substrate::advect() {
     for (SurfaceField* field : memory()) contact::advect(compliance().points(), *field);
 }
 
-void Substrate::write(StateWriter& out) {
-    for (const SurfaceField* field : memory())
-        for (const auto* component : components(*field)) out.add(*component);
-}
-
-void Substrate::read(StateReader& in) {
-    for (SurfaceField* field : memory())
-        for (auto* component : components(*field)) in.get(*component);
-}
-
 ElasticSubstrate::ElasticSubstrate(std::shared_ptr<const Compliance> compliance)
     : compliance_(std::move(compliance)),
       none_(compliance_->points().size()),
       traction_(none_),
       displacement_(none_) {}
-
-std::unique_ptr<Substrate> ElasticSubstrate::fresh(bool) const {
-    return std::make_unique<ElasticSubstrate>(compliance_);
-}
 
 bool ElasticSubstrate::begin(double, const SurfaceField& t, const SurfaceField& u) {
     traction_ = t;
@@ -59,15 +45,10 @@ Substrate::Energies ElasticSubstrate::end(const SurfaceField& t, const SurfaceFi
             all_magnitude.add(magnitude);
         });
     }
-    Energies energies;
-    energies.stored = all_stored.value();
-    energies.work = all_work.value();
-    energies.magnitude = all_magnitude.value();
-    return energies;
-}
-
-std::unique_ptr<const Interior> ElasticSubstrate::interior(const SurfaceField& t) const {
-    return compliance_->interior(t.down, t.in_surface);
+    return {.stored = all_stored.value(),
+            .dissipated = 0,
+            .work = all_work.value(),
+            .magnitude = all_magnitude.value()};
 }
 
 void check_rolls_on(const std::string& model, const ContactPoints& points) {

@@ -7,7 +7,6 @@
 
 #include "contact/solvers/compliance.h"
 #include "contact/solvers/interior.h"
-#include "contact/state_bytes.h"
 
 namespace tricontact::contact {
 
@@ -67,8 +66,12 @@ class Substrate {
     /// What it looks like inside; null if unavailable. `t` as in end().
     virtual std::unique_ptr<const Interior> interior(const SurfaceField& t) const = 0;
 
-    void write(StateWriter& out);
-    void read(StateReader& in);
+    /// What it remembers, written or read: `archive` is a StateWriter or a StateReader.
+    template <class Archive>
+    void transfer(Archive& archive) {
+        for (SurfaceField* field : memory())
+            for (auto* component : components(*field)) archive(*component);
+    }
 
   private:
     /// All fields that it remembers.
@@ -80,7 +83,9 @@ class ElasticSubstrate final : public Substrate {
   public:
     explicit ElasticSubstrate(std::shared_ptr<const Compliance> compliance);
 
-    std::unique_ptr<Substrate> fresh(bool coupled) const override;
+    std::unique_ptr<Substrate> fresh(bool) const override {
+        return std::make_unique<ElasticSubstrate>(compliance_);
+    }
     void forget() override {}
     bool relaxes() const override { return false; }
     bool begin(double duration, const SurfaceField& t, const SurfaceField& u) override;
@@ -88,7 +93,9 @@ class ElasticSubstrate final : public Substrate {
     double stiffness() const override { return 1; }
     const SurfaceField& offset() const override { return none_; }
     Energies end(const SurfaceField& t, const SurfaceField& u) override;
-    std::unique_ptr<const Interior> interior(const SurfaceField& t) const override;
+    std::unique_ptr<const Interior> interior(const SurfaceField& t) const override {
+        return compliance_->interior(t.down, t.in_surface);
+    }
 
   private:
     std::shared_ptr<const Compliance> compliance_;

@@ -155,8 +155,7 @@ class Trial {
         const double limit = all.limit_tangential_ratio;
         if (std::abs(f - limit) < 1e-3 * limit) return;
         const State fate =
-            contact::run_until_decided(case_, *make_model(case_), known().negligible_shift)
-                .verdict.state;
+            contact::run(case_, *make_model(case_), {}, known().negligible_shift).verdict.state;
         if (fate != State::undecided && fate != all.verdict.state)
             complain("{} by the series, f_T = {}, limit {}", name_of(fate), f, limit);
         if ((all.verdict.state == State::ratcheting) != (f > limit))

@@ -164,14 +164,13 @@ TEST(Run, UntilSettledEndsWhenTheRestIsKnown) {
 // Undecided by its periods alone: no point sticks, as its surface has none.
 TEST(Run, UntilDecidedLeavesTheLimitAlone) {
     GeometricModel model(.5);
-    const auto h = contact::run_until_decided(rolling_case(30), model, 1e-5);
+    const auto h = contact::run(rolling_case(30), model, {}, 1e-5);
     EXPECT_EQ(h.shift_per_period.size(), 30u);
     EXPECT_EQ(h.verdict.state, contact::State::undecided);
     EXPECT_FALSE(h.verdict.by_limit);
     EXPECT_TRUE(h.snapshots.empty());
     GeometricModel ratcheting(1);
-    EXPECT_EQ(
-        contact::run_until_decided(rolling_case(30), ratcheting, 1e-5).shift_per_period.size(), 5u);
+    EXPECT_EQ(contact::run(rolling_case(30), ratcheting, {}, 1e-5).shift_per_period.size(), 5u);
 }
 
 std::vector<double> snapshot_phases(const contact::History& h) {

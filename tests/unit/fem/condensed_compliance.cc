@@ -82,7 +82,7 @@ TEST(FemCondensedCompliance, InterpolatesInTheShearModulus) {
     };
     const contact::StieltjesInterpolation interpolation(6, 1e-5);
     contact::CombinedCompliance::Parts parts;
-    for (const double x : interpolation.nodes()) parts.push_back(at(x));
+    for (const double x : interpolation.nodes) parts.push_back(at(x));
     contact::CombinedCompliance combined(parts, true);
     for (const double x : {1., 2.2, 6.}) {
         const auto direct = at(x);

@@ -59,10 +59,10 @@ TEST(Bodies, ClosedFormsAgreeWithQuadrature) {
         for (const double x : {.0041, .0055, .013}) {
             for (const int k : {0, 2})
                 EXPECT_NEAR(
-                    body->slope_moment(x, k) / contact::transformed_slope_moment(*body, x, k), 1,
+                    body->slope_moment(x, k) / body->AxisymmetricIndenter::slope_moment(x, k), 1,
                     2e-11)  // a narrow edge: differences of roots
                     << x << ' ' << k;
-            const double centre = contact::transformed_centre_pressure(*body, x);
+            const double centre = body->AxisymmetricIndenter::centre_pressure(x);
             if (std::isfinite(centre))
                 EXPECT_NEAR(body->centre_pressure(x) / centre, 1, 1e-11) << x;
             else

@@ -12,7 +12,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Roller, IsACylinderBetweenItsEnds) {
-    const contact::Roller sharp(.04, .08, 0), rounded(.04, .08, .001);
+    const contact::Cylinder sharp(.04, .08, 0), rounded(.04, .08, .001);
     for (const double y : {-.039, 0., .02, .039}) {
         EXPECT_DOUBLE_EQ(sharp.height(.002, y), 5e-5);
         EXPECT_DOUBLE_EQ(rounded.height(-.002, y), 5e-5);
@@ -24,7 +24,7 @@ TEST(Roller, IsACylinderBetweenItsEnds) {
 }
 
 TEST(Roller, RoundedEndsAreQuartersOfACircle) {
-    const contact::Roller roller(.04, .08, .001);
+    const contact::Cylinder roller(.04, .08, .001);
     for (const double s : {0., 1e-5, 4e-4, 9e-4, 1e-3}) {
         const double h = roller.height(0, -.039 - s), r = .001;
         // y carries roundings of 1e-16 of 40 mm, which the steep end multiplies
@@ -34,7 +34,7 @@ TEST(Roller, RoundedEndsAreQuartersOfACircle) {
 }
 
 TEST(Roller, SlopesAreDerivatives) {
-    const contact::Roller roller(.04, .08, .004);
+    const contact::Cylinder roller(.04, .08, .004);
     const double step = 1e-7;
     for (const double y : {-.039, -.01, .0365, .039}) {
         const double difference =
@@ -45,11 +45,11 @@ TEST(Roller, SlopesAreDerivatives) {
 }
 
 TEST(Roller, LengthsThatAreNoneAreRefused) {
-    EXPECT_THROW(contact::Roller(0, 1, 0), contact::InputError);
-    EXPECT_THROW(contact::Roller(1, infinity, 0), contact::InputError);
-    EXPECT_THROW(contact::Roller(1, 1, .51), contact::InputError);
-    EXPECT_THROW(contact::Roller(1, 1, -1e-3), contact::InputError);
-    EXPECT_NO_THROW(contact::Roller(1, 1, .5));
+    EXPECT_THROW(contact::Cylinder(0, 1, 0), contact::InputError);
+    EXPECT_THROW(contact::Cylinder(1, infinity, 0), contact::InputError);
+    EXPECT_THROW(contact::Cylinder(1, 1, .51), contact::InputError);
+    EXPECT_THROW(contact::Cylinder(1, 1, -1e-3), contact::InputError);
+    EXPECT_NO_THROW(contact::Cylinder(1, 1, .5));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/state_bytes.h"
 #include "contact/substrates/partly_relaxing_substrate.h"
 #include "contact/substrates/relaxing_case.h"
 #include "tests/unit/contact/dense_compliance.h"
@@ -53,7 +54,7 @@ const Relaxation solid{{{1.5, .2}}, {}};
 PartlyRelaxingSubstrate partly(const Relaxation& relaxation, double spring, double stays) {
     const StieltjesInterpolation interpolation = contact::interpolation_of(relaxation);
     PartlyRelaxingSubstrate::Parts parts;
-    for (const double x : interpolation.nodes())
+    for (const double x : interpolation.nodes)
         parts.push_back(std::make_shared<Body>(1 / (x + spring) + stays));
     return {parts, interpolation, relaxation};
 }
@@ -198,11 +199,11 @@ TEST(PartlyRelaxingSubstrate, GoesOnFromWhatWasWritten) {
     run.to(load(1), .1);
     run.to(load(.4), .1);
     contact::StateWriter out;
-    body.write(out);
+    body.transfer(out);
     const std::string bytes = out.take();
     const auto other = body.fresh(true);
     contact::StateReader in(bytes);
-    other->read(in);
+    other->transfer(in);
     EXPECT_TRUE(in.at_end());
     Loading again(*other);
     again.t = run.t;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <fftw3.h>
+
+#include <cstring>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+// What FFTW allocates and plans, owned.
+namespace tricontact::contact {
+
+struct FftwFree {
+    void operator()(void* p) const { fftw_free(p); }
+    void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
+};
+using FftwReal = std::unique_ptr<double[], FftwFree>;
+using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
+using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, FftwFree>;
+
+/// `n` zeros, aligned; `Owned`: FftwReal or FftwComplex. Throws std::bad_alloc.
+template <class Owned>
+Owned fftw_zeros(std::size_t n) {
+    const std::size_t bytes = n * sizeof(typename Owned::element_type);
+    Owned memory(static_cast<typename Owned::pointer>(fftw_malloc(bytes)));
+    if (!memory) throw std::bad_alloc();
+    std::memset(memory.get(), 0, bytes);
+    return memory;
+}
+
+}  // namespace tricontact::contact
