@@ -5,67 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <clocale>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <optional>
-#include <stdexcept>
-#include <system_error>
 #include <vector>
 
-#include "meshes/mesh_format.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-std::mutex& library_mutex() {
-    static std::mutex mutex;
-    return mutex;
-}
-
-std::string current_locale() {
-    const char* name = std::setlocale(LC_ALL, nullptr);
-    return name != nullptr ? name : "C";
-}
-
-// gmsh asks its window library FLTK 1.3 for an option as it starts, upon which FLTK writes empty
-// preferences below the user's home and /etc. What was not there before is removed again.
-class ToolkitPreferences {
-  public:
-    ToolkitPreferences() {
-        const char* home = std::getenv("HOME");
-        if (home != nullptr && *home != '\0') note_missing(fs::path(home) / ".fltk");
-        note_missing("/etc/fltk");
-    }
-    ~ToolkitPreferences() {
-        std::error_code ignored;  // a folder that others filled meanwhile stays
-        for (const fs::path& path : missing_) fs::remove(path, ignored);
-    }
-    ToolkitPreferences(const ToolkitPreferences&) = delete;
-    ToolkitPreferences& operator=(const ToolkitPreferences&) = delete;
-
-  private:
-    void note_missing(const fs::path& root) {
-        const fs::path folder = root / "fltk.org";
-        std::error_code ignored;
-        for (const fs::path& path : {folder / "fltk.prefs", folder, root})
-            if (!fs::exists(fs::symlink_status(path, ignored))) missing_.push_back(path);
-    }
-    std::vector<fs::path> missing_;
-};
-
-void start() {
-    const ToolkitPreferences preferences;
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.NumThreads", 1);
-    gmsh::model::add("tricontact");
-}
 
 using Tag = std::size_t;
 
@@ -82,8 +29,6 @@ using QuadElement = Element<4, Boundary>;
 template <class What>
 constexpr int dimension = std::is_same_v<What, Region> ? 3 : 2;
 template <class What>
-constexpr int n_names = std::is_same_v<What, Region> ? n_regions : n_boundaries;
-template <class What>
 constexpr const char* entity_word = std::is_same_v<What, Region> ? "volume" : "surface";
 
 template <class What>
@@ -91,7 +36,7 @@ What parse_name(const std::string& text, const std::string& name) {
     for (int i = 0; i < n_names<What>; ++i)
         if (text == name_of(static_cast<What>(i))) return static_cast<What>(i);
     fail(name, fmt::format("unknown name {} of a physical {}", in_quotes(text), entity_word<What>),
-         "the names are " + (dimension<What> == 3 ? region_names() : boundary_names()));
+         "the names are " + all_names<What>());
 }
 
 // What each entity of a dimension is, by tag.
@@ -160,13 +105,13 @@ std::vector<HexElement> hexahedra(const std::string& name) {
             fail(name,
                  fmt::format("{} hexahedra of volume {} belong to no physical volume",
                              hexes.size() - n_before, volume),
-                 "name it: " + region_names());
+                 "name it: " + all_names<Region>());
     }
     if (hexes.empty())
         fail(name, "holds no hexahedra",
              "mesh the volume before saving, and name it (gmsh saves nothing else once a surface "
              "has a name): " +
-                 region_names());
+                 all_names<Region>());
     return hexes;
 }
 
@@ -177,46 +122,40 @@ std::vector<QuadElement> quadrilaterals(const std::string& name) {
     return faces;
 }
 
-// Tags of all nodes of the hexahedra, ascending.
-std::vector<Tag> used_nodes(const std::vector<HexElement>& hexes) {
-    std::vector<Tag> tags;
-    tags.reserve(8 * hexes.size());
-    for (const HexElement& hex : hexes) tags.insert(tags.end(), hex.nodes.begin(), hex.nodes.end());
-    std::sort(tags.begin(), tags.end());
-    tags.erase(std::unique(tags.begin(), tags.end()), tags.end());
-    return tags;
-}
-
-std::optional<int> position(const std::vector<Tag>& tags, Tag tag) {
-    const auto at = std::lower_bound(tags.begin(), tags.end(), tag);
-    if (at == tags.end() || *at != tag) return {};
-    return static_cast<int>(at - tags.begin());
+// Numbers of the hexahedra's nodes, in the order of their tags.
+std::map<Tag, int> node_numbers(const std::vector<HexElement>& hexes) {
+    std::map<Tag, int> numbers;
+    for (const HexElement& hex : hexes)
+        for (const Tag tag : hex.nodes) numbers.emplace(tag, 0);
+    int next = 0;
+    for (auto& [tag, number] : numbers) number = next++;
+    return numbers;
 }
 
 template <std::size_t n, class What>
-std::array<int, n> numbers(const Element<n, What>& element, const std::vector<Tag>& tags,
-                           const std::string& name) {
+std::array<int, n> node_numbers_of(const Element<n, What>& element,
+                                   const std::map<Tag, int>& numbers, const std::string& name) {
     std::array<int, n> nodes{};
     for (std::size_t i = 0; i < n; ++i) {
-        const std::optional<int> at = position(tags, element.nodes[i]);
-        if (!at)
+        const auto at = numbers.find(element.nodes[i]);
+        if (at == numbers.end())
             fail(name,
                  fmt::format("node {} of element {} belongs to no hexahedron", element.nodes[i],
                              element.tag),
                  "name boundary faces of the body only");
-        nodes[i] = *at;
+        nodes[i] = at->second;
     }
     return nodes;
 }
 
-std::vector<std::array<double, 3>> positions(const std::vector<Tag>& used, double unit) {
+std::vector<std::array<double, 3>> positions(const std::map<Tag, int>& numbers, double unit) {
     std::vector<Tag> tags;
     std::vector<double> coordinates, unused;
     gmsh::model::mesh::getNodes(tags, coordinates, unused, -1, -1, false, false);
-    std::vector<std::array<double, 3>> nodes(used.size());
+    std::vector<std::array<double, 3>> nodes(numbers.size());
     for (std::size_t k = 0; k < tags.size(); ++k)
-        if (const std::optional<int> at = position(used, tags[k]))
-            for (int d = 0; d < 3; ++d) nodes[*at][d] = coordinates[3 * k + d] * unit;
+        if (const auto at = numbers.find(tags[k]); at != numbers.end())
+            for (int d = 0; d < 3; ++d) nodes[at->second][d] = coordinates[3 * k + d] * unit;
     return nodes;
 }
 
@@ -228,55 +167,21 @@ void sort_by_tag(Elements& elements) {
 
 }  // namespace
 
-void GmshSession::call(const std::function<void()>& function) {
-    // gmsh 4.8 throws strings; older ones threw numbers, exceptions may come from below it.
-    try {
-        function();
-    } catch (const std::string& message) {
-        throw std::runtime_error("gmsh: " + message);
-    } catch (const int code) {
-        throw std::runtime_error("gmsh: error " + std::to_string(code));
-    }
-}
-
-GmshSession::GmshSession() : lock_(library_mutex()), locale_(current_locale()) {
-    call(start);
-}
-
-GmshSession::~GmshSession() {
-    try {
-        gmsh::finalize();
-    } catch (...) {  // nothing can be done about it here, and the model is gone anyway
-    }
-    std::setlocale(LC_ALL, locale_.c_str());
-}
-
 HexMesh collect_model(double unit, const std::string& name) {
     std::vector<HexElement> hexes = hexahedra(name);
     std::vector<QuadElement> faces = quadrilaterals(name);
     sort_by_tag(hexes);
     sort_by_tag(faces);
-    const std::vector<Tag> used = used_nodes(hexes);
+    const std::map<Tag, int> numbers = node_numbers(hexes);
     HexMesh mesh;
-    mesh.nodes = positions(used, unit);
+    mesh.nodes = positions(numbers, unit);
     for (const HexElement& hex : hexes) {
-        mesh.hexes.push_back(numbers(hex, used, name));
+        mesh.hexes.push_back(node_numbers_of(hex, numbers, name));
         mesh.regions.push_back(hex.what);
     }
     for (const QuadElement& face : faces)
-        mesh.faces.push_back({numbers(face, used, name), face.what});
+        mesh.faces.push_back({node_numbers_of(face, numbers, name), face.what});
     return mesh;
 }
-
-template <class What>
-void add_entity(What what) {
-    constexpr int dim = dimension<What>;
-    const int tag = physical_tag(what);
-    gmsh::model::addDiscreteEntity(dim, tag);
-    gmsh::model::addPhysicalGroup(dim, {tag}, tag);
-    gmsh::model::setPhysicalName(dim, tag, name_of(what));
-}
-template void add_entity(Boundary what);
-template void add_entity(Region what);
 
 }  // namespace tricontact::meshes

@@ -9,14 +9,6 @@ namespace tricontact::meshes {
 
 namespace {
 
-template <std::size_t n>
-Point mean(const HexMesh& mesh, const std::array<int, n>& nodes) {
-    Point sum{};
-    for (const int node : nodes)
-        for (int d = 0; d < 3; ++d) sum[d] += mesh.nodes[node][d] / n;
-    return sum;
-}
-
 // Corner c sits at x = 1 if bit 0 is set, and so on: gmsh goes around, a cube counts in binary.
 constexpr std::array<int, 8> cube_corner{0, 1, 3, 2, 4, 5, 7, 6};
 
@@ -67,16 +59,6 @@ double scaled_jacobian(const std::array<Point, 8>& corners) {
     return least;
 }
 
-double aspect_ratio(const std::array<Point, 8>& corners) {
-    double shortest = contact::infinity, longest = 0;
-    for (const auto& [from, to] : hex_edges) {
-        const double edge = distance(corners[from], corners[to]);
-        shortest = std::min(shortest, edge);
-        longest = std::max(longest, edge);
-    }
-    return longest / shortest;
-}
-
 void measure_contact(const HexMesh& mesh, MeshQuality& quality) {
     for (const HexMesh::Face& face : mesh.faces) {
         if (face.boundary != Boundary::contact) continue;
@@ -120,11 +102,6 @@ const char* name_of(Region region) {
     return names.at(static_cast<std::size_t>(region));
 }
 
-bool HexMesh::has_symmetry() const {
-    return std::any_of(faces.begin(), faces.end(),
-                       [](const Face& face) { return face.boundary == Boundary::symmetry; });
-}
-
 Point difference(const Point& a, const Point& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -149,6 +126,16 @@ std::array<Point, 8> corners_of(const HexMesh& mesh, const std::array<int, 8>& h
     return corners;
 }
 
+EdgeLengths edge_lengths(const std::array<Point, 8>& corners) {
+    EdgeLengths lengths{contact::infinity, 0};
+    for (int c = 0; c < 8; ++c)
+        for (const int neighbour : hex_neighbours[c]) {
+            const double edge = distance(corners[c], corners[neighbour]);
+            lengths = {std::min(lengths.shortest, edge), std::max(lengths.longest, edge)};
+        }
+    return lengths;
+}
+
 double least_jacobian(const std::array<Point, 8>& corners) {
     // The tangent along one direction depends on the two others only: 9 values each.
     std::array<std::array<std::array<Point, 3>, 3>, 3> tangents;
@@ -166,14 +153,6 @@ double least_jacobian(const std::array<Point, 8>& corners) {
     return least;
 }
 
-Point centre_of(const HexMesh& mesh, const std::array<int, 8>& hex) {
-    return mean(mesh, hex);
-}
-
-Point centre_of(const HexMesh& mesh, const std::array<int, 4>& face) {
-    return mean(mesh, face);
-}
-
 bool covers(const std::array<Point, 4>& corners, const Point& point, double tolerance) {
     const auto& [a, b, c, d] = corners;
     return triangle_covers(a, b, c, point, tolerance) || triangle_covers(a, c, d, point, tolerance);
@@ -187,8 +166,8 @@ MeshQuality quality(const HexMesh& mesh) {
     for (const auto& hex : mesh.hexes) {
         const std::array<Point, 8> corners = corners_of(mesh, hex);
         quality.least_jacobian = std::min(quality.least_jacobian, scaled_jacobian(corners));
-        quality.largest_aspect_ratio =
-            std::max(quality.largest_aspect_ratio, aspect_ratio(corners));
+        const auto [shortest, longest] = edge_lengths(corners);
+        quality.largest_aspect_ratio = std::max(quality.largest_aspect_ratio, longest / shortest);
     }
     measure_contact(mesh, quality);
     measure_box(mesh, quality);
@@ -209,10 +188,6 @@ FaceTable::FaceTable(const HexMesh& mesh) {
     for (std::size_t i = 0; i < sides_.size(); ++i)
         if (i == 0 || sides_[i].key != sides_[i - 1].key) begin_.push_back(i);
     begin_.push_back(sides_.size());
-}
-
-std::span<const FaceTable::Side> FaceTable::sides(std::size_t face) const {
-    return std::span(sides_).subspan(begin_[face], begin_[face + 1] - begin_[face]);
 }
 
 std::size_t FaceTable::find(std::array<int, 4> nodes) const {

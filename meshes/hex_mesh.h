@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace tricontact::meshes {
@@ -20,6 +22,10 @@ constexpr int n_regions = 2;
 /// "layer", "lower_layer".
 const char* name_of(Region region);
 
+/// Of Boundary or Region: how many names there are.
+template <class What>
+constexpr int n_names = std::is_same_v<What, Region> ? n_regions : n_boundaries;
+
 /// Straight-sided hexahedra. z points out of the substrate: its surface is z = 0, the body below;
 /// the contact is about the origin, the load along x, a symmetry plane is y = 0 with the body at
 /// y >= 0.
@@ -33,7 +39,10 @@ struct HexMesh {
     std::vector<Region> regions;               ///< per hexahedron
     std::vector<Face> faces;                   ///< every boundary face, once
 
-    bool has_symmetry() const;
+    bool has_symmetry() const {
+        return std::any_of(faces.begin(), faces.end(),
+                           [](const Face& face) { return face.boundary == Boundary::symmetry; });
+    }
 };
 
 using Point = std::array<double, 3>;
@@ -47,23 +56,15 @@ double distance(const Point& a, const Point& b);
 constexpr std::array<std::array<int, 4>, 6> hex_faces{
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 
-/// Local corners of the twelve edges.
-constexpr std::array<std::array<int, 2>, 12> hex_edges{{{0, 1},
-                                                        {1, 2},
-                                                        {2, 3},
-                                                        {3, 0},
-                                                        {4, 5},
-                                                        {5, 6},
-                                                        {6, 7},
-                                                        {7, 4},
-                                                        {0, 4},
-                                                        {1, 5},
-                                                        {2, 6},
-                                                        {3, 7}}};
-
 /// Per corner the three that share an edge with it, right-handed in a valid element.
 constexpr std::array<std::array<int, 3>, 8> hex_neighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+
+/// Lengths of the shortest and the longest edge of a hexahedron.
+struct EdgeLengths {
+    double shortest, longest;
+};
+EdgeLengths edge_lengths(const std::array<Point, 8>& corners);
 
 /// Corners of a hexahedron [m].
 std::array<Point, 8> corners_of(const HexMesh& mesh, const std::array<int, 8>& hex);
@@ -73,9 +74,14 @@ std::array<Point, 8> corners_of(const HexMesh& mesh, const std::array<int, 8>& h
 /// determine it. NaN if a corner is.
 double least_jacobian(const std::array<Point, 8>& corners);
 
-/// Mean of the nodes [m].
-Point centre_of(const HexMesh& mesh, const std::array<int, 8>& hex);
-Point centre_of(const HexMesh& mesh, const std::array<int, 4>& face);
+/// Mean of the nodes of a hexahedron or face [m].
+template <std::size_t n>
+Point centre_of(const HexMesh& mesh, const std::array<int, n>& nodes) {
+    Point sum{};
+    for (const int node : nodes)
+        for (int d = 0; d < 3; ++d) sum[d] += mesh.nodes[node][d] / n;
+    return sum;
+}
 
 /// Whether the point lies on the quadrilateral or within `tolerance` [m] of it.
 bool covers(const std::array<Point, 4>& quadrilateral, const Point& point, double tolerance);
@@ -104,7 +110,9 @@ class FaceTable {
 
     /// Groups of equal nodes: one side at the boundary, two inside a sound body.
     std::size_t n_faces() const { return begin_.size() - 1; }
-    std::span<const Side> sides(std::size_t face) const;
+    std::span<const Side> sides(std::size_t face) const {
+        return std::span(sides_).subspan(begin_[face], begin_[face + 1] - begin_[face]);
+    }
     /// Number of the face with these nodes; n_faces() if no hexahedron has it.
     std::size_t find(std::array<int, 4> nodes) const;
 

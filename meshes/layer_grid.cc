@@ -6,14 +6,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "contact/special_values.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {
 
 namespace {
-
-// Lengths this near to each other (relative) are same_size: decimal input is not exact in binary.
-constexpr double same_size = 1e-9;
 
 // 1 + r + ... + r^(n-1), without the cancellation of (r^n - 1)/(r - 1) near r = 1.
 double geometric_sum(int n, double r) {
@@ -44,7 +42,7 @@ double depth_growth(const LayerMeshSpec& spec) {
 
 void check_lengths(const LayerMeshSpec& spec) {
     auto positive = [](const char* what, double value) {
-        if (!(value > 0) || !std::isfinite(value))
+        if (!contact::is_positive_and_finite(value))
             fail(grid_name, fmt::format("{} is {:g} m", what, value), "make it a positive length");
     };
     positive("size", spec.size);
@@ -86,7 +84,7 @@ void check_across(const LayerMeshSpec& spec) {
              "a slice is all patch, a graded patch not wider than the block");
     if (!spec.ends) return;
     const auto& [size, length] = *spec.ends;
-    if (!(size > 0) || !std::isfinite(size) || !(length >= 0) || !(length < spec.patch_y))
+    if (!contact::is_positive_and_finite(size) || !(length >= 0) || !(length < spec.patch_y))
         fail(grid_name, fmt::format("ends of the size {:g} m over {:g} m", size, length),
              "give a positive size and a length shorter than patch_y");
 }
@@ -137,6 +135,17 @@ void check_count(const LayerMeshSpec& s) {
              "use a larger size, a smaller patch or a larger growth");
 }
 
+// A strip beyond the axis' last plane, to end at `end`; none of no elements.
+void add(const Grading& strip, double end, GridAxis& axis) {
+    if (strip.n == 0) return;
+    const double begin = axis.planes.back();
+    for (const double distance : strip.nodes())
+        if (distance > 0) axis.nodes.push_back(begin + distance);
+    axis.nodes.back() = end;
+    axis.planes.push_back(end);
+    axis.strips.push_back({strip.n, strip.ratio});
+}
+
 // Patch and strip beside it, from 0 outwards; mirrored if `both` sides are wanted.
 GridAxis lateral_axis(const LayerMeshSpec& spec, double patch, double half, bool both) {
     GridAxis axis;
@@ -145,27 +154,14 @@ GridAxis lateral_axis(const LayerMeshSpec& spec, double patch, double half, bool
     for (int i = both ? -n_patch : 0; i <= n_patch; ++i) axis.nodes.push_back(i * spec.size);
     axis.planes = {axis.nodes.front(), axis.nodes.back()};
     axis.strips = {{axis.n_elements(), 1}};
-    if (side.n == 0) return axis;
+    add(side, half, axis);
+    if (side.n == 0 || !both) return axis;
 
-    const double edge = n_patch * spec.size;
-    std::vector<double> outer;
-    for (const double distance : side.nodes()) outer.push_back(edge + distance);
-    outer.back() = half;
-    axis.nodes.insert(axis.nodes.end(), outer.begin() + 1, outer.end());
-    axis.planes.push_back(half);
-    axis.strips.push_back({side.n, side.ratio});
-    if (!both) return axis;
-
-    std::vector<double> mirrored;
-    for (std::size_t i = outer.size() - 1; i > 0; --i) mirrored.push_back(-outer[i]);
-    axis.nodes.insert(axis.nodes.begin(), mirrored.begin(), mirrored.end());
+    const std::vector<double> outer(axis.nodes.end() - side.n, axis.nodes.end());
+    for (const double node : outer) axis.nodes.insert(axis.nodes.begin(), -node);
     axis.planes.insert(axis.planes.begin(), -half);
     axis.strips.insert(axis.strips.begin(), {side.n, 1 / side.ratio});
     return axis;
-}
-
-GridAxis slice_axis(const LayerMeshSpec& spec) {
-    return {.planes = {0, spec.half_y}, .strips = {{1, 1}}, .nodes = {0, spec.half_y}};
 }
 
 // From the middle outwards: the graded part of the patch, its ends, what lies beside it.
@@ -177,22 +173,14 @@ GridAxis graded_axis(const LayerMeshSpec& spec) {
     const std::vector<double> inwards = inner.nodes();
     std::transform(inwards.rbegin(), inwards.rend(), std::back_inserter(axis.nodes),
                    [&](double distance) { return straight - distance; });
-    const auto add = [&](const Grading& strip, double end) {
-        if (strip.n == 0) return;
-        const double begin = axis.planes.back();
-        for (const double distance : strip.nodes())
-            if (distance > 0) axis.nodes.push_back(begin + distance);
-        axis.nodes.back() = end;
-        axis.planes.push_back(end);
-        axis.strips.push_back({strip.n, strip.ratio});
-    };
-    add({static_cast<int>(elements_at_ends(*spec.ends)), 1, length}, spec.patch_y);
-    add(grade(between(spec.patch_y, spec.half_y), size, spec.growth), spec.half_y);
+    add({static_cast<int>(elements_at_ends(*spec.ends)), 1, length}, spec.patch_y, axis);
+    add(grade(between(spec.patch_y, spec.half_y), size, spec.growth), spec.half_y, axis);
     return axis;
 }
 
 GridAxis across_axis(const LayerMeshSpec& spec) {
-    if (spec.plane_strain) return slice_axis(spec);
+    if (spec.plane_strain)
+        return {.planes = {0, spec.half_y}, .strips = {{1, 1}}, .nodes = {0, spec.half_y}};
     if (spec.ends) return graded_axis(spec);
     return lateral_axis(spec, spec.patch_y, spec.half_y, !spec.half_model);
 }
@@ -227,7 +215,7 @@ GridAxis depth_axis(const LayerMeshSpec& spec) {
 }  // namespace
 
 double graded_count(double length, double first, double growth) {
-    const double total = length / first * (1 - same_size);
+    const double total = length / first * (1 - equal);
     if (!(length > 0)) return 0;
     if (total <= 1 || total <= std::min(growth, 1 + 1 / growth)) return 1;
     const double excess = growth - 1;
@@ -245,14 +233,10 @@ Grading grade(double length, double first, double growth) {
     return strip;
 }
 
-double Grading::first() const {
-    return length / geometric_sum(n, ratio);
-}
-
 std::vector<double> Grading::nodes() const {
     if (n == 0) return {0};
     std::vector<double> distances{0};
-    const double edge = first();
+    const double edge = length / geometric_sum(n, ratio);
     double sum = 0;
     for (int k = 1; k < n; ++k) {
         sum = sum * ratio + 1;  // geometric_sum(k, ratio)

@@ -8,10 +8,9 @@ namespace tricontact::meshes {
 
 /// Edges that grow along a strip by a constant ratio.
 struct Grading {
-    int n = 0;             ///< number of elements; 0: no strip
-    double ratio = 1;      ///< of an edge over the one before it [-]
-    double length = 0;     ///< of the strip [m]
-    double first() const;  ///< first edge [m]
+    int n = 0;          ///< number of elements; 0: no strip
+    double ratio = 1;   ///< of an edge over the one before it [-]
+    double length = 0;  ///< of the strip [m]
     /// Distances of the n + 1 nodes from the strip's beginning [m]: 0 ... length, exactly.
     std::vector<double> nodes() const;
 };

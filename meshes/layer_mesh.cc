@@ -1,197 +1,68 @@
 #include "meshes/layer_mesh.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <gmsh.h>
-#include <sys/mman.h>
-#include <unistd.h>
+#include <algorithm>
+#include <utility>
 
-#include <cerrno>
-#include <system_error>
-
-#include "meshes/gmsh_model.h"
-#include "meshes/grid_order.h"
+#include "meshes/layer_grid.h"
 
 namespace tricontact::meshes {
 
 namespace {
 
-// The blocks, for any numbers of planes.
-constexpr const char* blocks = R"(
-// All that starts at a corner of the planes, upwards, has a tag by that corner: points, curves along
-// x, surfaces across x and volumes that of the corner, curves along and surfaces across y and z
-// `across_y` and `across_z` more.
-step_y = #x[];
-step_z = step_y * #y[];
-across_y = step_z * #z[];
-across_z = 2 * across_y;
-For k In {0 : #z[] - 1}
-  For j In {0 : #y[] - 1}
-    For i In {0 : #x[] - 1}
-      Point(1 + i + step_y * j + step_z * k) = {x[i], y[j], z[k]};
-    EndFor
-  EndFor
-EndFor
-For k In {0 : #z[] - 1}
-  For j In {0 : #y[] - 1}
-    For i In {0 : #x[] - 1}
-      at = 1 + i + step_y * j + step_z * k;
-      If (i < #x[] - 1)
-        Line(at) = {at, at + 1};
-        Transfinite Curve {at} = n_x[i] + 1 Using Progression ratio_x[i];
-      EndIf
-      If (j < #y[] - 1)
-        Line(at + across_y) = {at, at + step_y};
-        Transfinite Curve {at + across_y} = n_y[j] + 1 Using Progression ratio_y[j];
-      EndIf
-      If (k < #z[] - 1)
-        Line(at + across_z) = {at, at + step_z};
-        Transfinite Curve {at + across_z} = n_z[k] + 1 Using Progression ratio_z[k];
-      EndIf
-    EndFor
-  EndFor
-EndFor
-
-contact[] = {}; free_top[] = {}; base[] = {}; sides[] = {}; symmetry[] = {};
-For k In {0 : #z[] - 1}
-  For j In {0 : #y[] - 1}
-    For i In {0 : #x[] - 1}
-      at = 1 + i + step_y * j + step_z * k;
-      If (j < #y[] - 1 && k < #z[] - 1)
-        Curve Loop(at) = {at + across_y, at + step_y + across_z,
-                          -(at + step_z + across_y), -(at + across_z)};
-        Plane Surface(at) = {at};
-        If (i == 0 || i == #x[] - 1)
-          sides[] += {at};
-        EndIf
-      EndIf
-      If (k < #z[] - 1 && i < #x[] - 1)
-        Curve Loop(at + across_y) = {at + across_z, at + step_z,
-                                     -(at + 1 + across_z), -(at)};
-        Plane Surface(at + across_y) = {at + across_y};
-        If ((j == 0 && half_model) || (j == #y[] - 1 && slice))
-          symmetry[] += {at + across_y};
-        ElseIf (j == 0 || j == #y[] - 1)
-          sides[] += {at + across_y};
-        EndIf
-      EndIf
-      If (i < #x[] - 1 && j < #y[] - 1)
-        Curve Loop(at + across_z) = {at, at + 1 + across_y,
-                                     -(at + step_y), -(at + across_y)};
-        Plane Surface(at + across_z) = {at + across_z};
-        If (k == 0)
-          base[] += {at + across_z};
-        ElseIf (k == #z[] - 1 && i == patch_i && j >= patch_j && j <= last_patch_j)
-          contact[] += {at + across_z};
-        ElseIf (k == #z[] - 1)
-          free_top[] += {at + across_z};
-        EndIf
-      EndIf
-    EndFor
-  EndFor
-EndFor
-
-layer[] = {}; lower_layer[] = {};
-For k In {0 : #z[] - 2}
-  For j In {0 : #y[] - 2}
-    For i In {0 : #x[] - 2}
-      at = 1 + i + step_y * j + step_z * k;
-      Surface Loop(at) = {at, at + 1, at + across_y, at + step_y + across_y,
-                          at + across_z, at + step_z + across_z};
-      Volume(at) = {at};
-      If (k == #z[] - 2)
-        layer[] += {at};
-      Else
-        lower_layer[] += {at};
-      EndIf
-    EndFor
-  EndFor
-EndFor
-Transfinite Surface "*";
-Recombine Surface "*";
-Transfinite Volume "*";
-
-Physical Surface("contact", 1) = contact[];
-If (#free_top[] > 0)
-  Physical Surface("free_top", 2) = free_top[];
-EndIf
-Physical Surface("base", 3) = base[];
-Physical Surface("sides", 4) = sides[];
-If (#symmetry[] > 0)
-  Physical Surface("symmetry", 5) = symmetry[];
-EndIf
-Physical Volume("layer", 1) = layer[];
-If (#lower_layer[] > 0)
-  Physical Volume("lower_layer", 2) = lower_layer[];
-EndIf
-)";
-
-std::string axis_text(char name, const GridAxis& axis) {
-    std::vector<int> n;
-    std::vector<double> ratios;
-    for (const GridAxis::Strip& strip : axis.strips) {
-        n.push_back(strip.n);
-        ratios.push_back(strip.ratio);
-    }
-    return fmt::format("{0}[] = {{{1}}};\nn_{0}[] = {{{2}}};\nratio_{0}[] = {{{3}}};\n", name,
-                       fmt::join(axis.planes, ", "), fmt::join(n, ", "), fmt::join(ratios, ", "));
+// Strip of each element of an axis.
+std::vector<int> strips_of(const GridAxis& axis) {
+    std::vector<int> strips;
+    for (int s = 0; s < axis.n_strips(); ++s) strips.insert(strips.end(), axis.strips[s].n, s);
+    return strips;
 }
 
-std::string geometry_text(const LayerMeshSpec& spec, const LayerGrid& grid) {
-    std::string text = fmt::format(
-        "// Elastic layer, lengths in m. Mesh: gmsh layer.geo -3 -format msh41 -o layer.msh\n"
-        "// z points out of the substrate, whose surface is z = 0; the contact is about the "
-        "origin.\n"
-        "Geometry.Tolerance = {:g};  // 1e-6 elements\n\n"
-        "// Planes between blocks; per block the number of elements and the ratio of an element to "
-        "the\n"
-        "// one before it.\n",
-        1e-6 * spec.size);
-    for (int d = 0; d < 3; ++d) text += axis_text("xyz"[d], grid.axes[d]);
-    text += fmt::format(
-        "patch_i = {}; patch_j = {}; last_patch_j = {};  // the blocks under the contact, from 0\n"
-        "half_model = {};  // 1: the face at the least y is a plane of symmetry\n"
-        "slice = {};       // 1: that at the greatest y, too\n",
-        grid.patch_x, grid.patch_y, grid.last_patch_y, grid.symmetric_low ? 1 : 0,
-        grid.symmetric_high ? 1 : 0);
-    return text + blocks;
+// Name of the face across axis d of an element in these strips.
+Boundary boundary_of(const LayerGrid& grid, int d, bool high, int strip_x, int strip_y) {
+    if (d == 1 && (high ? grid.symmetric_high : grid.symmetric_low)) return Boundary::symmetry;
+    if (d < 2) return Boundary::sides;
+    if (!high) return Boundary::base;
+    const bool in_patch =
+        strip_x == grid.patch_x && strip_y >= grid.patch_y && strip_y <= grid.last_patch_y;
+    return in_patch ? Boundary::contact : Boundary::free_top;
 }
-
-// A text in memory that gmsh reads like a file.
-class TextFile {
-  public:
-    explicit TextFile(const std::string& text) : file_(::memfd_create("layer", MFD_CLOEXEC)) {
-        if (file_ < 0 || ::write(file_, text.data(), text.size()) != std::ssize(text))
-            throw std::system_error(errno, std::generic_category());
-    }
-    ~TextFile() { ::close(file_); }
-    TextFile(const TextFile&) = delete;
-    TextFile& operator=(const TextFile&) = delete;
-    std::string path() const { return "/dev/fd/" + std::to_string(file_); }
-
-  private:
-    int file_;
-};
 
 }  // namespace
 
-std::string layer_geometry(const LayerMeshSpec& spec) {
-    return geometry_text(spec, layer_grid(spec));
-}
-
 HexMesh make_layer_mesh(const LayerMeshSpec& spec) {
     const LayerGrid grid = layer_grid(spec);
-    const TextFile geometry(geometry_text(spec, grid));
+    const auto& [x, y, z] = grid.axes;
+    const std::array n{x.n_elements(), y.n_elements(), z.n_elements()};
+    const std::array stride{1, n[0] + 1, (n[0] + 1) * (n[1] + 1)};
+    const std::array strips{strips_of(x), strips_of(y), strips_of(z)};
     HexMesh mesh;
-    {
-        const GmshSession session;
-        GmshSession::call([&] {
-            gmsh::merge(geometry.path());
-            gmsh::model::mesh::generate(3);
-            mesh = collect_model(1, "layer mesh");
-        });
-    }
-    return in_grid_order(mesh, grid);
+    for (const double height : z.nodes)
+        for (const double across : y.nodes)
+            for (const double along : x.nodes) mesh.nodes.push_back({along, across, height});
+    for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j < n[1]; ++j)
+            for (int i = 0; i < n[0]; ++i) {
+                const std::array at{i, j, k};
+                const int up = stride[2], c = i + stride[1] * j + up * k, b = c + stride[1];
+                mesh.hexes.push_back({c, c + 1, b + 1, b, c + up, c + 1 + up, b + 1 + up, b + up});
+                mesh.regions.push_back(strips[2][k] == grid.layer ? Region::layer
+                                                                  : Region::lower_layer);
+                for (int d = 0; d < 3; ++d) {  // faces, counter-clockwise from outside
+                    const int e = stride[(d + 1) % 3], f = stride[(d + 2) % 3], h = c + stride[d];
+                    const auto name = [&](bool high) {
+                        return boundary_of(grid, d, high, strips[0][i], strips[1][j]);
+                    };
+                    if (at[d] == 0)
+                        mesh.faces.push_back({{c, c + f, c + e + f, c + e}, name(false)});
+                    if (at[d] + 1 == n[d])
+                        mesh.faces.push_back({{h, h + e, h + e + f, h + f}, name(true)});
+                }
+            }
+    std::ranges::sort(mesh.faces, {}, [](const HexMesh::Face& face) {
+        auto nodes = face.nodes;
+        std::ranges::sort(nodes);
+        return std::pair(face.boundary, nodes);
+    });
+    return mesh;
 }
 
 }  // namespace tricontact::meshes

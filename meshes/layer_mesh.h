@@ -28,7 +28,7 @@ struct LayerMeshSpec {
     std::optional<Ends> ends;
 };
 
-/// Structured hexahedra by gmsh, graded outwards and downwards from the patch: their first edge is
+/// Structured hexahedra, graded outwards and downwards from the patch: their first edge is
 /// `size`, neighbours grow by at most `growth` (short strips: see layer_grid.h). Patch nodes are
 /// whole multiples of `size` (along y unless graded or a slice) and the mesh is its own mirror
 /// image, to the last bit. The same spec gives the same mesh, numbers included: nodes and hexahedra
@@ -36,7 +36,8 @@ struct LayerMeshSpec {
 /// for more than 10 million elements.
 HexMesh make_layer_mesh(const LayerMeshSpec& spec);
 
-/// The same as a gmsh geometry for people to read and change (.geo).
+/// The same as a gmsh geometry for people to read and change (.geo), which gmsh meshes alike to
+/// some digits.
 std::string layer_geometry(const LayerMeshSpec& spec);
 
 }  // namespace tricontact::meshes

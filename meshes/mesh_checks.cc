@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/pending/disjoint_sets.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <unordered_map>
+#include <map>
 
 #include "contact/special_values.h"
 #include "meshes/mesh_file.h"
@@ -15,13 +15,6 @@
 namespace tricontact::meshes {
 
 namespace {
-
-double longest_edge(const std::array<Point, 8>& corners) {
-    double longest = 0;
-    for (const auto& [from, to] : hex_edges)
-        longest = std::max(longest, distance(corners[from], corners[to]));
-    return longest;
-}
 
 void check_numbers(const HexMesh& mesh, const std::string& name) {
     auto exists = [&](int node) {
@@ -39,6 +32,13 @@ void check_numbers(const HexMesh& mesh, const std::string& name) {
 }
 
 using Face = HexMesh::Face;
+
+// Counter-clockwise from outside.
+std::array<int, 4> nodes_of(const HexMesh& mesh, const FaceTable::Side& side) {
+    std::array<int, 4> nodes{};
+    for (int i = 0; i < 4; ++i) nodes[i] = mesh.hexes[side.hex][hex_faces[side.face][i]];
+    return nodes;
+}
 
 std::string describe(const HexMesh& mesh, const Face& face) {
     return fmt::format("the {} face at {}", name_of(face.boundary),
@@ -114,7 +114,7 @@ bool touches_another(const HexMesh& mesh, const FaceTable& table, std::size_t fa
                          place(centre)),
              "divide the blocks on both sides alike");
     fail(name, fmt::format("the boundary face at {} has no name", place(centre)),
-         "put it into a physical surface: " + boundary_names());
+         "put it into a physical surface: " + all_names<Boundary>());
 }
 
 std::vector<int> boundary_nodes(const HexMesh& mesh, const FaceTable& table) {
@@ -131,22 +131,11 @@ std::vector<int> boundary_nodes(const HexMesh& mesh, const FaceTable& table) {
 double shortest_edge(const HexMesh& mesh) {
     double shortest = contact::infinity;
     for (const auto& hex : mesh.hexes)
-        for (const auto& [from, to] : hex_edges)
-            shortest = std::min(shortest, distance(mesh.nodes[hex[from]], mesh.nodes[hex[to]]));
+        shortest = std::min(shortest, edge_lengths(corners_of(mesh, hex)).shortest);
     return shortest;
 }
 
 using Cell = std::array<std::int64_t, 3>;
-
-struct CellHash {
-    std::size_t operator()(const Cell& cell) const {
-        std::size_t hash = 0;  // large odd numbers: Teschner et al. (2003)
-        for (int d = 0; d < 3; ++d)
-            hash ^= static_cast<std::size_t>(cell[d]) *
-                    std::array<std::size_t, 3>{73856093, 19349663, 83492791}[d];
-        return hash;
-    }
-};
 
 // Finds an earlier node within `tolerance` of each new one, in cells much larger than that.
 class NodeHash {
@@ -179,30 +168,15 @@ class NodeHash {
 
     const HexMesh& mesh_;
     double cell_, tolerance_;
-    std::unordered_multimap<Cell, int, CellHash> nodes_;
+    std::multimap<Cell, int> nodes_;
 };
 
-// Union-find with path halving: Tarjan & van Leeuwen (1984).
-class Parts {
-  public:
-    explicit Parts(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int root(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(int i, int j) { parent_[root(i)] = root(j); }
-
-  private:
-    std::vector<int> parent_;
-};
-
-}  // namespace
-
+// Node numbers exist, hexahedra are neither inverted nor flat.
 void check_elements(const HexMesh& mesh, const std::string& name) {
     check_numbers(mesh, name);
     for (std::size_t e = 0; e < mesh.hexes.size(); ++e) {
         const std::array<Point, 8> corners = corners_of(mesh, mesh.hexes[e]);
-        const double edge = longest_edge(corners), jacobian = least_jacobian(corners);
+        const double edge = edge_lengths(corners).longest, jacobian = least_jacobian(corners);
         // Rounding makes flat elements positive by some 1e-16 of the edge's cube; false for NaN.
         if (!(jacobian > 1e-12 * edge * edge * edge))
             fail(name,
@@ -215,6 +189,7 @@ void check_elements(const HexMesh& mesh, const std::string& name) {
     }
 }
 
+// There is a contact, a base and a layer.
 void check_names(const HexMesh& mesh, const std::string& name) {
     auto require = [&](bool found, const char* kind, const char* what) {
         if (!found)
@@ -227,12 +202,7 @@ void check_names(const HexMesh& mesh, const std::string& name) {
                 name_of(boundary));
 }
 
-std::array<int, 4> nodes_of(const HexMesh& mesh, const FaceTable::Side& side) {
-    std::array<int, 4> nodes{};
-    for (int i = 0; i < 4; ++i) nodes[i] = mesh.hexes[side.hex][hex_faces[side.face][i]];
-    return nodes;
-}
-
+// At most two hexahedra at a face; every boundary face named, once; no other face named.
 void check_faces(const HexMesh& mesh, const FaceTable& table, const std::string& name) {
     check_overlaps(mesh, table, name);
     const std::vector<const Face*> named = named_faces(mesh, table, name);
@@ -240,6 +210,7 @@ void check_faces(const HexMesh& mesh, const FaceTable& table, const std::string&
         if (table.sides(f).size() == 1 && named[f] == nullptr) refuse_unnamed(mesh, table, f, name);
 }
 
+// No two boundary nodes at one place: blocks that touch share their nodes.
 void check_coincident_nodes(const HexMesh& mesh, const FaceTable& table, const std::string& name) {
     const double edge = shortest_edge(mesh);
     // Nodes of an element are at least an edge apart; a thousandth allows for sloppy positions.
@@ -254,13 +225,14 @@ void check_coincident_nodes(const HexMesh& mesh, const FaceTable& table, const s
     }
 }
 
+// The body is in one piece.
 void check_connected(const HexMesh& mesh, const FaceTable& table, const std::string& name) {
-    Parts parts(mesh.hexes.size());
+    boost::disjoint_sets_with_storage<> parts(mesh.hexes.size());
     for (std::size_t f = 0; f < table.n_faces(); ++f)
-        if (table.sides(f).size() == 2) parts.join(table.sides(f)[0].hex, table.sides(f)[1].hex);
-    const int first = parts.root(0);
+        if (table.sides(f).size() == 2)
+            parts.union_set(table.sides(f)[0].hex, table.sides(f)[1].hex);
     for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-        if (parts.root(static_cast<int>(e)) != first)
+        if (parts.find_set(e) != parts.find_set(0))
             fail(name,
                  fmt::format("the body is in pieces: {} and {} are not connected",
                              place(centre_of(mesh, mesh.hexes[0])),
@@ -268,6 +240,9 @@ void check_connected(const HexMesh& mesh, const FaceTable& table, const std::str
                  "remove one piece, or join them by shared faces");
 }
 
+}  // namespace
+
+// In the order in which the parts rely on each other.
 void verify(const HexMesh& mesh, const std::string& name) {
     check_elements(mesh, name);
     check_names(mesh, name);

@@ -3,28 +3,21 @@
 #include <fmt/format.h>
 #include <gmsh.h>
 
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <numeric>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "files/partial_file.h"
 #include "meshes/gmsh_model.h"
+#include "meshes/gmsh_session.h"
 #include "meshes/mesh_format.h"
 #include "meshes/messages.h"
 
 namespace tricontact::meshes {
 
 namespace {
-
-files::RegularFile open_mesh(const std::string& path) {
-    try {
-        return files::RegularFile(path);
-    } catch (const files::Unreadable& why) {
-        refuse_mesh_file(path, why);
-    }
-}
 
 // The file under a name without a past. By its own name gmsh would take a .geo for a script, and
 // run a script `path`.opt beside it; and it might be another file by now.
@@ -35,59 +28,56 @@ std::string nameless(const files::RegularFile& file) {
 namespace fs = std::filesystem;
 using Tag = std::size_t;
 
-// gmsh asks for an owner of the nodes, and any volume will do.
-void add_nodes(const HexMesh& mesh) {
-    std::vector<Tag> tags(mesh.nodes.size());
-    std::iota(tags.begin(), tags.end(), Tag{1});
+// Elements of one name, with their tags and nodes as gmsh counts them: from 1.
+struct Group {
+    const char* name = "";
+    std::vector<Tag> tags, nodes;
+};
+
+// Faces are counted first, then hexahedra. Tags of entities and physical groups: 1, 2, ... in the
+// order of the enumeration.
+void build_model(const HexMesh& mesh) {
+    std::map<std::pair<int, int>, Group> groups;  // by dimension and tag
+    Tag element_tag = 0;
+    const auto add = [&](int dimension, auto what, const auto& element) {
+        Group& group = groups[{dimension, static_cast<int>(what) + 1}];
+        group.name = name_of(what);
+        group.tags.push_back(++element_tag);
+        for (const int node : element) group.nodes.push_back(static_cast<Tag>(node) + 1);
+    };
+    for (const HexMesh::Face& face : mesh.faces) add(2, face.boundary, face.nodes);
+    for (std::size_t e = 0; e < mesh.hexes.size(); ++e) add(3, mesh.regions[e], mesh.hexes[e]);
+    for (const auto& [key, group] : groups) {
+        const auto [dimension, tag] = key;
+        gmsh::model::addDiscreteEntity(dimension, tag);
+        gmsh::model::addPhysicalGroup(dimension, {tag}, tag);
+        gmsh::model::setPhysicalName(dimension, tag, group.name);
+    }
+
+    std::vector<Tag> node_tags(mesh.nodes.size());
+    std::iota(node_tags.begin(), node_tags.end(), Tag{1});
     std::vector<double> coordinates;
     for (const auto& node : mesh.nodes)
         coordinates.insert(coordinates.end(), node.begin(), node.end());
-    const int owner = physical_tag(mesh.regions.front());
-    gmsh::model::mesh::addNodes(3, owner, tags, coordinates);
-}
-
-// Elements of one name, with their tags and nodes as gmsh counts them: from 1.
-struct Group {
-    std::vector<Tag> tags, nodes;
-    template <std::size_t n>
-    void add(Tag tag, const std::array<int, n>& element) {
-        tags.push_back(tag);
-        for (const int node : element) nodes.push_back(static_cast<Tag>(node) + 1);
-    }
-};
-
-// Faces are counted first, then hexahedra.
-void build_model(const HexMesh& mesh) {
-    std::map<Boundary, Group> boundaries;
-    std::map<Region, Group> regions;
-    Tag tag = 0;
-    for (const HexMesh::Face& face : mesh.faces) boundaries[face.boundary].add(++tag, face.nodes);
-    for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-        regions[mesh.regions[e]].add(++tag, mesh.hexes[e]);
-
-    for (const auto& [boundary, group] : boundaries) add_entity(boundary);
-    for (const auto& [region, group] : regions) add_entity(region);
-    add_nodes(mesh);
-    for (const auto& [boundary, group] : boundaries)
-        gmsh::model::mesh::addElementsByType(physical_tag(boundary), quadrilateral, group.tags,
-                                             group.nodes);
-    for (const auto& [region, group] : regions)
-        gmsh::model::mesh::addElementsByType(physical_tag(region), hexahedron, group.tags,
-                                             group.nodes);
+    // gmsh asks for an owner of the nodes, and any volume will do.
+    const int owner = static_cast<int>(mesh.regions.front()) + 1;
+    gmsh::model::mesh::addNodes(3, owner, node_tags, coordinates);
+    for (const auto& [key, group] : groups)
+        gmsh::model::mesh::addElementsByType(
+            key.second, key.first == 3 ? hexahedron : quadrilateral, group.tags, group.nodes);
 }
 
 }  // namespace
 
 HexMesh read_mesh(const std::string& path, double unit) {
-    if (!(unit > 0) || !std::isfinite(unit))
+    if (!contact::is_positive_and_finite(unit))
         fail(path, fmt::format("the unit of length is {:g} m", unit), "make it a positive length");
-    files::RegularFile file = open_mesh(path);
-    check_mesh_file(file, path);
+    const auto file = open_mesh_file(path);
     HexMesh mesh;
     try {
         const GmshSession session;
         GmshSession::call([&] {
-            gmsh::merge(nameless(file));
+            gmsh::merge(nameless(*file));
             mesh = collect_model(unit, path);
         });
     } catch (const contact::InputError&) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <string_view>
 
 #include "meshes/messages.h"
 
@@ -23,23 +24,6 @@ bool has_all_sections(std::string_view bytes) {
         if (at == std::string_view::npos) return false;
     }
     return true;
-}
-
-void check_bytes(const std::string& path, std::string_view bytes) {
-    if (bytes.empty()) fail(path, "is empty", "save the mesh again");
-    if (!bytes.starts_with("$MeshFormat"))
-        fail(path, "is no gmsh mesh: it does not begin with $MeshFormat",
-             "name a gmsh mesh file (.msh, version 4.1 or 2.2)");
-    const MeshFormat format = mesh_format(bytes);
-    if (format.version != "2.2" && format.version != "4.1")
-        fail(path, "is a gmsh mesh of version " + in_quotes(format.version),
-             "save it as version 4.1 (gmsh old.msh -save -format msh41 -o new.msh)");
-    if (!has_all_sections(bytes))
-        fail(path, "is cut off: its nodes or elements have no end",
-             "save or copy the mesh again, with the volume meshed");
-    if (!has_sound_numbers(bytes, format))
-        fail(path, "holds a dimension, element type or number that no mesh of hexahedra has",
-             "save or copy the mesh again, not partitioned, Mesh.ElementOrder = 1");
 }
 
 constexpr std::string_view blank = " \t\r\n";
@@ -159,36 +143,11 @@ bool is_of_this_byte_order(std::string_view bytes) {
     return numbers.next<std::int32_t>() == 1;
 }
 
-}  // namespace
-
-bool is_complete_mesh(const std::string& path) {
-    try {
-        return has_all_sections(files::RegularFile(path).content(most_bytes));
-    } catch (const files::Unreadable&) {
-        return false;
-    }
-}
-
-void refuse_mesh_file(const std::string& path, const files::Unreadable& why) {
-    const std::string_view what = why.what();
-    if (why.error() == 0)
-        fail(path, what,
-             what == "is a directory" ? "name a mesh file inside it" : "name a mesh file");
-    fail(path, std::string("the mesh file ") + why.what(),
-         why.error() == ENOENT   ? "check the path"
-         : why.error() == EACCES ? "give yourself the permission to read it"
-                                 : "name a readable gmsh mesh file");
-}
-
-void check_mesh_file(files::RegularFile& file, const std::string& path) {
-    std::string bytes;
-    try {
-        bytes = file.content(most_bytes);
-    } catch (const files::Unreadable& why) {
-        refuse_mesh_file(path, why);
-    }
-    check_bytes(path, bytes);
-}
+// First line after $MeshFormat.
+struct MeshFormat {
+    std::string_view version;
+    bool binary = false;
+};
 
 MeshFormat mesh_format(std::string_view bytes) {
     std::string_view line = section(bytes, "$MeshFormat");
@@ -204,11 +163,63 @@ MeshFormat mesh_format(std::string_view bytes) {
     return format;
 }
 
+// gmsh 4.8 relies on some numbers of a file without a look: dimensions of physical names, types of
+// elements, in version 4.1 their nodes (cut to an int), in version 2.2 their partitions. True if
+// those are what they may be in an unpartitioned mesh of first or second order. False also for a
+// binary file that has the bytes of numbers in another order than this machine.
 bool has_sound_numbers(std::string_view bytes, const MeshFormat& format) {
     if (!has_sound_dimensions(bytes)) return false;
     if (format.binary && !is_of_this_byte_order(bytes)) return false;
     return format.version == "2.2" ? has_sound_old_elements(bytes, format.binary)
                                    : has_sound_elements(bytes, format.binary);
+}
+
+void check_bytes(const std::string& path, std::string_view bytes) {
+    if (bytes.empty()) fail(path, "is empty", "save the mesh again");
+    if (!bytes.starts_with("$MeshFormat"))
+        fail(path, "is no gmsh mesh: it does not begin with $MeshFormat",
+             "name a gmsh mesh file (.msh, version 4.1 or 2.2)");
+    const MeshFormat format = mesh_format(bytes);
+    if (format.version != "2.2" && format.version != "4.1")
+        fail(path, "is a gmsh mesh of version " + in_quotes(format.version),
+             "save it as version 4.1 (gmsh old.msh -save -format msh41 -o new.msh)");
+    if (!has_all_sections(bytes))
+        fail(path, "is cut off: its nodes or elements have no end",
+             "save or copy the mesh again, with the volume meshed");
+    if (!has_sound_numbers(bytes, format))
+        fail(path, "holds a dimension, element type or number that no mesh of hexahedra has",
+             "save or copy the mesh again, not partitioned, Mesh.ElementOrder = 1");
+}
+
+[[noreturn]] void refuse_mesh_file(const std::string& path, const files::Unreadable& why) {
+    const std::string_view what = why.what();
+    if (why.error() == 0)
+        fail(path, what,
+             what == "is a directory" ? "name a mesh file inside it" : "name a mesh file");
+    fail(path, std::string("the mesh file ") + why.what(),
+         why.error() == ENOENT   ? "check the path"
+         : why.error() == EACCES ? "give yourself the permission to read it"
+                                 : "name a readable gmsh mesh file");
+}
+
+}  // namespace
+
+std::unique_ptr<files::RegularFile> open_mesh_file(const std::string& path) {
+    try {
+        auto file = std::make_unique<files::RegularFile>(path);
+        check_bytes(path, file->content(most_bytes));
+        return file;
+    } catch (const files::Unreadable& why) {
+        refuse_mesh_file(path, why);
+    }
+}
+
+bool is_complete_mesh(const std::string& path) {
+    try {
+        return has_all_sections(files::RegularFile(path).content(most_bytes));
+    } catch (const files::Unreadable&) {
+        return false;
+    }
 }
 
 }  // namespace tricontact::meshes

@@ -18,14 +18,6 @@ std::string one_line(std::string_view text) {
     return out;
 }
 
-template <class Name>
-std::string all_names(int n) {
-    std::string names;
-    for (int i = 0; i < n; ++i)
-        names.append(i == 0 ? "" : ", ").append(name_of(static_cast<Name>(i)));
-    return names;
-}
-
 }  // namespace
 
 void fail(std::string_view name, std::string_view what, std::string_view remedy) {
@@ -39,14 +31,6 @@ std::string in_quotes(std::string_view text) {
 
 std::string place(const Point& point) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g}) m", point[0], point[1], point[2]);
-}
-
-std::string boundary_names() {
-    return all_names<Boundary>(n_boundaries);
-}
-
-std::string region_names() {
-    return all_names<Region>(n_regions);
 }
 
 }  // namespace tricontact::meshes

@@ -16,9 +16,13 @@ std::string in_quotes(std::string_view text);
 /// "(0.001, 0, -0.0025) m".
 std::string place(const Point& point);
 
-/// "contact, free_top, base, sides, symmetry".
-std::string boundary_names();
-/// "layer, lower_layer".
-std::string region_names();
+/// All names of Boundary ("contact, free_top, ...") or of Region.
+template <class What>
+std::string all_names() {
+    std::string names;
+    for (int i = 0; i < n_names<What>; ++i)
+        names.append(i == 0 ? "" : ", ").append(name_of(static_cast<What>(i)));
+    return names;
+}
 
 }  // namespace tricontact::meshes

@@ -1,3 +1,5 @@
+#include "meshes/gmsh_session.h"
+
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "meshes/gmsh_model.h"
 #include "tests/unit/meshes/helpers.h"
 
 namespace tricontact::meshes::gmsh_session_test {

@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <numeric>
+#include <set>
 #include <sstream>
 #include <string>
 
 #include "contact/error.h"
-#include "meshes/gmsh_model.h"
+#include "meshes/gmsh_session.h"
 #include "meshes/hex_mesh.h"
 #include "meshes/layer_mesh.h"
 #include "meshes/mesh_file.h"
@@ -105,6 +108,34 @@ inline void expect_same_topology(const HexMesh& a, const HexMesh& b) {
         EXPECT_EQ(a.faces[f].nodes, b.faces[f].nodes) << f;
         EXPECT_EQ(a.faces[f].boundary, b.faces[f].boundary) << f;
     }
+}
+
+/// The same hexahedra and faces with the same names, nodes by their place to `tolerance` [m] and
+/// all in any order.
+inline void expect_same_elements(const HexMesh& a, const HexMesh& b, double tolerance) {
+    std::vector<int> numbers;  // in b
+    for (const Point& node : a.nodes) {
+        const auto nearest = std::ranges::min_element(
+            b.nodes, {}, [&](const Point& other) { return distance(node, other); });
+        ASSERT_LE(distance(*nearest, node), tolerance);
+        numbers.push_back(static_cast<int>(nearest - b.nodes.begin()));
+    }
+    std::vector<int> all_of_b(b.nodes.size());
+    std::iota(all_of_b.begin(), all_of_b.end(), 0);
+    const auto sorted = [](const HexMesh& mesh, const std::vector<int>& numbering) {
+        std::multiset<std::pair<int, std::vector<int>>> elements;
+        const auto add = [&](int name, const auto& nodes) {
+            std::vector<int> element;
+            for (const int node : nodes) element.push_back(numbering.at(node));
+            std::ranges::sort(element);
+            elements.emplace(name, element);
+        };
+        for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
+            add(static_cast<int>(mesh.regions[e]), mesh.hexes[e]);
+        for (const auto& face : mesh.faces) add(static_cast<int>(face.boundary), face.nodes);
+        return elements;
+    };
+    EXPECT_EQ(sorted(a, numbers), sorted(b, all_of_b));
 }
 
 inline double largest_distance(const HexMesh& a, const HexMesh& b) {
