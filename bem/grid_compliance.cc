@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bem/influence.h"
 #include "bem/plane_layer_influence.h"
 #include "contact/error.h"
 
@@ -128,16 +127,6 @@ InfluenceTable GridCompliance::influence() const {
         for (int i = 0; i < columns_; ++i)
             table.cells.push_back(influence_(i * grid_.spacing[0], j * grid_.spacing[1]));
     return table;
-}
-
-double GridCompliance::local_tangential() const {
-    return influence_(0, 0).xx;
-}
-
-std::unique_ptr<const contact::Interior> GridCompliance::interior(
-    std::span<const double> p, const contact::TangentialField& t) const {
-    if (!view_) return nullptr;
-    return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
 }
 
 bool is_coupled(const contact::MaterialPair& materials) {

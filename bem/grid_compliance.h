@@ -64,13 +64,16 @@ class GridCompliance final : public ConvolvedCompliance {
     /// `coupled`: use the coefficients between normal and tangential.
     GridCompliance(Influence influence, contact::ContactPoints grid, bool coupled, int n_threads);
 
-    double local_tangential() const override;
+    double local_tangential() const override { return influence_(0, 0).xx; }
     /// The coefficients of square cells at all relative positions that are asked for.
     InfluenceTable influence() const;
     /// What is below the surface, for `interior`, which knows nothing without.
     void set_view(InteriorView view) { view_ = std::move(view); }
     std::unique_ptr<const contact::Interior> interior(
-        std::span<const double> p, const contact::TangentialField& t) const override;
+        std::span<const double> p, const contact::TangentialField& t) const override {
+        if (!view_) return nullptr;
+        return std::make_unique<contact::Interior>(grid_interior(*view_, grid_, p, t));
+    }
 
   private:
     using Coefficient = double InfluenceCoefficients::*;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <new>
 
 namespace tricontact::bem {
 
@@ -15,20 +14,6 @@ constexpr int piece = 8;  // rows or columns per FFTW call
 
 int whole_pieces(int n) {
     return (n + piece - 1) / piece * piece;
-}
-
-FftwReal allocate_real(std::size_t n) {
-    FftwReal memory(fftw_alloc_real(n));
-    if (!memory) throw std::bad_alloc();
-    std::fill_n(memory.get(), n, 0.0);
-    return memory;
-}
-
-FftwComplex allocate_complex(std::size_t n) {
-    FftwComplex memory(fftw_alloc_complex(n));
-    if (!memory) throw std::bad_alloc();
-    std::memset(memory.get(), 0, n * sizeof(fftw_complex));
-    return memory;
 }
 
 int wrapped(int i, int period) {
@@ -60,29 +45,25 @@ GridConvolution::GridConvolution(int n_x, int n_y, int period_x, int period_y, i
     field_[0] = make_field();
     double* rows = field_[0].rows.get();
     fftw_complex* spectrum = field_[0].spectrum.get();
-    row_forward_ = fftw_plan_many_dft_r2c(1, &period_x_, piece, rows, nullptr, 1, period_x_,
-                                          spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE);
-    row_backward_ = fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_, rows,
-                                           nullptr, 1, period_x_, FFTW_ESTIMATE);
+    row_forward_.reset(fftw_plan_many_dft_r2c(1, &period_x_, piece, rows, nullptr, 1, period_x_,
+                                              spectrum, nullptr, 1, pitch_, FFTW_ESTIMATE));
+    row_backward_.reset(fftw_plan_many_dft_c2r(1, &period_x_, piece, spectrum, nullptr, 1, pitch_,
+                                               rows, nullptr, 1, period_x_, FFTW_ESTIMATE));
     for (int k = 0; k < 2 * n_threads; ++k)
-        columns_.push_back(allocate_complex(static_cast<std::size_t>(piece) * period_y));
+        columns_.push_back(
+            contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(piece) * period_y));
     fftw_complex* columns = columns_.front().get();
     auto column_plan = [&](int sign) {
-        return fftw_plan_many_dft(1, &period_y_, piece, columns, nullptr, 1, period_y_, columns,
-                                  nullptr, 1, period_y_, sign, FFTW_ESTIMATE);
+        return FftwPlan(fftw_plan_many_dft(1, &period_y_, piece, columns, nullptr, 1, period_y_,
+                                           columns, nullptr, 1, period_y_, sign, FFTW_ESTIMATE));
     };
     column_forward_ = column_plan(FFTW_FORWARD);
     column_backward_ = column_plan(FFTW_BACKWARD);
 }
 
-GridConvolution::~GridConvolution() {
-    for (fftw_plan plan : {row_forward_, row_backward_, column_forward_, column_backward_})
-        fftw_destroy_plan(plan);
-}
-
 GridConvolution::Field GridConvolution::make_field() const {
-    return {allocate_real(static_cast<std::size_t>(n_rows_) * period_x_),
-            allocate_complex(static_cast<std::size_t>(n_rows_) * pitch_)};
+    return {contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(n_rows_) * period_x_),
+            contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_rows_) * pitch_)};
 }
 
 template <typename Body>
@@ -100,7 +81,7 @@ void GridConvolution::rows_forward(std::span<const double> in, Field& field) con
         }
         for (int j = std::max(first, n_y_); j < first + piece; ++j)
             std::fill_n(field.rows.get() + static_cast<std::size_t>(j) * period_x_, period_x_, 0.0);
-        fftw_execute_dft_r2c(row_forward_,
+        fftw_execute_dft_r2c(row_forward_.get(),
                              field.rows.get() + static_cast<std::size_t>(first) * period_x_,
                              field.spectrum.get() + static_cast<std::size_t>(first) * pitch_);
     });
@@ -108,7 +89,7 @@ void GridConvolution::rows_forward(std::span<const double> in, Field& field) con
 
 void GridConvolution::rows_backward(Field& field, std::span<double> out) const {
     for_each_piece(n_rows_, [&](int first) {
-        fftw_execute_dft_c2r(row_backward_,
+        fftw_execute_dft_c2r(row_backward_.get(),
                              field.spectrum.get() + static_cast<std::size_t>(first) * pitch_,
                              field.rows.get() + static_cast<std::size_t>(first) * period_x_);
         for (int j = first; j < std::min(first + piece, n_y_); ++j)
@@ -135,11 +116,11 @@ void GridConvolution::columns_forward(const Field& field, int first, fftw_comple
     for (int i = 0; i < piece; ++i)
         std::memset(columns + static_cast<std::size_t>(i) * period_y_ + n_y_, 0,
                     (period_y_ - n_y_) * sizeof(fftw_complex));
-    fftw_execute_dft(column_forward_, columns, columns);
+    fftw_execute_dft(column_forward_.get(), columns, columns);
 }
 
 void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& field) const {
-    fftw_execute_dft(column_backward_, columns, columns);
+    fftw_execute_dft(column_backward_.get(), columns, columns);
     for (int j = 0; j < n_y_; ++j) {
         fftw_complex* row = field.spectrum.get() + static_cast<std::size_t>(j) * pitch_ + first;
         for (int i = 0; i < piece; ++i) {
@@ -153,18 +134,19 @@ void GridConvolution::columns_backward(fftw_complex* columns, int first, Field& 
 GridConvolution::Symbol GridConvolution::symbol(const std::function<double(int, int)>& coefficient,
                                                 Parity parity) const {
     const int n_kx = period_x_ / 2 + 1;
-    FftwReal kernel = allocate_real(static_cast<std::size_t>(period_x_) * period_y_);
-    FftwComplex spectrum = allocate_complex(static_cast<std::size_t>(n_kx) * period_y_);
+    FftwReal kernel =
+        contact::fftw_zeros<FftwReal>(static_cast<std::size_t>(period_x_) * period_y_);
+    FftwComplex spectrum =
+        contact::fftw_zeros<FftwComplex>(static_cast<std::size_t>(n_kx) * period_y_);
     for_each_piece(whole_pieces(period_y_), [&](int first) {
         for (int j = first; j < std::min(first + piece, period_y_); ++j)
             for (int i = 0; i < period_x_; ++i)
                 kernel[static_cast<std::size_t>(j) * period_x_ + i] =
                     coefficient(wrapped(i, period_x_), wrapped(j, period_y_));
     });
-    fftw_plan plan =
-        fftw_plan_dft_r2c_2d(period_y_, period_x_, kernel.get(), spectrum.get(), FFTW_ESTIMATE);
-    fftw_execute(plan);
-    fftw_destroy_plan(plan);
+    const FftwPlan plan(
+        fftw_plan_dft_r2c_2d(period_y_, period_x_, kernel.get(), spectrum.get(), FFTW_ESTIMATE));
+    fftw_execute(plan.get());
 
     const double scale = 1.0 / (static_cast<double>(period_x_) * period_y_);
     Symbol result(static_cast<std::size_t>(period_y_) * pitch_, 0.0);

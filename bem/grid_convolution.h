@@ -1,24 +1,18 @@
 #pragma once
 
-#include <fftw3.h>
-
 #include <array>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
+
+#include "contact/fftw.h"
 
 namespace tricontact::bem {
 
 /// Smallest even number >= n whose only prime factors are 2, 3, 5, 7: lengths FFTW is fast at.
 int good_fft_size(int n);
 
-/// Memory for FFTW: aligned, counted in doubles.
-struct FftwFree {
-    void operator()(void* p) const { fftw_free(p); }
-};
-using FftwReal = std::unique_ptr<double[], FftwFree>;
-using FftwComplex = std::unique_ptr<fftw_complex[], FftwFree>;
+using contact::FftwComplex, contact::FftwPlan, contact::FftwReal;
 
 /// Convolution of fields on an n_x * n_y grid (x fastest) with kernels K(-x, -y) = K(x, y), which
 /// are real in Fourier space, or K(-x, -y) = -K(x, y), which are imaginary there. The transforms
@@ -38,9 +32,6 @@ class GridConvolution {
         Symbol xx, xy, yy;
     };
     GridConvolution(int n_x, int n_y, int period_x, int period_y, int n_threads);
-    ~GridConvolution();
-    GridConvolution(const GridConvolution&) = delete;
-    GridConvolution& operator=(const GridConvolution&) = delete;
 
     /// Symbol of the kernel with values coefficient(i, j) at the relative position of i, j cells
     /// (either sign).
@@ -85,7 +76,7 @@ class GridConvolution {
     const int pitch_;   // of the spectrum's rows, >= period_x/2 + 1, whole pieces
     mutable Field field_[2];
     mutable std::vector<FftwComplex> columns_;  // per thread and component: a piece of columns
-    fftw_plan row_forward_, row_backward_, column_forward_, column_backward_;
+    FftwPlan row_forward_, row_backward_, column_forward_, column_backward_;
 };
 
 /// Inverse matrix per wave vector; where a truncated kernel is not positive definite, its diagonal.

@@ -104,15 +104,11 @@ double compliance_numbers(const contact::ContactPoints& grid, bool padded, bool 
 
 }  // namespace
 
-double hardest_factor(const contact::Case& c) {
-    return 1 + std::abs(c.load.normal_amplitude_ratio);
-}
-
 bool covers(const contact::Compliance& compliance, const contact::Case& c,
             const std::shared_ptr<const contact::Indenter>& indenter,
             const contact::Vector2& extent, bool with_friction) {
     contact::NormalControl hardest = contact::press_step(c).normal;
-    hardest.value *= hardest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
+    hardest.value *= contact::crest_factor(c) * (compliance.is_coupled() ? harder_if_coupled : 1);
     const auto height = heights_over(compliance.points(), *indenter, extent);
     const auto probe = contact::NormalSolver(compliance, probe_tolerance).solve(height, hardest);
     if (c.indenter.roughness && !is_clear_of_edge(compliance.points(), height, probe.indentation))

@@ -130,8 +130,6 @@ InfluenceCoefficients RectangleInfluence::at(double x, double y) const {
             .yy = symmetric_ * one + skew_ * (one - xx),
             .xz = -radial_x,
             .yz = -radial_y,
-            .zx = radial_x,
-            .zy = radial_y,
             .zz = symmetric_ * one};
 }
 
@@ -179,11 +177,6 @@ LayerKernel::LayerKernel(const LayerStack& stack, double reach) : unit_(0) {
         Tables{spline(normal, 1), spline(mean, 1), spline(deviation, 1), spline(coupling, -1)});
 }
 
-double LayerKernel::hold(const LayerStack& stack) {
-    const bool glides = stack.base == theory::LayerBase::frictionless && !stack.half_space;
-    return glides ? frictionless_hold * stack.thickness() : 0;
-}
-
 LayerKernel::~LayerKernel() = default;
 
 LayerKernel::Values LayerKernel::at(double r) const {
@@ -228,8 +221,6 @@ InfluenceCoefficients LayerInfluence::at(double x, double y) const {
             const double radial = force * g.coupling;
             sum.xz -= radial * cos;
             sum.yz -= radial * sin;
-            sum.zx += radial * cos;
-            sum.zy += radial * sin;
         }
     return sum;
 }

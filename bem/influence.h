@@ -14,8 +14,10 @@ namespace tricontact::bem {
 /// traction on a rectangle, [m/Pa]: `xy` is u_x per traction in y. z points into the substrate,
 /// tractions act on the substrate. Reciprocity: zx = -xz, zy = -yz at the same relative position.
 struct InfluenceCoefficients {
-    double xx, xy, yy, xz, yz, zx, zy, zz;
+    double xx, xy, yy, xz, yz, zz;
     double yx() const { return xy; }
+    double zx() const { return -xz; }
+    double zy() const { return -yz; }
 };
 
 /// Closed forms for half-spaces (Boussinesq 1885, Cerruti 1882; integrated by Love 1929), both
@@ -82,7 +84,10 @@ class LayerKernel {
 
     static constexpr double frictionless_hold = 40;
     /// Distance [m] at which layers are held; 0: they are not.
-    static double hold(const theory::LayerStack& stack);
+    static double hold(const theory::LayerStack& stack) {
+        const bool glides = stack.base == theory::LayerBase::frictionless && !stack.half_space;
+        return glides ? frictionless_hold * stack.thickness() : 0;
+    }
 
   private:
     struct Tables;

@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "files/regular_file.h"
 
 namespace tricontact::bem {
@@ -177,8 +178,8 @@ constexpr double mm = 1e3;  // in 1 m
 /// tractions and displacements are the substrate's, z into it. `sign_y`: of the position.
 Nine of_indenter(const InfluenceCoefficients& k, int sign_y, bool coupled) {
     const double s = sign_y, c = coupled ? 1 : 0;
-    return {k.zz,     -c * k.zx,     -s * c * k.zy, -c * k.xz, k.xx,
-            s * k.xy, -s * c * k.yz, s * k.yx(),    k.yy};
+    return {k.zz,     -c * k.zx(),   -s * c * k.zy(), -c * k.xz, k.xx,
+            s * k.xy, -s * c * k.yz, s * k.yx(),      k.yy};
 }
 
 }  // namespace
@@ -212,7 +213,7 @@ InfluenceTable read_influence(const std::string& path) {
         lines.refuse("the unit is not m/Pa", "convert the coefficients");
     InfluenceTable table;
     table.spacing = value_of<double>("spacing_m", lines);
-    if (!(table.spacing > 0) || !std::isfinite(table.spacing))
+    if (!contact::is_positive_and_finite(table.spacing))
         lines.refuse(fmt::format("a spacing of {} m is not positive and finite", table.spacing),
                      "correct it");
     table.n_x = positions_of("positions_x", lines);
@@ -232,8 +233,7 @@ InfluenceTable read_influence(const std::string& path) {
                                  "correct the signs");
             }
             check_symmetry(k, i, j, own, lines);
-            table.cells.push_back(
-                {.xx = xx, .xy = xy, .yy = yy, .xz = xz, .yz = yz, .zx = -xz, .zy = -yz, .zz = zz});
+            table.cells.push_back({.xx = xx, .xy = xy, .yy = yy, .xz = xz, .yz = yz, .zz = zz});
         }
     if (lines.next() != "end")
         lines.refuse("more lines than positions", "give every position once, then \"end\"");

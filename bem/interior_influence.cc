@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "bem/influence.h"
-#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 
@@ -253,36 +252,24 @@ void LayerInteriorKernel::add(std::size_t level, double x, double y, double forc
     stress[5][1] += v[sheared_tau_deviation] * n2;
 }
 
-/// What is added to the half-space.
-struct InteriorInfluence::Difference {
-    LayerInteriorKernel kernel;
-    theory::QuadratureRule rule;
-
-    void add(std::size_t level, double x, double y, contact::Vector2 widths,
-             InteriorResponse& sum) const {
-        for (std::size_t i = 0; i < rule.points.size(); ++i)
-            for (std::size_t j = 0; j < rule.points.size(); ++j)
-                kernel.add(level, x - rule.points[i] * widths[0], y - rule.points[j] * widths[1],
-                           rule.weights[i] * rule.weights[j] * widths[0] * widths[1], sum);
-    }
-};
-
 InteriorInfluence::InteriorInfluence(InteriorBody body, contact::Vector2 widths,
                                      std::vector<double> depths, double reach)
     : body_(std::move(body)), widths_(widths), depths_(std::move(depths)) {
     if (!body_.layers) return;
     const auto& stack = *body_.layers;
-    difference_ = std::make_unique<Difference>(Difference{
-        LayerInteriorKernel(stack, depths_, reach + std::hypot(widths[0], widths[1]) / 2),
-        cell_rule(std::max(widths[0], widths[1]) / stack.sheets.front().thickness)});
+    difference_.emplace(stack, depths_, reach + std::hypot(widths[0], widths[1]) / 2);
+    rule_ = cell_rule(std::max(widths[0], widths[1]) / stack.sheets.front().thickness);
 }
-
-InteriorInfluence::~InteriorInfluence() = default;
 
 InteriorResponse InteriorInfluence::at(std::size_t level, double x, double y) const {
     const double z = depths_[level];
     auto out = theory::half_space_response(body_.material, z, over_rectangle(x, y, z, widths_));
-    if (difference_) difference_->add(level, x, y, widths_, out);
+    if (!difference_) return out;
+    const auto& [points, weights] = rule_;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < points.size(); ++j)
+            difference_->add(level, x - points[i] * widths_[0], y - points[j] * widths_[1],
+                             weights[i] * weights[j] * widths_[0] * widths_[1], out);
     return out;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "contact/vector2.h"
 #include "theory/half_space_interior.h"
 #include "theory/layer/layer_stack.h"
+#include "theory/line_load.h"
 
 namespace tricontact::bem {
 
@@ -54,18 +54,18 @@ class InteriorInfluence {
     /// thickness [m]. `reach`: largest distance asked for [m]. Throws contact::InputError.
     InteriorInfluence(InteriorBody body, contact::Vector2 widths, std::vector<double> depths,
                       double reach);
-    ~InteriorInfluence();
 
     /// At (x, y) [m] from the rectangle's centre and depths[level]; the point must not lie on its
     /// edge. [m/Pa] and [-].
     theory::InteriorResponse at(std::size_t level, double x, double y) const;
 
   private:
-    struct Difference;
     InteriorBody body_;
     contact::Vector2 widths_;
     std::vector<double> depths_;
-    std::unique_ptr<Difference> difference_;
+    // What layers add to the half-space, and where in the rectangle its kernel is taken.
+    std::optional<LayerInteriorKernel> difference_;
+    theory::QuadratureRule rule_;
 };
 
 }  // namespace tricontact::bem

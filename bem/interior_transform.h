@@ -2,7 +2,6 @@
 
 #include <array>
 #include <functional>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,8 +16,6 @@ class InteriorTransform {
   public:
     /// Tractions along x, y and pressing; those that are zero everywhere cost nothing.
     InteriorTransform(int n_x, int n_y, const std::array<std::vector<double>, 3>& tractions);
-    ~InteriorTransform();
-    InteriorTransform(InteriorTransform&&) noexcept;
 
     /// What one depth needs; several may work at a time.
     class Level {
@@ -47,8 +44,14 @@ class InteriorTransform {
     };
 
   private:
-    struct Parts;
-    std::unique_ptr<Parts> parts_;
+    std::size_t n_real() const { return static_cast<std::size_t>(period_x_) * period_y_; }
+    std::size_t n_complex() const {
+        return (static_cast<std::size_t>(period_x_) / 2 + 1) * period_y_;
+    }
+
+    int n_x_, n_y_, period_x_, period_y_;
+    std::array<FftwComplex, 3> tractions_;  // spectra; null: zero everywhere
+    FftwPlan forward_, backward_;
 };
 
 }  // namespace tricontact::bem

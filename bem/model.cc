@@ -148,7 +148,7 @@ std::unique_ptr<GridCompliance> fitting(const contact::Case& c, double spacing,
                                         const MakeCompliance& make, double aside) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     // a grows with F_N^(1/3) or d^(1/2) of Hertz' contact: the root covers both controls.
-    const double growth = std::sqrt(hardest_factor(c));
+    const double growth = std::sqrt(contact::crest_factor(c));
     const std::shared_ptr<const contact::Indenter> indenter = c.make_indenter();
     for (double margin = first_margin;; margin *= enlargement) {
         // A path measured by the model's own radius is known when the model has been pressed.
@@ -222,8 +222,7 @@ std::unique_ptr<contact::Compliance> nominally_flat(const contact::Case& c, doub
                                                 n_threads);
 }
 
-}  // namespace
-
+/// The compliance of another material on the same grid.
 std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
                                                         const contact::ContactPoints& grid,
                                                         int n_threads, Body body) {
@@ -238,6 +237,8 @@ std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
                               n_threads)(grid);
     return single_cells(c, n_threads, body)(grid);
 }
+
+}  // namespace
 
 std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int n_threads,
                                                      Body body, double aside) {

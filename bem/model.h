@@ -27,12 +27,6 @@ std::unique_ptr<contact::Compliance> case_compliance(const contact::Case& c, int
 /// contact::NotConverged after the largest one.
 double more_room(double aside, const contact::ContactAtEdge& reached);
 
-/// That of another material on the same grid. Throws contact::InputError for a case with a file of
-/// influence coefficients.
-std::unique_ptr<contact::Compliance> case_compliance_on(const contact::Case& c,
-                                                        const contact::ContactPoints& grid,
-                                                        int n_threads, Body body);
-
 /// The influence coefficients that this compliance is made of, as far as it asks for them. Throws
 /// contact::InputError, also for a periodic case, which has none.
 InfluenceTable case_influence(const contact::Case& c, int n_threads, Body body);

@@ -53,8 +53,8 @@ LayerCompliance compliance_at(const LayerStack& stack, double k) {
     return theory::half_space_compliance_at(top.material, k);
 }
 
-PeriodicCoefficients uniform_load(const LayerStack& stack) {
-    PeriodicCoefficients k{};
+InfluenceCoefficients uniform_load(const LayerStack& stack) {
+    InfluenceCoefficients k{};
     for (const auto& [material, thickness] : stack.sheets) {
         const double nu = material.poisson, b_over_g = thickness / material.shear_modulus();
         k.zz += b_over_g * (1 - 2 * nu) / (2 * (1 - nu));
@@ -73,9 +73,9 @@ struct Aliases {
     std::array<double, 2 * n_aliases + 1> factor, a;  // a = k h/2
 };
 
-PeriodicCoefficients sum_of_layers(const LayerStack& stack, double spacing, const Aliases& x,
-                                   const Aliases& y) {
-    PeriodicCoefficients sum{};
+InfluenceCoefficients sum_of_layers(const LayerStack& stack, double spacing, const Aliases& x,
+                                    const Aliases& y) {
+    InfluenceCoefficients sum{};
     for (int q = 0; q < 2 * n_aliases + 1; ++q)
         for (int p = 0; p < 2 * n_aliases + 1; ++p) {
             const double factor = x.factor[p] * y.factor[q];
@@ -94,8 +94,8 @@ PeriodicCoefficients sum_of_layers(const LayerStack& stack, double spacing, cons
 }
 
 /// C11 = C33 = (1 - nu)/(G k), C22 = 1/(G k), C13 = (1 - 2 nu)/(2 G k): Johnson (1985), sec. 13.2.
-PeriodicCoefficients sum_of_half_spaces(const contact::MaterialPair& pair, double spacing,
-                                        const Aliases& x, const Aliases& y) {
+InfluenceCoefficients sum_of_half_spaces(const contact::MaterialPair& pair, double spacing,
+                                         const Aliases& x, const Aliases& y) {
     double all = 0, along = 0, mixed = 0, odd_x = 0, odd_y = 0;  // 1, cos^2, sin cos, cos, sin
     for (int q = 0; q < 2 * n_aliases + 1; ++q) {
         const double a_y = y.a[q], factor_y = y.factor[q];
@@ -115,17 +115,17 @@ PeriodicCoefficients sum_of_half_spaces(const contact::MaterialPair& pair, doubl
     const double normal = pair.one_minus_nu_over_g() * spacing / 2,
                  across = normal + pair.nu_over_g() * spacing / 2,
                  coupling = pair.one_minus_two_nu_over_g() / 2 * spacing / 2;
-    return {.zz = normal * all,
-            .xx = normal * along + across * (all - along),
+    return {.xx = normal * along + across * (all - along),
             .xy = (normal - across) * mixed,
             .yy = normal * (all - along) + across * along,
             .xz = coupling * odd_x,
-            .yz = coupling * odd_y};
+            .yz = coupling * odd_y,
+            .zz = normal * all};
 }
 
 /// What is along x becomes what is along y: of isotropic bodies.
-PeriodicCoefficients transposed(const PeriodicCoefficients& k) {
-    return {.zz = k.zz, .xx = k.yy, .xy = k.xy, .yy = k.xx, .xz = k.yz, .yz = k.xz};
+InfluenceCoefficients transposed(const InfluenceCoefficients& k) {
+    return {.xx = k.yy, .xy = k.xy, .yy = k.xx, .xz = k.yz, .yz = k.xz, .zz = k.zz};
 }
 
 void check_held(const LayerStack& stack) {
@@ -144,11 +144,11 @@ void check_held(const LayerStack& stack) {
 
 /// `sum`: of the aliases in x and y.
 template <class Sum>
-void PeriodicInfluence::fill(const PeriodicCoefficients& uniform, int n_threads, Sum sum) {
+void PeriodicInfluence::fill(const InfluenceCoefficients& uniform, int n_threads, Sum sum) {
     const Weights weights = euler_weights();
     std::vector<Aliases> aliases;
     for (int i = 0; i < n_quadrant_; ++i) aliases.emplace_back(std::numbers::pi * i / n_, weights);
-    auto at = [&](int i, int j) -> PeriodicCoefficients& {
+    auto at = [&](int i, int j) -> InfluenceCoefficients& {
         return quadrant_[static_cast<std::size_t>(j) * n_quadrant_ + i];
     };
 #pragma omp parallel for num_threads(n_threads) if (n_threads > 1) schedule(dynamic)
@@ -178,9 +178,9 @@ PeriodicInfluence::PeriodicInfluence(const contact::MaterialPair& half_spaces, d
     });
 }
 
-PeriodicCoefficients PeriodicInfluence::at(int m_x, int m_y) const {
+InfluenceCoefficients PeriodicInfluence::at(int m_x, int m_y) const {
     const int i = std::abs(m_x), j = std::abs(m_y);
-    PeriodicCoefficients k = quadrant_[static_cast<std::size_t>(j) * n_quadrant_ + i];
+    InfluenceCoefficients k = quadrant_[static_cast<std::size_t>(j) * n_quadrant_ + i];
     // A wave of two cells is its own mirror image: what is odd in it vanishes.
     const double sign_x = 2 * i == n_ ? 0 : m_x < 0 ? -1 : 1;
     const double sign_y = 2 * j == n_ ? 0 : m_y < 0 ? -1 : 1;
@@ -205,11 +205,11 @@ PeriodicCompliance::PeriodicCompliance(const PeriodicInfluence& influence,
     : ConvolvedCompliance(std::move(grid), coupled),
       convolution_(grid_.n_x, grid_.n_y, grid_.n_x, grid_.n_y, n_threads) {
     grid_.periodic = true;
-    const auto symbol = [&](double PeriodicCoefficients::*which) {
+    const auto symbol = [&](double InfluenceCoefficients::*which) {
         return convolution_.symbol_of_coefficients(
             [&](int m_x, int m_y) { return influence.at(m_x, m_y).*which; });
     };
-    using K = PeriodicCoefficients;
+    using K = InfluenceCoefficients;
     normal_ = symbol(&K::zz);
     symbols_.emplace();
     symbols_->tangential = {symbol(&K::xx), symbol(&K::xy), symbol(&K::yy)};
@@ -243,8 +243,6 @@ InfluenceTable PeriodicCompliance::influence() const {
                                .yy = by_y.y[i],
                                .xz = by_z.x[i],
                                .yz = by_z.y[i],
-                               .zx = -by_z.x[i],
-                               .zy = -by_z.y[i],
                                .zz = zz[i]});
     return table;
 }

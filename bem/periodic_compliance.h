@@ -9,14 +9,9 @@
 namespace tricontact::bem {
 
 /// Fourier coefficients [m/Pa] of the displacement at the cells' centres that one loaded cell in
-/// every period makes, z into the substrate, tractions on it: zz is u_z per pressure, of those
-/// with z and another direction the imaginary part.
-struct PeriodicCoefficients {
-    double zz, xx, xy, yy, xz, yz;
-};
-
-/// Layers on rigid ground, or two half-spaces, under tractions that are uniform on squares and
-/// periodic in x and y, n squares in a period L. At the wave vector k = 2 pi m/L of the grid
+/// every period makes; of those with z and another direction the imaginary part. Of layers on rigid
+/// ground, or two half-spaces, under tractions that are uniform on squares and periodic in x and y,
+/// n squares in a period L. At the wave vector k = 2 pi m/L of the grid
 ///   K(m) = sum over aliases q of C(k) sin(k_x h/2)/(k_x h/2) sin(k_y h/2)/(k_y h/2),
 ///   k = 2 pi (m + q n)/L,
 /// C the compliance of theory/layer/layer_compliance.h, of half-spaces that of an infinitely thick
@@ -35,14 +30,14 @@ class PeriodicInfluence {
                       int n_threads);
 
     /// At the wave numbers 2 pi m_x/L, 2 pi m_y/L, of either sign, |m| <= n/2.
-    PeriodicCoefficients at(int m_x, int m_y) const;
+    InfluenceCoefficients at(int m_x, int m_y) const;
 
   private:
     template <class Sum>
-    void fill(const PeriodicCoefficients& uniform, int n_threads, Sum sum);
+    void fill(const InfluenceCoefficients& uniform, int n_threads, Sum sum);
 
     int n_, n_quadrant_;
-    std::vector<PeriodicCoefficients> quadrant_;  // m_x, m_y >= 0, m_x fastest
+    std::vector<InfluenceCoefficients> quadrant_;  // m_x, m_y >= 0, m_x fastest
 };
 
 /// Layers and a rigid indenter, or two half-spaces, in each of equal squares that fill the plane:

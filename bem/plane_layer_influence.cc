@@ -4,9 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bem/influence.h"
 #include "contact/error.h"
-#include "theory/layer/layer_stack.h"
 
 namespace tricontact::bem {
 
@@ -99,8 +97,6 @@ HarmonicDerivatives edge(double x, double z, double datum) {
     return e;
 }
 
-}  // namespace
-
 const LayerStack& checked_in_plane_strain(const LayerStack& stack) {
     theory::check(stack);
     if (stack.half_space)
@@ -109,6 +105,8 @@ const LayerStack& checked_in_plane_strain(const LayerStack& stack) {
             "bound; take a rigid ground (substrate.base), or a body of finite length");
     return stack;
 }
+
+}  // namespace
 
 PlaneLayerInfluence::PlaneLayerInfluence(const LayerStack& stack,
                                          const std::optional<contact::Material>& indenter,
@@ -165,7 +163,6 @@ InfluenceCoefficients PlaneLayerInfluence::at(double x) const {
         sum.yy += other.yy;
         sum.xz -= other.xz;  // its surface faces the other way
     }
-    sum.zx = -sum.xz;
     return sum;
 }
 

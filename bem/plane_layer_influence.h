@@ -10,10 +10,6 @@
 
 namespace tricontact::bem {
 
-/// The same stack. Throws contact::InputError, also for layers on an elastic half-space, which
-/// displaces without bound under any line load.
-const theory::LayerStack& checked_in_plane_strain(const theory::LayerStack& stack);
-
 /// Influence coefficients of layers in plane strain (u_y: antiplane) under a traction that is
 /// uniform on an endless strip across x, displacements relative to an elastic or rigid indenter:
 ///   K_zz, K_xx, K_yy = (1/pi) ∫ C33, C11, C22 cos(k s) dk,  K_xz = -(1/pi) ∫ C13 sin(k s) dk
@@ -26,8 +22,8 @@ const theory::LayerStack& checked_in_plane_strain(const theory::LayerStack& stac
 class PlaneLayerInfluence {
   public:
     /// `indenter` empty: rigid. `width_x`: of the strip [m], `width_y`: its length [m]. `reach`:
-    /// largest distance asked for [m]. Throws contact::InputError as
-    /// checked_in_plane_strain.
+    /// largest distance asked for [m]. Throws contact::InputError, also for layers on an elastic
+    /// half-space, which displaces without bound under any line load.
     PlaneLayerInfluence(const theory::LayerStack& stack,
                         const std::optional<contact::Material>& indenter, double width_x,
                         double width_y, double reach);
@@ -61,7 +57,7 @@ class PlaneInteriorInfluence {
   public:
     /// `width`: of the strip [m]. `depths`: increasing, >= 0, at most the thickness of all layers
     /// [m]. `reach`: largest distance asked for [m]. Throws contact::InputError as
-    /// checked_in_plane_strain.
+    /// PlaneLayerInfluence does.
     PlaneInteriorInfluence(const theory::LayerStack& stack, double width,
                            std::vector<double> depths, double reach);
 

@@ -33,7 +33,7 @@ double difference(const One& one, const Other& other) {
     double worst = 0;
     for (const auto& [x, y] : {std::pair(0., 0.), {h, 0.}, {-.45, .6}, {1.65, -2.1}, {4.2, 3.}}) {
         const K a = one.at(x, y), c = other.at(x, y);
-        for (double K::*value : {&K::xx, &K::xy, &K::yy, &K::xz, &K::yz, &K::zx, &K::zy, &K::zz})
+        for (double K::*value : {&K::xx, &K::xy, &K::yy, &K::xz, &K::yz, &K::zz})
             worst = std::max(worst, std::abs(a.*value - c.*value));
     }
     return worst / other.at(0, 0).zz;

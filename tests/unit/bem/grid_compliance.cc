@@ -73,7 +73,7 @@ void expect_sum_of_coefficients(const GridCompliance& compliance, const Influenc
         for (std::size_t j = 0; j < n; ++j) {
             const auto c = k.at(grid.x[i] - grid.x[j], grid.y[i] - grid.y[j]);
             zz += c.zz * p[j];
-            zt += c.zx * t.x[j] + c.zy * t.y[j];
+            zt += c.zx() * t.x[j] + c.zy() * t.y[j];
             xt += c.xx * t.x[j] + c.xy * t.y[j];
             yt += c.yx() * t.x[j] + c.yy * t.y[j];
             xz += c.xz * p[j];

@@ -73,7 +73,7 @@ TEST(BemPlaneInterior, SurfaceMovesAsTheInfluenceCoefficientsSay) {
             EXPECT_NEAR(u[0][0], due.xx, near) << x;
             EXPECT_NEAR(u[1][1], due.yy, near) << x;
             EXPECT_NEAR(u[0][2], due.xz, near) << x;
-            EXPECT_NEAR(u[2][0], due.zx, near) << x;
+            EXPECT_NEAR(u[2][0], due.zx(), near) << x;
         }
     }
 }

@@ -49,8 +49,8 @@ double stiffness(const Influence& influence, double h, bool closed) {
             if (!closed) continue;
             a(i, j + 2 * n) = k.xz;
             a(i + n, j + 2 * n) = k.yz;
-            a(i + 2 * n, j) = k.zx;
-            a(i + 2 * n, j + n) = k.zy;
+            a(i + 2 * n, j) = k.zx();
+            a(i + 2 * n, j + n) = k.zy();
             a(i + 2 * n, j + 2 * n) = k.zz;
         }
     Eigen::VectorXd u = Eigen::VectorXd::Zero(components * n);
