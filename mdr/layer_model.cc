@@ -13,7 +13,7 @@
 #include "contact/solvers/normal_solver.h"
 #include "contact/special_values.h"
 #include "contact/substrates/relaxing_case.h"
-#include "mdr/bed_data.h"
+#include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "theory/layer/layer_stack.h"
 
@@ -96,7 +96,7 @@ struct HalfWidths {
 
 HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
     const double radius = contact::half_space_scales(c).contact_radius;
-    const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
+    const double crest = contact::crest_factor(c);
     const double spacing =
         std::min(radius / probe_elements, LayerSprings::longest_element * *c.layer.thickness);
     const contact::NormalControl mean = contact::press_step(c).normal;
@@ -109,20 +109,27 @@ HalfWidths probe(const contact::Case& c, const PlaneProfile& profile) {
     }
 }
 
+/// Of tractions [Pa] on the elements [N/m].
+std::vector<double> line_load(std::vector<double> traction) {
+    for (double& q : traction) q *= LayerSprings::width;
+    return traction;
+}
+
 }  // namespace
 
-LayerModel::LayerModel(LayerData data)
-    : springs_(std::move(data.springs)),
-      profile_(std::move(data.profile)),
-      friction_coefficient_(data.friction_coefficient),
-      direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      model_(name(), *substrate_of(springs_, data.relaxation),
-             std::make_shared<PlaneIndenter>(profile_), friction_coefficient_, tolerance) {}
+LayerModel::LayerModel(std::shared_ptr<const LayerSprings> springs,
+                       std::shared_ptr<const PlaneProfile> profile, double friction_coefficient,
+                       double rolling_angle, const std::optional<contact::Relaxation>& relaxation)
+    : springs_(std::move(springs)),
+      profile_(std::move(profile)),
+      friction_coefficient_(friction_coefficient),
+      direction_{std::cos(rolling_angle), std::sin(rolling_angle)},
+      model_(name(), *substrate_of(springs_, relaxation), std::make_shared<PlaneIndenter>(profile_),
+             friction_coefficient_, tolerance) {}
 
 contact::StepRecord LayerModel::advance(const contact::LoadStep& step) {
-    check_on_line(name(), step);
     contact::LoadStep on_line = step;
-    on_line.offset = {line_coordinate(name(), step.offset, direction_, springs_->row().spacing), 0};
+    on_line.offset = {position_on_line(name(), step, direction_, springs_->row().spacing), 0};
     contact::StepRecord r = model_.advance(on_line);
     check_ends(on_line);
     r.offset = step.offset;
@@ -157,8 +164,7 @@ void LayerModel::check_ends(const contact::LoadStep& step) const {
 contact::Scales LayerModel::scales() const {
     contact::Scales scales = model_.scales();
     const contact::Surface s = model_.surface();
-    std::vector<double> load = s.normal_traction;
-    for (double& q : load) q *= LayerSprings::width;
+    const std::vector<double> load = line_load(s.normal_traction);
     const EvenLoad even =
         even_load(springs_->row(), load, s.offset[0], static_cast<int>(load.size()));
     scales.contact_radius = even.half_width();
@@ -168,44 +174,36 @@ contact::Scales LayerModel::scales() const {
 
 contact::Surface LayerModel::surface() const {
     const contact::Surface s = model_.surface();
-    LineFields fields{.row = springs_->row(),
-                      .position = s.offset[0],
-                      .friction_coefficient = friction_coefficient_,
-                      .displacement_x = s.displacement_x,
-                      .displacement_z = s.displacement_z,
-                      .gap = s.gap,
-                      .slip_x = s.slip_x,
-                      .contact_state = s.contact_state};
-    for (std::size_t i = 0; i < s.gap.size(); ++i) {
-        fields.normal_load.push_back(LayerSprings::width * s.normal_traction[i]);
-        fields.tangential_load.push_back(LayerSprings::width * s.tangential_traction_x[i]);
-        if (!std::isfinite(fields.gap[i])) fields.gap[i] = profile_->value(profile_->range());
-    }
-    return make_line_surface(fields);
+    const PointRow& row = springs_->row();
+    const auto normal = line_load(s.normal_traction), along = line_load(s.tangential_traction_x);
+    return make_line_surface(
+        row, static_cast<int>(s.gap.size()), s.offset[0], friction_coefficient_,
+        even_loads(row, normal, along, s.offset[0]), [&](int i, int k, contact::Surface& shown) {
+            shown.contact_state[k] = s.contact_state[i];
+            shown.displacement_x[k] = s.displacement_x[i];
+            shown.displacement_z[k] = s.displacement_z[i];
+            shown.gap[k] = std::isfinite(s.gap[i]) ? s.gap[i] : profile_->value(profile_->range());
+            shown.slip_x[k] = s.slip_x[i];
+            shown.normal_line_load[k] = normal[i];
+            shown.tangential_line_load[k] = along[i];
+        });
 }
 
 std::unique_ptr<contact::Model> make_layer_model(const contact::Case& c, int elements_per_radius) {
     held_layers_of(c);  // throws before anything else does
     // At the same depth the contact on a thin layer is at most some 2 (paraboloid) to 2.4 times
     // (cone) as wide as on the half-space: that of an incompressible layer, which keeps its volume.
-    const double crest = 1 + std::abs(c.load.normal_amplitude_ratio);
-    const double table = 3 * crest * contact::half_space_scales(c).contact_radius;
-    LayerData data;
-    data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
-    const HalfWidths a = probe(c, *data.profile);
-    double path = 0;
-    if (c.rolling) {
-        const bool own = c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
-        path = std::abs(contact::rolling_amplitude(
-            *c.rolling, own ? a.mean : contact::half_space_scales(c).contact_radius));
-    }
+    const double table =
+        3 * contact::crest_factor(c) * contact::half_space_scales(c).contact_radius;
+    const std::shared_ptr<const PlaneProfile> profile =
+        make_plane_profile(*c.make_axisymmetric_indenter(), table);
+    const HalfWidths a = probe(c, *profile);
+    const double path = std::abs(contact::path_amplitude(c, a.mean));
     const double spacing =
         std::min(a.mean / elements_per_radius, LayerSprings::longest_element * *c.layer.thickness);
-    data.springs = springs_of(c, final_margin * a.largest + path, spacing);
-    data.friction_coefficient = c.friction_coefficient;
-    data.rolling_angle = c.rolling ? c.rolling->angle : 0;
-    data.relaxation = contact::common_relaxation("mdr-layer", c);
-    return std::make_unique<LayerModel>(std::move(data));
+    return std::make_unique<LayerModel>(
+        springs_of(c, final_margin * a.largest + path, spacing), profile, c.friction_coefficient,
+        c.rolling ? c.rolling->angle : 0, contact::common_relaxation("mdr-layer", c));
 }
 
 }  // namespace tricontact::mdr

@@ -13,15 +13,6 @@
 
 namespace tricontact::mdr {
 
-/// What an MDR of the layer is made of.
-struct LayerData {
-    std::shared_ptr<const LayerSprings> springs;
-    std::shared_ptr<const PlaneProfile> profile;
-    double friction_coefficient = 0;                  ///< mu [-]
-    double rolling_angle = 0;                         ///< [rad]
-    std::optional<contact::Relaxation> relaxation{};  ///< of all the compliance
-};
-
 /// MDR of the layer: a plane profile pressed into springs that the layer couples. The normal
 /// contact of a body of revolution is exact but for the elements' length
 /// (theory/layer/layer_equation.h). The tangential contact is an APPROXIMATION, as is all of MDR
@@ -32,7 +23,10 @@ struct LayerData {
 /// elements, areas are those of discs as long as the elements in question together.
 class LayerModel final : public contact::Model {
   public:
-    explicit LayerModel(LayerData data);
+    /// `relaxation`: of all the compliance; empty: elastic. `rolling_angle` [rad].
+    LayerModel(std::shared_ptr<const LayerSprings> springs,
+               std::shared_ptr<const PlaneProfile> profile, double friction_coefficient,
+               double rolling_angle, const std::optional<contact::Relaxation>& relaxation);
 
     std::string name() const override { return "mdr-layer"; }
     /// Throws contact::InputError if the step is none of a line's or the contact reaches the

@@ -140,10 +140,6 @@ void LayerSprings::multiply(const std::vector<double>& coefficients,
     }
 }
 
-void LayerSprings::normal(std::span<const double> p, std::span<double> u_z) const {
-    multiply(normal_, p, u_z);
-}
-
 void LayerSprings::tangential(const contact::TangentialField& t,
                               contact::TangentialField& u) const {
     if (tangential_.empty())
@@ -153,16 +149,6 @@ void LayerSprings::tangential(const contact::TangentialField& t,
     u.x.resize(points_.size());
     u.y.assign(points_.size(), 0);
     multiply(tangential_, t.x, u.x);
-}
-
-double LayerSprings::local_tangential() const {
-    return tangential_.empty() ? 0 : tangential_[points_.size() - 1] * row_.spacing * width;
-}
-
-// The springs by themselves.
-void LayerSprings::precondition_tangential(const contact::TangentialField& r,
-                                           contact::TangentialField& z) const {
-    z = r;
 }
 
 }  // namespace tricontact::mdr

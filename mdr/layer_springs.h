@@ -49,12 +49,19 @@ class LayerSprings final : public contact::Compliance {
     const contact::ContactPoints& points() const override { return points_; }
     const PointRow& row() const { return row_; }
     bool is_coupled() const override { return false; }
-    void normal(std::span<const double> p, std::span<double> u_z) const override;
+    void normal(std::span<const double> p, std::span<double> u_z) const override {
+        multiply(normal_, p, u_z);
+    }
     /// Throws contact::InputError on a frictionless base, which gives no hold.
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
-    double local_tangential() const override;
+    double local_tangential() const override {
+        return tangential_.empty() ? 0 : tangential_[points_.size() - 1] * row_.spacing * width;
+    }
+    // The springs by themselves.
     void precondition_tangential(const contact::TangentialField& r,
-                                 contact::TangentialField& z) const override;
+                                 contact::TangentialField& z) const override {
+        z = r;
+    }
     const double* dense() const override { return dense_.data(); }
 
   private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,9 @@ namespace tricontact::mdr {
 /// one q is even, hence taken as a parabola without slope at 0, which keeps p(0) finite.
 /// Throws std::domain_error for fewer than two positions or unequal lengths.
 double back_transform(std::span<const double> positions, std::span<const double> line_load,
-                      double r);
-
-/// The same in two steps, for several loads at one radius: weights of the slopes of the pieces [-],
-/// one fewer than positions, then their sum.
-std::vector<double> abel_weights(std::span<const double> positions, double r);
-double back_transform(std::span<const double> positions, std::span<const double> line_load,
                       std::span<const double> weights);
+/// The weights at the radius r for the slopes of the pieces [-], one fewer than positions.
+std::vector<double> abel_weights(std::span<const double> positions, double r);
 
 /// Equally spaced points on a line.
 struct PointRow {
@@ -30,7 +27,9 @@ struct PointRow {
     /// Value at x [m], linear between the points, zero outside of the row.
     double interpolate(std::span<const double> values, double x) const;
     /// Even part of the values about `centre` [m], at the distance x [m].
-    double even(std::span<const double> values, double centre, double x) const;
+    double even(std::span<const double> values, double centre, double x) const {
+        return (interpolate(values, centre + x) + interpolate(values, centre - x)) / 2;
+    }
 };
 
 /// The even part, about a centre, of a line load that is positive in the contact: what a
@@ -54,24 +53,26 @@ EvenLoad even_load(const PointRow& row, std::span<const double> load, double cen
 /// A picture needs no more points; their transforms cost points times pieces.
 inline constexpr int most_surface_points = 500, most_surface_pieces = 250;
 
-/// Gives every field of a surface in line layout its length, zero; all open. `slip_path` and
-/// `friction_work` stay empty, since springs are no points of the surface and have no area: before
-/// rolling, a point at r slips by 2/pi ∫_0^r s(x)/sqrt(r^2 - x^2) dx of the springs' slips s, a
-/// mean over parts of either sign (Popov and Hess 2015), from which no sum of |s| gives its path;
-/// once the contact has rolled, no radius belongs to a spring.
-void resize_fields(contact::Surface& surface);
-
-/// What springs or elements on a line show, one value each.
-struct LineFields {
-    PointRow row{};
-    double position = 0;                                   ///< of the indenter [m]
-    double friction_coefficient = 0;                       ///< mu [-]
-    std::vector<double> normal_load{}, tangential_load{};  ///< [N/m]
-    std::vector<double> displacement_x{}, displacement_z{}, gap{}, slip_x{};  ///< [m]
-    std::vector<contact::ContactState> contact_state{};
+/// Even line loads [N/m] on 0 = x_0 < x_1 < ... < a, both 0 at a, for the back-transformation.
+struct EvenLoads {
+    std::vector<double> positions, normal, tangential;
 };
 
-/// Line layout, thinned out; tractions transformed back from the loads' even parts.
-contact::Surface make_line_surface(const LineFields& fields);
+/// The even parts of the loads on a row about the indenter's position [m].
+EvenLoads even_loads(const PointRow& row, std::span<const double> normal,
+                     std::span<const double> tangential, double position);
+
+/// Line layout of the `n` points of a row, thinned out, under an indenter at `position` [m];
+/// tractions are transformed back. `show(i, k, surface)` sets what springs or elements show, one
+/// value each: state, displacements, gap, slip and line loads at point k, the i-th of the row.
+///
+/// `slip_path` and `friction_work` stay empty, since springs are no points of the surface and have
+/// no area: before rolling, a point at r slips by 2/pi ∫_0^r s(x)/sqrt(r^2 - x^2) dx of the
+/// springs' slips s, a mean over parts of either sign (Popov and Hess 2015), from which no sum of
+/// |s| gives its path; once the contact has rolled, no radius belongs to a spring.
+using ShowPoint = std::function<void(int i, int k, contact::Surface& surface)>;
+contact::Surface make_line_surface(const PointRow& row, int n, double position,
+                                   double friction_coefficient, const EvenLoads& loads,
+                                   const ShowPoint& show);
 
 }  // namespace tricontact::mdr

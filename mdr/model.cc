@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/load_path.h"
 #include "contact/memory.h"
 #include "contact/substrates/relaxing_case.h"
 #include "mdr/relaxing_bed.h"
@@ -18,15 +19,6 @@ double half_width(const contact::Case& c, const PlaneProfile& profile, double fa
     if (c.load.indentation) return profile.half_width(factor * *c.load.indentation);
     return profile.half_width_of_area(factor * *c.load.normal_force /
                                       c.materials().effective_modulus());
-}
-
-double amplitude(const contact::Case& c, const PlaneProfile& profile) {
-    if (!c.rolling) return 0;
-    const bool of_model =
-        c.rolling->amplitude_reference == contact::Case::AmplitudeReference::model;
-    return contact::rolling_amplitude(
-        *c.rolling,
-        of_model ? half_width(c, profile, 1) : contact::half_space_scales(c).contact_radius);
 }
 
 // Numbers per spring as measured: about 5 and 22 in pressing, more where the limit is followed.
@@ -45,7 +37,7 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     check_memory(c);
     // A table of the profile over twice the half-space's radius, which grows at most with the load
     // (a cone's does with d); a flatter indenter meets the rim.
-    const double peak_factor = 1 + std::abs(c.load.normal_amplitude_ratio);
+    const double peak_factor = contact::crest_factor(c);
     const double table = 2 * peak_factor * contact::half_space_scales(c).contact_radius;
     BedData data;
     data.profile = make_plane_profile(*c.make_axisymmetric_indenter(), table);
@@ -56,7 +48,8 @@ std::unique_ptr<contact::Model> make_model(const contact::Case& c) {
     data.rolling_angle = c.rolling ? c.rolling->angle : 0;
     // 1 % more: the discrete contact is not exactly as wide as the continuous one.
     data.half_length =
-        1.01 * (half_width(c, *data.profile, peak_factor) + std::abs(amplitude(c, *data.profile)));
+        1.01 * (half_width(c, *data.profile, peak_factor) +
+                std::abs(contact::path_amplitude(c, half_width(c, *data.profile, 1))));
     data.relaxation = contact::common_relaxation("mdr", contact::without_layer(c));
     if (data.relaxation) return std::make_unique<RelaxingBed>(std::move(data));
     return std::make_unique<SpringBed>(std::move(data));

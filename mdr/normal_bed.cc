@@ -94,17 +94,4 @@ int NormalBed::press_to_sum(double position, double sum) {
                     n_ + 2, contact_.size()));
 }
 
-void NormalBed::press_to_depth(double position, double depth) {
-    move_to(position);
-    depth_ = depth;
-    adjust_contact();
-}
-
-void NormalBed::grow(int n) {
-    n_ += 2 * n;
-    first_ -= n * spacing_;
-    heights_.assign(n_, 0);
-    contact_ = sampled_ = {};
-}
-
 }  // namespace tricontact::mdr

@@ -27,9 +27,18 @@ class NormalBed {
     /// finite. Returns the iterations. Throws contact::NotConverged.
     int press_to_sum(double position, double sum);
     /// Presses the profile at `position` [m] to the depth [m] > 0 of its lowest point.
-    void press_to_depth(double position, double depth);
+    void press_to_depth(double position, double depth) {
+        move_to(position);
+        depth_ = depth;
+        adjust_contact();
+    }
     /// Adds `n` springs at each end; the last press must be repeated.
-    void grow(int n);
+    void grow(int n) {
+        n_ += 2 * n;
+        first_ -= n * spacing_;
+        heights_.assign(n_, 0);
+        contact_ = sampled_ = {};
+    }
 
     const PlaneProfile& profile() const { return *profile_; }
     int size() const { return n_; }
@@ -61,6 +70,12 @@ class NormalBed {
 
 /// Of forces and energies, whatever the number of springs: some seventy contact::sum_rounding.
 inline constexpr double rounding = 1e-12;
+
+/// Zeros for `n` more springs at each end.
+inline void pad(std::vector<double>& values, int n) {
+    values.insert(values.begin(), n, 0);
+    values.insert(values.end(), n, 0);
+}
 
 /// The values of the springs of a window.
 inline std::span<double> part(std::vector<double>& values, const Window& window) {

@@ -12,7 +12,6 @@
 #include "contact/bodies/shapes_of_revolution.h"
 #include "contact/error.h"
 #include "contact/root.h"
-#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 
@@ -45,12 +44,8 @@ double PlaneProfile::half_width_of_area(double area) const {
 
 PowerLawProfile::PowerLawProfile(double coefficient, double exponent)
     : factor_(coefficient * contact::power_law_factor(exponent)), exponent_(exponent) {
-    if (!(coefficient > 0) || !std::isfinite(coefficient))
+    if (!contact::is_positive_and_finite(coefficient))
         throw std::domain_error("PowerLawProfile: the coefficient must be positive and finite");
-}
-
-double PowerLawProfile::value(double x) const {
-    return exponent_ == 2 ? factor_ * x * x : factor_ * std::pow(std::abs(x), exponent_);
 }
 
 void PowerLawProfile::sample(double first, double spacing, std::span<double> heights) const {
@@ -65,19 +60,6 @@ void PowerLawProfile::sample(double first, double spacing, std::span<double> hei
         const double x = first + i * spacing;
         height[i] = factor_ * x * x;
     }
-}
-
-double PowerLawProfile::range() const {
-    return contact::infinity;
-}
-
-double PowerLawProfile::integral(double a) const {
-    return a * value(a) / (exponent_ + 1);
-}
-
-double PowerLawProfile::centre_integral(double a) const {
-    if (exponent_ <= 1) return contact::infinity;
-    return exponent_ / (exponent_ - 1) * value(a) / a;
 }
 
 std::unique_ptr<PlaneProfile> make_plane_profile(const contact::AxisymmetricIndenter& indenter,

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "contact/bodies/indenter.h"
+#include "contact/special_values.h"
 
 namespace tricontact::mdr {
 
@@ -20,7 +22,7 @@ class PlaneProfile {
     /// heights[i] = g(first + i spacing): the springs of a bed at once.
     virtual void sample(double first, double spacing, std::span<double> heights) const = 0;
     /// Largest |x| at which g is known [m].
-    virtual double range() const = 0;
+    virtual double range() const { return contact::infinity; }
     /// ∫_0^a g dx [m^2], 0 <= a <= range.
     virtual double integral(double a) const = 0;
     /// ∫_0^a g'(x)/x dx [-]: the pressure at the centre of the contact is E*/pi times this.
@@ -41,11 +43,15 @@ class PowerLawProfile final : public PlaneProfile {
     /// `coefficient` c > 0 [m^(1-n)], `exponent` n >= 1; std::domain_error otherwise.
     PowerLawProfile(double coefficient, double exponent);
 
-    double value(double x) const override;
+    double value(double x) const override {
+        return exponent_ == 2 ? factor_ * x * x : factor_ * std::pow(std::abs(x), exponent_);
+    }
     void sample(double first, double spacing, std::span<double> heights) const override;
-    double range() const override;
-    double integral(double a) const override;
-    double centre_integral(double a) const override;
+    double integral(double a) const override { return a * value(a) / (exponent_ + 1); }
+    double centre_integral(double a) const override {
+        if (exponent_ <= 1) return contact::infinity;
+        return exponent_ / (exponent_ - 1) * value(a) / a;
+    }
 
   private:
     double factor_, exponent_;

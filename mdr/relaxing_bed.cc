@@ -8,8 +8,6 @@
 
 #include "contact/compensated_sum.h"
 #include "contact/error.h"
-#include "contact/special_values.h"
-#include "mdr/tangential_step.h"
 
 namespace tricontact::mdr {
 
@@ -33,11 +31,7 @@ Window hull(const Window& a, const Window& b) {
 }  // namespace
 
 RelaxingBed::RelaxingBed(BedData data)
-    : effective_modulus_(checked(data).effective_modulus),
-      effective_shear_modulus_(data.effective_shear_modulus),
-      friction_coefficient_(data.friction_coefficient),
-      direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      bound_ratio_(friction_coefficient_ * effective_modulus_ / effective_shear_modulus_),
+    : Bed(data),
       normal_(relaxation_of(data), data.n_springs),
       tangential_(relaxation_of(data), data.n_springs) {
     profile_ = std::move(data.profile);
@@ -49,14 +43,13 @@ RelaxingBed::RelaxingBed(BedData data)
 }
 
 contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
-    check_on_line(name(), step);
+    const double position = position_on_line(name(), step, direction_, row_.spacing);
     if (!(step.duration >= 0))
         throw contact::InputError(
             fmt::format("mdr: a step of {:.6g} s; time must not go backwards", step.duration));
     normal_.begin(step.duration, touched_);
     tangential_.begin(step.duration, touched_);
-    const int normal_iterations =
-        press(line_coordinate(name(), step.offset, direction_, row_.spacing), step.normal);
+    const int normal_iterations = press(position, step.normal);
     push(normal_.stiffness());
     friction_ = step.friction;
     update_offsets();
@@ -65,10 +58,16 @@ contact::StepRecord RelaxingBed::advance(const LoadStep& step) {
     update_limit();
     audit_step(step, sums);
 
-    contact::StepRecord result = record(step, sums);
+    const double dk = effective_modulus_ * row_.spacing;
+    const double dk_x = effective_shear_modulus_ * row_.spacing;
+    contact::StepRecord result =
+        record(step, shift, depth_, row_.spacing,
+               {static_cast<double>(size()), n_contact_, std::min(sums.n_stick, n_contact_)},
+               friction_ && n_contact_ > 0);
+    result.dissipation = dk_x * tangential_.stiffness() * sums.dissipated;
+    result.material_dissipation = dk * pressing_.dissipated + dk_x * shearing_.dissipated;
+    result.stored_energy = dk * stored_in_pressing_ + dk_x * stored_in_shearing_;
     result.normal_iterations = normal_iterations;
-    result.tangential_iterations = shift.iterations;
-    result.tangential_residual = shift.residual;
     return result;
 }
 
@@ -87,8 +86,7 @@ int RelaxingBed::press(double position, const NormalControl& control) {
         if (n_contact_ == 0 || (contact_.first > 0 && contact_.last < size())) break;
         grow();
     }
-    if (depth_ > profile_->value(profile_->range()))
-        profile_->half_width(depth_);  // throws: the rim is reached
+    check_rim(*profile_, depth_);
     return iterations;
 }
 
@@ -152,12 +150,10 @@ void RelaxingBed::find_contact() {
 }
 
 void RelaxingBed::grow() {
-    const int n = std::max(16, size() / 4);
+    const int n = more_springs(size());
     for (auto* field : {&heights_, &pressed_, &offsets_, &bounds_, &sheared_, &force_,
-                        &shear_before_, &least_load_}) {
-        field->insert(field->begin(), n, 0);
-        field->insert(field->end(), n, 0);
-    }
+                        &shear_before_, &least_load_})
+        pad(*field, n);
     normal_.grow(n);
     tangential_.grow(n);
     row_.first -= n * row_.spacing;
@@ -203,7 +199,7 @@ void RelaxingBed::update_offsets() {
 ShiftSolution RelaxingBed::find_shift_increment(const TangentialControl& control) {
     if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
     if (!friction_ || (n_contact_ == 0 && control.value == 0)) return {};
-    check_carried(control, friction_coefficient_ * normal_force_);
+    check_carried(control);
     const auto offsets = part(offsets_, contact_), bounds = part(bounds_, contact_);
     double farthest = 0;
     for (std::size_t i = 0; i < bounds.size(); ++i)
@@ -216,7 +212,7 @@ SlipSums RelaxingBed::slide(double increment) {
     const auto all = part(sheared_, touched_);
     std::fill(all.begin(), all.end(), 0);
     SlipSums sums = take_step(part(offsets_, contact_), part(bounds_, contact_), increment,
-                              negligible_slip(), part(sheared_, contact_));
+                              negligible_slip(depth_), part(sheared_, contact_));
     const double stiffness = tangential_.stiffness();
     for (int i = touched_.first; i < touched_.last; ++i) force_[i] = stiffness * sheared_[i];
     shearing_ = tangential_.end(touched_, force_);
@@ -225,17 +221,8 @@ SlipSums RelaxingBed::slide(double increment) {
     tangential_force_ = effective_shear_modulus_ * row_.spacing * stiffness * sums.deflection;
     if (n_contact_ == contact_.size()) return sums;
     for (int i = contact_.first; i < contact_.last; ++i)  // gaps inside do not stick
-        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip()) --sums.n_stick;
+        if (!(pressed_[i] > 0) && std::abs(slip(i)) <= negligible_slip(depth_)) --sums.n_stick;
     return sums;
-}
-
-double RelaxingBed::slip(int spring) const {
-    return shift_increment_ - (tangential_.deflection()[spring] - shear_before_[spring]);
-}
-
-/// Below it a spring counts as sticking: rounding on the bound [m].
-double RelaxingBed::negligible_slip() const {
-    return 1e-11 * bound_ratio_ * depth_;
 }
 
 void RelaxingBed::release() {
@@ -247,12 +234,6 @@ void RelaxingBed::release() {
     depth_ = position_ = n_contact_ = 0;
     normal_force_ = tangential_force_ = 0;
     shift_ = shift_increment_ = stored_in_pressing_ = stored_in_shearing_ = 0;
-}
-
-void RelaxingBed::start_limit() {
-    least_load_.assign(size(), contact::infinity);
-    update_limit();
-    limit_normal_force_ = normal_force_;
 }
 
 void RelaxingBed::update_limit() {

@@ -1,19 +1,15 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
-#include "contact/model.h"
-#include "mdr/bed_data.h"
+#include "contact/special_values.h"
+#include "mdr/bed.h"
 #include "mdr/line_surface.h"
 #include "mdr/normal_bed.h"
 #include "mdr/spring_memory.h"
 
 namespace tricontact::mdr {
-
-struct SlipSums;
-struct ShiftSolution;
 
 /// The spring bed on a relaxing substrate: the springs of a SpringBed, both stiffnesses times the
 /// same relaxation function of time (Popov and Hess 2015, ch. 7; Lee and Radok 1960). Each spring
@@ -23,22 +19,29 @@ struct ShiftSolution;
 ///
 /// Lines, areas and refusals are those of SpringBed. The elastic bed is the limit of short and of
 /// long durations.
-class RelaxingBed final : public contact::Model {
+class RelaxingBed final : public Bed {
   public:
     /// `data.relaxation` must be set. Throws contact::InputError for values out of range.
     explicit RelaxingBed(BedData data);
 
-    std::string name() const override { return "mdr"; }
     /// Throws as SpringBed::advance, and contact::InputError for a negative duration.
     contact::StepRecord advance(const contact::LoadStep& step) override;
     void release() override;
     /// The unit shift is mu E*/G* d: what the traction mu p makes that has the same past as p.
     contact::Scales scales() const override;
     contact::Surface surface() const override;
-    std::vector<contact::ContactState> contact_states() const override;
+    std::vector<contact::ContactState> contact_states() const override {
+        std::vector<contact::ContactState> states;
+        states.reserve(size());
+        for (int i = 0; i < size(); ++i) states.push_back(contact_state(i));
+        return states;
+    }
     double limit_tangential_ratio() const override;
-    void start_limit() override;
-    const contact::Audit& audit() const override { return audit_; }
+    void start_limit() override {
+        least_load_.assign(size(), contact::infinity);
+        update_limit();
+        limit_normal_force_ = normal_force_;
+    }
 
     int size() const { return normal_.size(); }
 
@@ -54,15 +57,15 @@ class RelaxingBed final : public contact::Model {
     SlipSums slide(double increment);
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums);
-    contact::StepRecord record(const contact::LoadStep& step, const SlipSums& sums) const;
-    double slip(int spring) const;
-    contact::ContactState contact_state(int spring) const;
-    double negligible_slip() const;
+    double slip(int spring) const {
+        return shift_increment_ - (tangential_.deflection()[spring] - shear_before_[spring]);
+    }
+    contact::ContactState contact_state(int spring) const {
+        if (!(pressed_[spring] > 0)) return contact::ContactState::open;
+        return state_in_contact(slip(spring), depth_);
+    }
 
     std::unique_ptr<PlaneProfile> profile_;
-    double effective_modulus_, effective_shear_modulus_, friction_coefficient_;
-    contact::Vector2 direction_;  // of rolling
-    double bound_ratio_;          // mu E*/G*
     PointRow row_;
 
     SpringMemory normal_, tangential_;
@@ -77,13 +80,9 @@ class RelaxingBed final : public contact::Model {
     std::vector<double> shear_before_;                // deflections before the step [m]
     SpringMemory::Sums pressing_, shearing_;          // of the last step
     double stored_in_pressing_ = 0, stored_in_shearing_ = 0;  // over the stiffness [m^2]
-    double normal_force_ = 0, tangential_force_ = 0;          // [N]
-    double shift_ = 0, shift_increment_ = 0;                  // [m]
     bool friction_ = true;                                    // in the last step
 
     std::vector<double> least_load_;  // since start_limit, over E* [m]
-    double limit_normal_force_ = 0;
-    contact::Audit audit_;
 };
 
 }  // namespace tricontact::mdr

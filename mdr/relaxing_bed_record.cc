@@ -1,20 +1,16 @@
-// What a relaxing bed says about its state: audit, record, scales, surface.
+// What a relaxing bed says about its state: audit, scales, surface.
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "contact/special_values.h"
 #include "mdr/line_surface.h"
 #include "mdr/relaxing_bed.h"
-#include "mdr/tangential_step.h"
 
 namespace tricontact::mdr {
 
 using contact::ContactState;
 using contact::LoadStep;
-using contact::NormalControl;
-using contact::TangentialControl;
 
 namespace {
 
@@ -29,20 +25,10 @@ double imbalance(const SpringMemory::Sums& sums, double stored_before) {
 }  // namespace
 
 void RelaxingBed::audit_step(const LoadStep& step, const SlipSums& sums) {
-    const double peak_bound = bound_ratio_ * depth_;
     audit_.record("spring_law",
                   std::max(pressing_.law_error, shearing_.law_error / bound_ratio_) / depth_,
                   rounding);
-    audit_.record("friction_bound", sums.bound_excess / peak_bound, 0);
-    audit_.record("slip_along_traction", -sums.lowest_work / (peak_bound * peak_bound), 0);
-    if (step.normal.kind == NormalControl::Kind::force)
-        audit_.record("normal_force", std::abs(normal_force_ / step.normal.value - 1), rounding);
-    const TangentialControl& control = step.tangential[0];
-    if (friction_ && n_contact_ > 0 && control.kind == TangentialControl::Kind::force)
-        audit_.record(
-            "tangential_force",
-            std::abs(tangential_force_ - control.value) / (friction_coefficient_ * normal_force_),
-            rounding);
+    audit_forces(step, sums, depth_, friction_ && n_contact_ > 0);
     // The work on the springs is stored or dissipated in them; slip is the rest of the shift, and
     // friction takes the rest of its work.
     audit_.record("energy_balance",
@@ -51,36 +37,6 @@ void RelaxingBed::audit_step(const LoadStep& step, const SlipSums& sums) {
                   rounding);
     stored_in_pressing_ = pressing_.stored;
     stored_in_shearing_ = shearing_.stored;
-}
-
-contact::StepRecord RelaxingBed::record(const LoadStep& step, const SlipSums& sums) const {
-    const double dx = row_.spacing, dk_x = effective_shear_modulus_ * dx;
-    auto disc = [dx](double n_springs) {
-        return std::numbers::pi / 4 * n_springs * n_springs * dx * dx;
-    };
-    contact::StepRecord r;
-    r.phase = step.phase;
-    r.offset = step.offset;
-    r.normal_force = normal_force_;
-    r.tangential_force = {tangential_force_, 0};
-    r.indentation = depth_;
-    r.shift = {shift_, 0};
-    r.dissipation = dk_x * tangential_.stiffness() * sums.dissipated;
-    r.material_dissipation =
-        effective_modulus_ * dx * pressing_.dissipated + dk_x * shearing_.dissipated;
-    r.stored_energy = effective_modulus_ * dx * stored_in_pressing_ + dk_x * stored_in_shearing_;
-    r.contact_area = disc(n_contact_);
-    r.stick_area = disc(std::min(sums.n_stick, n_contact_));
-    r.slip_area = r.contact_area - r.stick_area;
-    r.open_area = disc(size()) - r.contact_area;
-    if (step.normal.kind == NormalControl::Kind::force)
-        r.normal_residual = std::abs(normal_force_ / step.normal.value - 1);
-    r.force_residual = r.normal_residual;
-    const TangentialControl& control = step.tangential[0];
-    if (friction_ && n_contact_ > 0 && control.kind == TangentialControl::Kind::force)
-        r.force_residual = std::max(r.force_residual, std::abs(tangential_force_ - control.value) /
-                                                          (friction_coefficient_ * normal_force_));
-    return r;
 }
 
 contact::Scales RelaxingBed::scales() const {
@@ -96,35 +52,26 @@ contact::Scales RelaxingBed::scales() const {
 }
 
 contact::Surface RelaxingBed::surface() const {
-    LineFields f{.row = row_, .position = position_, .friction_coefficient = friction_coefficient_};
     const double stiffness = normal_.stiffness();
-    f.displacement_x = tangential_.deflection();
-    f.displacement_z = normal_.deflection();
+    std::vector<double> normal, tangential;
     for (int i = 0; i < size(); ++i) {
-        const double x = std::abs(row_.position(i) - position_);
-        const double gap =
-            profile_->value(std::min(x, profile_->range())) + normal_.deflection()[i] - depth_;
-        const contact::ContactState state = contact_state(i);
-        f.normal_load.push_back(effective_modulus_ * stiffness * pressed_[i]);
-        f.tangential_load.push_back(effective_shear_modulus_ * stiffness * sheared_[i]);
-        f.gap.push_back(state == contact::ContactState::open ? std::max(gap, 0.) : 0.);
-        f.slip_x.push_back(state == contact::ContactState::slip ? slip(i) : 0.);
+        normal.push_back(effective_modulus_ * stiffness * pressed_[i]);
+        tangential.push_back(effective_shear_modulus_ * stiffness * sheared_[i]);
     }
-    f.contact_state = contact_states();
-    return make_line_surface(f);
-}
-
-contact::ContactState RelaxingBed::contact_state(int spring) const {
-    if (!(pressed_[spring] > 0)) return contact::ContactState::open;
-    return std::abs(slip(spring)) > negligible_slip() ? contact::ContactState::slip
-                                                      : contact::ContactState::stick;
-}
-
-std::vector<contact::ContactState> RelaxingBed::contact_states() const {
-    std::vector<contact::ContactState> states;
-    states.reserve(size());
-    for (int i = 0; i < size(); ++i) states.push_back(contact_state(i));
-    return states;
+    return make_line_surface(
+        row_, size(), position_, friction_coefficient_,
+        even_loads(row_, normal, tangential, position_), [&](int i, int k, contact::Surface& s) {
+            const double x = std::abs(row_.position(i) - position_);
+            const double u_z = normal_.deflection()[i];
+            const double gap = profile_->value(std::min(x, profile_->range())) + u_z - depth_;
+            const ContactState state = s.contact_state[k] = contact_state(i);
+            s.displacement_x[k] = tangential_.deflection()[i];
+            s.displacement_z[k] = u_z;
+            s.gap[k] = state == ContactState::open ? std::max(gap, 0.) : 0.;
+            s.slip_x[k] = state == ContactState::slip ? slip(i) : 0.;
+            s.normal_line_load[k] = normal[i];
+            s.tangential_line_load[k] = tangential[i];
+        });
 }
 
 }  // namespace tricontact::mdr

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "contact/compensated_sum.h"
 #include "mdr/line_surface.h"
-#include "mdr/tangential_step.h"
 
 namespace tricontact::mdr {
 
@@ -17,13 +15,8 @@ using contact::Surface;
 
 namespace {
 
-/// Even line loads on 0 = x_0 < x_1 < ... < a, for the back-transformation.
-struct EvenLoads {
-    std::vector<double> positions, normal, tangential;
-};
-
-EvenLoads even_loads(const NormalBed& bed, const std::vector<double>& deflections,
-                     double effective_modulus, double effective_shear_modulus) {
+EvenLoads loads_of(const NormalBed& bed, const std::vector<double>& deflections,
+                   double effective_modulus, double effective_shear_modulus) {
     const double a = bed.profile().half_width(bed.depth());
     const int n = std::clamp(static_cast<int>(a / bed.spacing()), 2, most_surface_pieces);
     const PointRow row{bed.spring_position(0), bed.spacing()};
@@ -48,11 +41,7 @@ using contact::NormalControl;
 using contact::TangentialControl;
 
 SpringBed::SpringBed(BedData data)
-    : effective_modulus_(checked(data).effective_modulus),
-      effective_shear_modulus_(data.effective_shear_modulus),
-      friction_coefficient_(data.friction_coefficient),
-      direction_{std::cos(data.rolling_angle), std::sin(data.rolling_angle)},
-      bound_ratio_(friction_coefficient_ * effective_modulus_ / effective_shear_modulus_),
+    : Bed(data),
       normal_(std::move(data.profile), data.n_springs, data.half_length),
       deflections_(data.n_springs),
       deflections_before_(data.n_springs),
@@ -60,23 +49,25 @@ SpringBed::SpringBed(BedData data)
       least_bounds_(data.n_springs) {}
 
 contact::StepRecord SpringBed::advance(const LoadStep& step) {
-    check_on_line(name(), step);
+    const double position = position_on_line(name(), step, direction_, normal_.spacing());
     const double force_before = tangential_force_;
     depth_before_ = normal_.depth();
     normal_force_before_ = normal_force_;
     contact_before_ = normal_.contact();
-    const int normal_iterations =
-        press(line_coordinate(name(), step.offset, direction_, normal_.spacing()), step.normal);
+    const int normal_iterations = press(position, step.normal);
     update_bounds();
     const ShiftSolution shift = find_shift_increment(step.tangential[0]);
     const SlipSums sums = slide(shift.increment);
     update_limit();
     audit_step(step, sums, force_before);
 
-    contact::StepRecord result = record(step, sums);
+    const double dk_x = effective_shear_modulus_ * normal_.spacing();
+    const double n = normal_.size(), n_contact = normal_.contact().size();
+    contact::StepRecord result =
+        record(step, shift, normal_.depth(), normal_.spacing(), {n, n_contact, sums.n_stick}, true);
+    result.dissipation = dk_x * sums.dissipated;
+    result.stored_energy = normal_energy_ + dk_x * sums.energy;
     result.normal_iterations = normal_iterations;
-    result.tangential_iterations = shift.iterations;
-    result.tangential_residual = shift.residual;
     return result;
 }
 
@@ -93,32 +84,19 @@ int SpringBed::press(double position, const NormalControl& control) {
         if (!normal_.touches_end()) break;
         grow();
     }
-    if (normal_.depth() > normal_.profile().value(normal_.profile().range()))
-        normal_.profile().half_width(normal_.depth());  // throws: the rim is reached
+    check_rim(normal_.profile(), normal_.depth());
     return iterations;
 }
 
 void SpringBed::grow() {
-    const int n = std::max(16, normal_.size() / 4);
+    const int n = more_springs(normal_.size());
     normal_.grow(n);
-    auto pad = [n](std::vector<double>& values) {
-        values.insert(values.begin(), n, 0);
-        values.insert(values.end(), n, 0);
-    };
-    pad(deflections_);
-    pad(deflections_before_);
-    pad(bounds_);
-    pad(least_bounds_);
+    for (auto* field : {&deflections_, &deflections_before_, &bounds_, &least_bounds_})
+        pad(*field, n);
     for (Window* window : {&contact_before_, &least_contact_}) {
         window->first += n;
         window->last += n;
     }
-}
-
-void SpringBed::release() {
-    std::fill(deflections_.begin(), deflections_.end(), 0);
-    tangential_force_ = 0;
-    shift_ = shift_increment_ = 0;
 }
 
 // Slip cap mu q_z/(G* dx) of each spring, and the normal force that it belongs to.
@@ -146,7 +124,7 @@ void SpringBed::update_bounds() {
 
 ShiftSolution SpringBed::find_shift_increment(const TangentialControl& control) const {
     if (control.kind == TangentialControl::Kind::shift) return {control.value - shift_, 0, 0};
-    check_carried(control, friction_coefficient_ * normal_force_);
+    check_carried(control);
     const Window& contact = normal_.contact();
     const double target = control.value / (effective_shear_modulus_ * normal_.spacing());
     // Everything slides at the latest after the largest old and the largest new bound.
@@ -160,7 +138,7 @@ SlipSums SpringBed::slide(double increment) {
     std::fill(deflections_.begin(), deflections_.end(), 0);
     const auto before = part(std::as_const(deflections_before_), contact);
     SlipSums sums = take_step(before, part(std::as_const(bounds_), contact), increment,
-                              negligible_slip(), part(deflections_, contact));
+                              negligible_slip(normal_.depth()), part(deflections_, contact));
     unload(contact_before_.first, std::min(contact_before_.last, contact.first), increment, sums);
     unload(std::max(contact_before_.first, contact.last), contact_before_.last, increment, sums);
 
@@ -180,12 +158,6 @@ void SpringBed::unload(int first, int last, double increment, SlipSums& sums) co
     }
     sums.trapezoidal += trapezoidal.value();
     sums.stored += stored.value();
-}
-
-void SpringBed::start_limit() {
-    least_contact_ = normal_.contact();
-    least_bounds_ = bounds_;
-    limit_normal_force_ = normal_force_;
 }
 
 void SpringBed::update_limit() {
@@ -208,20 +180,12 @@ double SpringBed::limit_tangential_ratio() const {
 
 void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double force_before) {
     const double peak_bound = bound_ratio_ * normal_.depth();
-    const double friction_limit = friction_coefficient_ * normal_force_;
     const double stiffness = effective_shear_modulus_ * normal_.spacing();
     const auto bounds = part(std::as_const(bounds_), normal_.contact());
     // The least bounds are at the rim.
     const double least_bound = std::min(bounds.front(), bounds.back());
     audit_.record("pressure_nonnegative", -least_bound / peak_bound, 0);
-    audit_.record("friction_bound", sums.bound_excess / peak_bound, 0);
-    audit_.record("slip_along_traction", -sums.lowest_work / (peak_bound * peak_bound), 0);
-    if (step.normal.kind == NormalControl::Kind::force)
-        audit_.record("normal_force", std::abs(normal_force_ / step.normal.value - 1), rounding);
-    const TangentialControl& control = step.tangential[0];
-    if (control.kind == TangentialControl::Kind::force)
-        audit_.record("tangential_force",
-                      std::abs(tangential_force_ - control.value) / friction_limit, rounding);
+    audit_forces(step, sums, normal_.depth(), true);
     // Spring by spring, 1/2 (q + q_before) (increment - slip) = change of q^2/(2 k): summed up, the
     // work of the shift equals stored energy and frictional work, exactly.
     // Rounding: let L be the larger friction limit of before and after the step, b the largest
@@ -236,34 +200,6 @@ void SpringBed::audit_step(const LoadStep& step, const SlipSums& sums, double fo
     audit_.record("energy_balance", std::abs(work - used) / (largest_limit * farthest), rounding);
 }
 
-contact::StepRecord SpringBed::record(const LoadStep& step, const SlipSums& sums) const {
-    const double dx = normal_.spacing();
-    auto disc = [dx](double n_springs) {
-        return std::numbers::pi / 4 * n_springs * n_springs * dx * dx;
-    };
-    contact::StepRecord r;
-    r.phase = step.phase;
-    r.offset = step.offset;
-    r.normal_force = normal_force_;
-    r.tangential_force = {tangential_force_, 0};
-    r.indentation = normal_.depth();
-    r.shift = {shift_, 0};
-    r.dissipation = effective_shear_modulus_ * dx * sums.dissipated;
-    r.stored_energy = normal_energy_ + effective_shear_modulus_ * dx * sums.energy;
-    r.contact_area = disc(normal_.contact().size());
-    r.stick_area = disc(sums.n_stick);
-    r.slip_area = r.contact_area - r.stick_area;
-    r.open_area = disc(normal_.size()) - r.contact_area;
-    if (step.normal.kind == NormalControl::Kind::force)
-        r.normal_residual = std::abs(normal_force_ / step.normal.value - 1);
-    r.force_residual = r.normal_residual;
-    const TangentialControl& control = step.tangential[0];
-    if (control.kind == TangentialControl::Kind::force)
-        r.force_residual = std::max(r.force_residual, std::abs(tangential_force_ - control.value) /
-                                                          (friction_coefficient_ * normal_force_));
-    return r;
-}
-
 contact::Scales SpringBed::scales() const {
     const double a = normal_.profile().half_width(normal_.depth());
     return {.normal_force = normal_force_,
@@ -275,26 +211,11 @@ contact::Scales SpringBed::scales() const {
 }
 
 Surface SpringBed::surface() const {
-    const int stride = (normal_.size() + most_surface_points - 1) / most_surface_points;
-    Surface s;
-    s.layout = Surface::Layout::line;
-    s.n_x = (normal_.size() - 1) / stride + 1;
-    s.n_y = 1;
-    s.first = {normal_.spring_position(0), 0};
-    s.spacing = {stride * normal_.spacing(), 0};
-    s.offset = {normal_.position(), 0};
-    resize_fields(s);
-    const EvenLoads loads =
-        even_loads(normal_, deflections_, effective_modulus_, effective_shear_modulus_);
-    for (int k = 0; k < s.n_x; ++k) {
-        const double r = std::abs(s.x(k) - normal_.position());
-        const std::vector<double> weights = abel_weights(loads.positions, r);
-        s.normal_traction[k] = back_transform(loads.positions, loads.normal, weights);
-        s.tangential_traction_x[k] = back_transform(loads.positions, loads.tangential, weights);
-        s.friction_bound[k] = friction_coefficient_ * s.normal_traction[k];
-        set_spring_fields(k * stride, k, s);
-    }
-    return s;
+    return make_line_surface(
+        {normal_.spring_position(0), normal_.spacing()}, normal_.size(), normal_.position(),
+        friction_coefficient_,
+        loads_of(normal_, deflections_, effective_modulus_, effective_shear_modulus_),
+        [this](int i, int k, Surface& s) { set_spring_fields(i, k, s); });
 }
 
 void SpringBed::set_spring_fields(int spring, int point, Surface& s) const {
@@ -311,24 +232,6 @@ void SpringBed::set_spring_fields(int spring, int point, Surface& s) const {
     s.normal_line_load[point] = effective_modulus_ * s.displacement_z[point];
     s.tangential_line_load[point] = effective_shear_modulus_ * s.displacement_x[point];
     s.slip_x[point] = s.contact_state[point] == ContactState::slip ? slip(spring) : 0;
-    s.dissipation[point] = std::abs(s.tangential_traction_x[point] * s.slip_x[point]);
-}
-
-double SpringBed::slip(int spring) const {
-    return shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
-}
-
-ContactState SpringBed::contact_state(int spring) const {
-    if (spring < normal_.contact().first || spring >= normal_.contact().last)
-        return ContactState::open;
-    return std::abs(slip(spring)) > negligible_slip() ? ContactState::slip : ContactState::stick;
-}
-
-std::vector<ContactState> SpringBed::contact_states() const {
-    std::vector<ContactState> states;
-    states.reserve(normal_.size());
-    for (int i = 0; i < normal_.size(); ++i) states.push_back(contact_state(i));
-    return states;
 }
 
 }  // namespace tricontact::mdr

@@ -1,16 +1,11 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "contact/model.h"
-#include "mdr/bed_data.h"
+#include "mdr/bed.h"
 #include "mdr/normal_bed.h"
 
 namespace tricontact::mdr {
-
-struct SlipSums;
-struct ShiftSolution;
 
 /// Method of dimensionality reduction (Popov and Hess 2015): independent springs of stiffness
 /// E* dx and G* dx at fixed positions on the substrate, pressed by the plane profile, which the
@@ -23,24 +18,35 @@ struct ShiftSolution;
 ///
 /// Areas are those of discs as long as the springs in question together: pi/4 L^2.
 /// If the contact reaches the end of the bed, springs are added there.
-class SpringBed final : public contact::Model {
+class SpringBed final : public Bed {
   public:
     /// Throws contact::InputError for values out of range.
     explicit SpringBed(BedData data);
 
-    std::string name() const override { return "mdr"; }
     /// Throws contact::InputError if the step is none of a spring bed's (see above), asks for
     /// F_T >= mu F_N or presses beyond the indenter's rim; contact::NotConverged.
     contact::StepRecord advance(const contact::LoadStep& step) override;
-    void release() override;
+    void release() override {
+        std::fill(deflections_.begin(), deflections_.end(), 0);
+        tangential_force_ = 0;
+        shift_ = shift_increment_ = 0;
+    }
     contact::Scales scales() const override;
     /// Line layout, thinned out to about a thousand points: springs' deflections and line loads,
     /// gap and displacement_z of the springs too (plane picture); tractions transformed back.
     contact::Surface surface() const override;
-    std::vector<contact::ContactState> contact_states() const override;
+    std::vector<contact::ContactState> contact_states() const override {
+        std::vector<contact::ContactState> states;
+        states.reserve(normal_.size());
+        for (int i = 0; i < normal_.size(); ++i) states.push_back(contact_state(i));
+        return states;
+    }
     double limit_tangential_ratio() const override;
-    void start_limit() override;
-    const contact::Audit& audit() const override { return audit_; }
+    void start_limit() override {
+        least_contact_ = normal_.contact();
+        least_bounds_ = bounds_;
+        limit_normal_force_ = normal_force_;
+    }
 
     const NormalBed& normal() const { return normal_; }
     double deflection(int i) const { return deflections_[i]; }  ///< tangential, of spring i [m]
@@ -54,16 +60,16 @@ class SpringBed final : public contact::Model {
     void unload(int first, int last, double increment, SlipSums& sums) const;
     void update_limit();
     void audit_step(const contact::LoadStep& step, const SlipSums& sums, double force_before);
-    /// Slip [m] below which a spring counts as sticking: rounding on the bound.
-    double negligible_slip() const { return 1e-11 * bound_ratio_ * normal_.depth(); }
-    double slip(int spring) const;  // of the last step [m]
-    contact::ContactState contact_state(int spring) const;
+    double slip(int spring) const {  // of the last step [m]
+        return shift_increment_ - (deflections_[spring] - deflections_before_[spring]);
+    }
+    contact::ContactState contact_state(int spring) const {
+        if (spring < normal_.contact().first || spring >= normal_.contact().last)
+            return contact::ContactState::open;
+        return state_in_contact(slip(spring), normal_.depth());
+    }
     void set_spring_fields(int spring, int point, contact::Surface& surface) const;
-    contact::StepRecord record(const contact::LoadStep& step, const SlipSums& sums) const;
 
-    double effective_modulus_, effective_shear_modulus_, friction_coefficient_;
-    contact::Vector2 direction_;  // of rolling
-    double bound_ratio_;          // mu E*/G*
     NormalBed normal_;
 
     std::vector<double> deflections_, deflections_before_;  // [m], zero out of contact
@@ -71,14 +77,10 @@ class SpringBed final : public contact::Model {
     std::vector<double> bounds_;      // mu (E*/G*) (d - g) [m] of the springs in contact
     double depth_before_ = 0;         // [m]
     double normal_force_before_ = 0;  // [N]
-    double normal_force_ = 0, tangential_force_ = 0;  // [N]
-    double normal_energy_ = 0;                        // [J]
-    double shift_ = 0, shift_increment_ = 0;          // [m]
+    double normal_energy_ = 0;        // [J]
 
     std::vector<double> least_bounds_;  // since start_limit
     Window least_contact_;
-    double limit_normal_force_ = 0;
-    contact::Audit audit_;
 };
 
 }  // namespace tricontact::mdr

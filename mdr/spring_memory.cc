@@ -30,20 +30,6 @@ SpringMemory::SpringMemory(const contact::Relaxation& relaxation, int n_springs)
     deflection_ = free_ = change_ = mean_ = law_ = at_rest;
 }
 
-void SpringMemory::forget() {
-    for (auto* field : {&deflection_, &free_}) std::fill(field->begin(), field->end(), 0);
-    for (Branch& branch : branches_) std::fill(branch.h.begin(), branch.h.end(), 0);
-}
-
-void SpringMemory::grow(int n) {
-    auto pad = [n](std::vector<double>& values) {
-        values.insert(values.begin(), n, 0);
-        values.insert(values.end(), n, 0);
-    };
-    for (auto* field : {&deflection_, &free_, &change_, &mean_, &law_}) pad(*field);
-    for (Branch& branch : branches_) pad(branch.h);
-}
-
 void SpringMemory::begin(double duration, const Window& window) {
     stiffness_ = 1;
     for (Branch& branch : branches_) {

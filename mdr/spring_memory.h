@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "contact/substrates/relaxation.h"
@@ -19,9 +20,15 @@ class SpringMemory {
 
     int size() const { return static_cast<int>(deflection_.size()); }
     /// All springs at rest.
-    void forget();
+    void forget() {
+        for (auto* field : {&deflection_, &free_}) std::fill(field->begin(), field->end(), 0);
+        for (Branch& branch : branches_) std::fill(branch.h.begin(), branch.h.end(), 0);
+    }
     /// Adds `n` springs at rest at each end.
-    void grow(int n);
+    void grow(int n) {
+        for (auto* field : {&deflection_, &free_, &change_, &mean_, &law_}) pad(*field, n);
+        for (Branch& branch : branches_) pad(branch.h, n);
+    }
 
     /// Begins a step of `duration` [s] of the springs in `window`; all others must be at rest.
     void begin(double duration, const Window& window);

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "contact/load_path.h"
+#include "contact/model.h"
+#include "contact/substrates/relaxation.h"
+#include "contact/vector2.h"
+#include "mdr/plane_profile.h"
+#include "mdr/tangential_step.h"
+
+namespace tricontact::mdr {
+
+/// What a spring bed is made of.
+struct BedData {
+    std::unique_ptr<PlaneProfile> profile;
+    double effective_modulus = 0;        ///< E* [Pa], of a relaxing bed when relaxed
+    double effective_shear_modulus = 0;  ///< G* [Pa], likewise
+    double friction_coefficient = 0;     ///< mu [-], > 0
+    int n_springs = 0;                   ///< over the whole bed
+    double half_length = 0;              ///< of the bed about the starting position [m]
+    double rolling_angle = 0;            ///< of the line on which it rolls [rad]
+    std::optional<contact::Relaxation> relaxation{};  ///< empty: elastic
+};
+
+/// Path length [m] of the step's rolling offset on the line through the origin along the unit
+/// vector `direction`, with its sign. `model`: named in messages. Throws contact::InputError for a
+/// load or shift across the load (y), since a line of springs has one direction, and for an offset
+/// off that line, by more than rounding on the path length and `spacing` [m].
+double position_on_line(const std::string& model, const contact::LoadStep& step,
+                        const contact::Vector2& direction, double spacing);
+
+/// What elastic and relaxing beds of independent springs have in common.
+class Bed : public contact::Model {
+  public:
+    std::string name() const final { return "mdr"; }
+    const contact::Audit& audit() const final { return audit_; }
+
+  protected:
+    /// Throws contact::InputError for values out of range.
+    explicit Bed(const BedData& data);
+
+    /// Throws contact::InputError unless the control is positive and finite.
+    static void check_positive(const contact::NormalControl& control);
+    /// Throws contact::InputError if a force-controlled F_T reaches mu F_N.
+    void check_carried(const contact::TangentialControl& control) const;
+    /// Throws contact::InputError if the depth [m] is beyond the profile's rim.
+    static void check_rim(const PlaneProfile& profile, double depth) {
+        if (depth > profile.value(profile.range())) profile.half_width(depth);  // throws
+    }
+    /// Springs to be added at each end of a bed that has proved too short.
+    static int more_springs(int n) { return std::max(16, n / 4); }
+
+    /// Slip [m] below which a spring counts as sticking: rounding on the bound at this depth [m].
+    double negligible_slip(double depth) const { return 1e-11 * bound_ratio_ * depth; }
+    contact::ContactState state_in_contact(double slip, double depth) const {
+        return std::abs(slip) > negligible_slip(depth) ? contact::ContactState::slip
+                                                       : contact::ContactState::stick;
+    }
+    /// Bounds, directions and forces of a step that ends at this depth [m]; `held`: by friction.
+    void audit_forces(const contact::LoadStep& step, const SlipSums& sums, double depth, bool held);
+    /// All but energies and the normal iterations. Numbers of springs; areas are those of discs.
+    struct Springs {
+        double all, in_contact, sticking;
+    };
+    contact::StepRecord record(const contact::LoadStep& step, const ShiftSolution& shift,
+                               double depth, double spacing, const Springs& n, bool held) const;
+
+    double effective_modulus_, effective_shear_modulus_, friction_coefficient_;
+    contact::Vector2 direction_;                      // of rolling
+    double bound_ratio_;                              // mu E*/G*
+    double normal_force_ = 0, tangential_force_ = 0;  // [N]
+    double shift_ = 0, shift_increment_ = 0;          // [m]
+    double limit_normal_force_ = 0;                   // at start_limit [N]
+    contact::Audit audit_;
+};
+
+}  // namespace tricontact::mdr
