@@ -27,7 +27,7 @@ constexpr int most_iterations = 2000;
 
 // The six rigid motions for smoothed aggregation.
 void describe_rigid_motions(const Stiffness& stiffness) {
-    Mat matrix = stiffness.matrix();
+    Mat matrix = stiffness.matrix;
     Vector coordinates;
     check(MatCreateVecs(matrix, coordinates.put(), nullptr));
     check(VecSetBlockSize(coordinates, 3));
@@ -47,8 +47,8 @@ void describe_rigid_motions(const Stiffness& stiffness) {
 // A unit normal force on the middle of the contact.
 Vector force(const Stiffness& stiffness) {
     Vector vector;
-    check(MatCreateVecs(stiffness.matrix(), vector.put(), nullptr));
-    const auto& rows = stiffness.contact_rows();
+    check(MatCreateVecs(stiffness.matrix, vector.put(), nullptr));
+    const auto& rows = stiffness.contact_rows;
     int low = 0, high = 0;
     check(VecGetOwnershipRange(vector, &low, &high));
     const int row = rows[2 * rows.size() / 3 + rows.size() / 6];
@@ -63,7 +63,7 @@ void solve(const Stiffness& stiffness, const char* preconditioner, double ratio,
     KSP solver = nullptr;
     PC multigrid = nullptr;
     check(KSPCreate(PETSC_COMM_WORLD, &solver));
-    check(KSPSetOperators(solver, stiffness.matrix(), stiffness.matrix()));
+    check(KSPSetOperators(solver, stiffness.matrix, stiffness.matrix));
     check(KSPSetType(solver, KSPCG));
     check(KSPSetNormType(solver, KSP_NORM_UNPRECONDITIONED));
     check(KSPGetPC(solver, &multigrid));
@@ -101,7 +101,7 @@ void measure(const std::string& file, const std::string& size, const std::vector
         problem.largest_bulk_ratio = ratio;
         const Stiffness stiffness(problem, session);
         if (ratio == ratios[0] && session.is_root())
-            std::printf("%lld unknowns, %d ranks\n", static_cast<long long>(stiffness.n_unknowns()),
+            std::printf("%lld unknowns, %d ranks\n", static_cast<long long>(stiffness.n_unknowns),
                         session.n_ranks());
         describe_rigid_motions(stiffness);
         for (const char* preconditioner : {PCGAMG, PCHYPRE})

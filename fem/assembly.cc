@@ -1,7 +1,7 @@
-#include "fem/assembly.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fem/discretisation.h"
 
 namespace tricontact::fem {
 
@@ -13,14 +13,14 @@ using Cell = std::array<int, 27>;
 struct CellsOfNodes {
     std::vector<int> start, cell;
 
-    explicit CellsOfNodes(const Q2Space& space) : start(space.nodes().size() + 1, 0) {
-        for (const Cell& nodes : space.cells())
+    explicit CellsOfNodes(const Q2Space& space) : start(space.nodes.size() + 1, 0) {
+        for (const Cell& nodes : space.cells)
             for (const int node : nodes) ++start[node + 1];
         for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
         cell.resize(start.back());
         std::vector<int> next(start.begin(), start.end() - 1);
-        for (std::size_t c = 0; c < space.cells().size(); ++c)
-            for (const int node : space.cells()[c]) cell[next[node]++] = static_cast<int>(c);
+        for (std::size_t c = 0; c < space.cells.size(); ++c)
+            for (const int node : space.cells[c]) cell[next[node]++] = static_cast<int>(c);
     }
 };
 
@@ -28,11 +28,11 @@ struct CellsOfNodes {
 template <typename Visit>
 void for_neighbourhoods(const Q2Space& space, const Unknowns& unknowns, Visit visit) {
     const CellsOfNodes cells(space);
-    std::vector<int> seen_by(space.nodes().size(), -1), neighbours;
+    std::vector<int> seen_by(space.nodes.size(), -1), neighbours;
     for (int node = 0; node < static_cast<int>(seen_by.size()); ++node) {
         neighbours.clear();
         for (int k = cells.start[node]; k < cells.start[node + 1]; ++k)
-            for (const int other : space.cells()[cells.cell[k]]) {
+            for (const int other : space.cells[cells.cell[k]]) {
                 if (seen_by[other] == node) continue;
                 seen_by[other] = node;
                 for (const int unknown : unknowns.of_node[other])
@@ -154,10 +154,10 @@ class ElementState {
         for (int m = 0; m < 4; ++m)
             for (int r = 0; r < 81; ++r) amplitude_[m] += dilatation_.rows()[m][r] * u[r];
         for (const double a : amplitude_) energy_ += moduli.bulk * a * a / 2;
-        for (std::size_t q = 0; q < volume.weights().size(); ++q) {
-            volume_ += volume.weights()[q];
-            energy_ += volume.weights()[q] *
-                       shear_power(displacement_gradient(volume.gradients()[q], u.data()), moduli) /
+        for (std::size_t q = 0; q < volume.weights.size(); ++q) {
+            volume_ += volume.weights[q];
+            energy_ += volume.weights[q] *
+                       shear_power(displacement_gradient(volume.gradients[q], u.data()), moduli) /
                        2;
         }
     }
@@ -179,20 +179,20 @@ class ElementState {
 };
 
 // Gives every node one point per region that it belongs to.
-void add_points(const Q2Space& space, const NodalDisplacement& displacement,
+void add_points(const Q2Space& space, const Discretisation::NodalDisplacement& displacement,
                 contact::Interior& interior) {
     std::array<std::vector<int>, meshes::n_regions> point_of_node;
-    for (auto& points : point_of_node) points.assign(space.nodes().size(), -1);
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
-        const auto region = static_cast<std::uint8_t>(space.regions()[c]);
+    for (auto& points : point_of_node) points.assign(space.nodes.size(), -1);
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
+        const auto region = static_cast<std::uint8_t>(space.regions[c]);
         interior.region.push_back(region);
         auto& hex = interior.hexes.emplace_back();
         for (int i = 0; i < 27; ++i) {
-            const int node = space.cells()[c][i];
+            const int node = space.cells[c][i];
             int& point = point_of_node[region][node];
             if (point < 0) {
                 point = static_cast<int>(interior.points.size());
-                interior.points.push_back(space.nodes()[node]);
+                interior.points.push_back(space.nodes[node]);
                 interior.displacement.push_back(displacement[node]);
             }
             hex[i] = point;
@@ -201,7 +201,7 @@ void add_points(const Q2Space& space, const NodalDisplacement& displacement,
 }
 
 std::array<double, 81> element_displacement(const std::array<int, 27>& nodes,
-                                            const NodalDisplacement& displacement) {
+                                            const Discretisation::NodalDisplacement& displacement) {
     std::array<double, 81> u{};
     for (int a = 0; a < 3; ++a)
         for (int i = 0; i < 27; ++i) u[a * 27 + i] = displacement[nodes[i]][a];
@@ -218,36 +218,33 @@ void average(std::vector<Stress>& sums, const std::vector<std::array<int, 27>>& 
 
 }  // namespace
 
-AssembledStiffness assemble(const Q2Space& space, const Unknowns& unknowns,
-                            const std::array<Moduli, meshes::n_regions>& moduli) {
+AssembledStiffness Discretisation::assemble() const {
     AssembledStiffness stiffness;
     stiffness.matrix = pattern(space, unknowns);
     for (auto& row : stiffness.held_rows) row.assign(unknowns.n, 0.0);
     ElementValues values(space, 3);
     LocalUnknowns local;
     auto k = std::make_unique<ElementStiffness>();
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
         values.reinit(c);
-        element_stiffness(values, moduli[static_cast<int>(space.regions()[c])], *k);
-        local.gather(space.cells()[c], unknowns);
+        element_stiffness(values, moduli[static_cast<int>(space.regions[c])], *k);
+        local.gather(space.cells[c], unknowns);
         add(*k, local, stiffness);
     }
     return stiffness;
 }
 
-std::array<double, 3> held_forces(const Q2Space& space, const Unknowns& unknowns,
-                                  const std::array<Moduli, meshes::n_regions>& moduli,
-                                  const std::vector<std::array<double, 3>>& displacement) {
+std::array<double, 3> Discretisation::held_forces(const NodalDisplacement& displacement) const {
     std::array<double, 3> forces{};
     ElementValues values(space, 3);
     LocalUnknowns local;
     auto k = std::make_unique<ElementStiffness>();
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
-        const Cell& nodes = space.cells()[c];
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
+        const Cell& nodes = space.cells[c];
         local.gather(nodes, unknowns);
         if (local.held.empty()) continue;
         values.reinit(c);
-        element_stiffness(values, moduli[static_cast<int>(space.regions()[c])], *k);
+        element_stiffness(values, moduli[static_cast<int>(space.regions[c])], *k);
         for (const auto& held : local.held)
             for (int r = 0; r < 81; ++r)
                 forces[held.local / 27] +=
@@ -256,29 +253,39 @@ std::array<double, 3> held_forces(const Q2Space& space, const Unknowns& unknowns
     return forces;
 }
 
-contact::Interior interior_fields(const Q2Space& space,
-                                  const std::array<Moduli, meshes::n_regions>& moduli,
-                                  const NodalDisplacement& displacement) {
+contact::Interior Discretisation::interior(std::span<const double> displacement,
+                                           std::span<const double> force) const {
+    NodalDisplacement nodal(space.nodes.size(), {0, 0, 0});
+    for (int u = 0; u < unknowns.n; ++u)
+        nodal[unknowns.node_of_unknown[u]][unknowns.direction_of_unknown[u]] = displacement[u];
     contact::Interior interior;
-    add_points(space, displacement, interior);
+    add_points(space, nodal, interior);
     interior.stress.assign(interior.points.size(), Stress{});
     static const auto weights = extrapolation();
     ElementValues volume(space, 3), barlow(space, 2);
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
         volume.reinit(c);
         barlow.reinit(c);
-        const auto u = element_displacement(space.cells()[c], displacement);
+        const auto u = element_displacement(space.cells[c], nodal);
         const ElementState state(volume, moduli[interior.region[c]], u);
         interior.strain_energy += state.energy();
         interior.energy_density.push_back(state.energy() / state.volume());
         for (int g = 0; g < n_gauss; ++g) {
-            const Stress s = state.stress_at(barlow.points()[g], barlow.gradients()[g]);
+            const Stress s = state.stress_at(barlow.points[g], barlow.gradients[g]);
             for (int i = 0; i < 27; ++i)
                 for (int k = 0; k < 6; ++k)
                     interior.stress[interior.hexes[c][i]][k] += weights[i][g] * s[k];
         }
     }
     average(interior.stress, interior.hexes);
+    for (int u = 0; u < unknowns.n; ++u)
+        interior.applied[unknowns.direction_of_unknown[u]] += force[u];
+    interior.base_reaction = held_forces(nodal);
+    if (surface.points.mirrored) {
+        interior.strain_energy *= 2;
+        for (auto* total : {&interior.applied, &*interior.base_reaction})
+            *total = {2 * (*total)[0], 0, 2 * (*total)[2]};  // y cancels
+    }
     return interior;
 }
 

@@ -102,34 +102,25 @@ class Cholmod {
     cholmod_common common_{};
 };
 
-// Owns an object of CHOLMOD that is freed by `free_object`.
-template <typename T, int (*free_object)(T**, cholmod_common*)>
-class Owned {
-  public:
-    Owned() = default;
-    Owned(T* object, Cholmod& cholmod) : object_(object), cholmod_(&cholmod) {
-        cholmod.check();
-        if (!object) throw std::bad_alloc();
+template <auto free_object>
+struct Free {
+    Cholmod* cholmod = nullptr;
+    template <class T>
+    void operator()(T* object) const {
+        free_object(&object, cholmod->get());
     }
-    Owned(Owned&& other) noexcept { *this = std::move(other); }
-    Owned& operator=(Owned&& other) noexcept {
-        std::swap(object_, other.object_);
-        std::swap(cholmod_, other.cholmod_);
-        return *this;
-    }
-    ~Owned() {
-        if (object_) free_object(&object_, cholmod_->get());
-    }
-    T* get() const { return object_; }
-    T* operator->() const { return object_; }
-
-  private:
-    T* object_ = nullptr;
-    Cholmod* cholmod_ = nullptr;
 };
-using Sparse = Owned<cholmod_sparse, cholmod_l_free_sparse>;
-using Dense = Owned<cholmod_dense, cholmod_l_free_dense>;
-using Factor = Owned<cholmod_factor, cholmod_l_free_factor>;
+using Sparse = std::unique_ptr<cholmod_sparse, Free<cholmod_l_free_sparse>>;
+using Dense = std::unique_ptr<cholmod_dense, Free<cholmod_l_free_dense>>;
+using Factor = std::unique_ptr<cholmod_factor, Free<cholmod_l_free_factor>>;
+
+// What CHOLMOD has just made.
+template <class Owned>
+Owned owned(typename Owned::pointer object, Cholmod& cholmod) {
+    cholmod.check();
+    if (!object) throw std::bad_alloc();
+    return Owned(object, {&cholmod});
+}
 
 cholmod_sparse view(SparseMatrix& lower) {
     cholmod_sparse a{};
@@ -164,17 +155,18 @@ std::vector<Index> postordered(cholmod_sparse& a, std::vector<Index> order, Chol
 // Rows and columns in the given order. The matrix goes on the way: at most two exist at once.
 Sparse permuted(SparseMatrix matrix, std::vector<Index>& order, Cholmod& cholmod) {
     auto a = view(matrix);
-    const Sparse upper(cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()),
-                       cholmod);
+    const auto upper = owned<Sparse>(
+        cholmod_l_ptranspose(&a, 2, order.data(), nullptr, 0, cholmod.get()), cholmod);
     matrix = {};
-    return {cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod};
+    return owned<Sparse>(cholmod_l_transpose(upper.get(), 2, cholmod.get()), cholmod);
 }
 
-}  // namespace
-
-std::vector<std::int64_t> dissection_order(const SparseMatrix& stiffness,
-                                           std::span<const int> node_of_unknown, int n_interior) {
-    std::vector<std::int64_t> order;
+// Order in which to eliminate the unknowns of a stiffness: the first `n_interior` ones by METIS'
+// nested dissection of the graph of their nodes, then the others as they are. Entry k is the
+// unknown to come k-th.
+std::vector<Index> dissection_order(const SparseMatrix& stiffness,
+                                    std::span<const int> node_of_unknown, int n_interior) {
+    std::vector<Index> order;
     order.reserve(stiffness.n);
     if (n_interior > 0) {
         NodeGraph graph(stiffness, node_of_unknown, n_interior);
@@ -185,6 +177,8 @@ std::vector<std::int64_t> dissection_order(const SparseMatrix& stiffness,
     for (int u = n_interior; u < stiffness.n; ++u) order.push_back(u);
     return order;
 }
+
+}  // namespace
 
 struct Condensation::Parts {
     Cholmod cholmod;
@@ -197,14 +191,13 @@ struct Condensation::Parts {
         : n_interior(n_eliminated), n_contact(matrix.n - n_eliminated) {
         choose_order(matrix, node_of_unknown);
         stiffness = permuted(std::move(matrix), order, cholmod);
-        factor = Factor(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
+        factor = owned<Factor>(cholmod_l_analyze(stiffness.get(), cholmod.get()), cholmod);
         return_freed_memory();  // the analysis leaves many blocks too small to go by themselves
     }
 
     void choose_order(SparseMatrix& matrix, std::span<const int> node_of_unknown) {
         auto a = view(matrix);
-        const auto dissected = dissection_order(matrix, node_of_unknown, n_interior);
-        order.assign(dissected.begin(), dissected.end());
+        order = dissection_order(matrix, node_of_unknown, n_interior);
         auto better = postordered(a, order, cholmod);
         if (std::equal(better.begin() + n_interior, better.end(), order.begin() + n_interior))
             order = std::move(better);
@@ -223,7 +216,7 @@ struct Condensation::Parts {
         cholmod.check();
     }
     Dense solve(cholmod_dense* b) {
-        return {cholmod_l_solve(CHOLMOD_A, factor.get(), b, cholmod.get()), cholmod};
+        return owned<Dense>(cholmod_l_solve(CHOLMOD_A, factor.get(), b, cholmod.get()), cholmod);
     }
 };
 
@@ -284,7 +277,8 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     parts_->refuse_unfactorised();
     auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
     const std::size_t n = order.size(), n_columns = forces.size() / n;
-    Dense b(cholmod_l_allocate_dense(n, n_columns, n, CHOLMOD_REAL, cholmod.get()), cholmod);
+    const auto b = owned<Dense>(
+        cholmod_l_allocate_dense(n, n_columns, n, CHOLMOD_REAL, cholmod.get()), cholmod);
     auto* const rhs = static_cast<double*>(b->x);
     for (std::size_t c = 0; c < n_columns; ++c)
         for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n + order[k]];

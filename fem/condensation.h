@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -8,12 +7,6 @@
 #include "fem/matrices.h"
 
 namespace tricontact::fem {
-
-/// Order in which to eliminate the unknowns of a stiffness: the first `n_interior` ones by METIS'
-/// nested dissection of the graph of their nodes, then the others as they are. Entry k is the
-/// unknown to come k-th. Throws std::bad_alloc.
-std::vector<std::int64_t> dissection_order(const SparseMatrix& stiffness,
-                                           std::span<const int> node_of_unknown, int n_interior);
 
 /// Sparse Cholesky factor of a stiffness whose last unknowns are those of the contact patch:
 /// METIS nested dissection (node graph) of the interior, contact unknowns last, CHOLMOD supernodal.

@@ -17,14 +17,20 @@ double modelled_part(const contact::ContactPoints& points) {
     return points.mirrored ? .5 : 1;
 }
 
+void split(const std::vector<double>& both, TangentialField& u) {
+    const auto middle = both.begin() + std::ssize(both) / 2;
+    u.x.assign(both.begin(), middle);
+    u.y.assign(middle, both.end());
+}
+
 }  // namespace
 
 /// The whole body, to look inside.
 struct CondensedCompliance::Body {
     explicit Body(const LayerProblem& problem)
         : discretisation(problem),
-          condensation(discretisation.assemble().matrix, discretisation.node_of_unknown(),
-                       discretisation.n_interior()) {
+          condensation(discretisation.assemble().matrix, discretisation.unknowns.node_of_unknown,
+                       discretisation.unknowns.n_interior) {
         condensation.factorise();
     }
     Discretisation discretisation;
@@ -69,11 +75,6 @@ void CondensedCompliance::add_product(int row_block, int n_row_blocks, int colum
     }
 }
 
-void CondensedCompliance::normal(std::span<const double> p, std::span<double> u_z) const {
-    std::fill(u_z.begin(), u_z.end(), 0);
-    add_product(2, 1, 2, p, u_z);
-}
-
 void CondensedCompliance::normal_from_tangential(const TangentialField& t,
                                                  std::span<double> u_z) const {
     std::fill(u_z.begin(), u_z.end(), 0);
@@ -82,21 +83,17 @@ void CondensedCompliance::normal_from_tangential(const TangentialField& t,
 }
 
 void CondensedCompliance::tangential(const TangentialField& t, TangentialField& u) const {
-    const std::size_t n = points_.size();
-    std::vector<double> both(2 * n);
+    std::vector<double> both(2 * points_.size());
     add_product(0, 2, 0, t.x, both);
     add_product(0, 2, 1, t.y, both);
-    u.x.assign(both.begin(), both.begin() + static_cast<std::ptrdiff_t>(n));
-    u.y.assign(both.begin() + static_cast<std::ptrdiff_t>(n), both.end());
+    split(both, u);
 }
 
 void CondensedCompliance::tangential_from_normal(std::span<const double> p,
                                                  TangentialField& u) const {
-    const std::size_t n = points_.size();
-    std::vector<double> both(2 * n);
+    std::vector<double> both(2 * points_.size());
     add_product(0, 2, 2, p, both);
-    u.x.assign(both.begin(), both.begin() + static_cast<std::ptrdiff_t>(n));
-    u.y.assign(both.begin() + static_cast<std::ptrdiff_t>(n), both.end());
+    split(both, u);
 }
 
 double CondensedCompliance::local_tangential() const {
@@ -176,17 +173,17 @@ std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
     std::span<const double> p, const TangentialField& t) const {
     if (!body_) body_ = std::make_unique<Body>(*problem_);
     const auto& discretisation = body_->discretisation;
-    const auto& unknown = discretisation.contact_unknowns();
+    const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points_.size();
-    std::vector<double> force(discretisation.n_unknowns());
-    const contact::ContactPoints& nodes = discretisation.contact_points();
+    std::vector<double> force(discretisation.unknowns.n);
+    const contact::ContactPoints& nodes = discretisation.surface.points;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
         const double area = nodes.area[k] * modelled_part(nodes);
         const std::size_t i = k % n;  // of a line that stands for some rows of nodes: that at its x
         const std::array<double, 3> f = {area * t.x[i], area * t.y[i], -area * p[i]};
         for (std::size_t c = 0; c < 3; ++c)
             if (const int u = unknown[c * nodes.size() + k]; u >= 0)
-                force[discretisation.n_interior() + u] = f[c];
+                force[discretisation.unknowns.n_interior + u] = f[c];
     }
     const std::vector<double> displacement = body_->condensation.solve(force);
     return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));

@@ -17,7 +17,10 @@ class CondensedCompliance final : public contact::Compliance {
 
     const contact::ContactPoints& points() const override { return points_; }
     bool is_coupled() const override { return true; }
-    void normal(std::span<const double> p, std::span<double> u_z) const override;
+    void normal(std::span<const double> p, std::span<double> u_z) const override {
+        std::fill(u_z.begin(), u_z.end(), 0);
+        add_product(2, 1, 2, p, u_z);
+    }
     void tangential(const contact::TangentialField& t, contact::TangentialField& u) const override;
     void tangential_from_normal(std::span<const double> p,
                                 contact::TangentialField& u) const override;

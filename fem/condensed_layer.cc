@@ -18,8 +18,8 @@ namespace {
 std::array<std::vector<double>, 3> missing_reaction(
     const Discretisation& discretisation, const Condensation& condensation,
     const std::array<std::vector<double>, 3>& held_rows) {
-    const std::size_t n = discretisation.n_unknowns();
-    const auto& unknowns = discretisation.contact_unknowns();
+    const std::size_t n = discretisation.unknowns.n;
+    const auto& unknowns = discretisation.unknowns.of_contact;
     std::vector<double> forces;
     for (const auto& row : held_rows)
         for (const double k : row) forces.push_back(-k);
@@ -29,7 +29,7 @@ std::array<std::vector<double>, 3> missing_reaction(
         missing[direction].assign(unknowns.size(), 0);
         for (std::size_t c = 0; c < unknowns.size(); ++c) {
             if (unknowns[c] < 0) continue;
-            const int u = discretisation.n_interior() + unknowns[c];
+            const int u = discretisation.unknowns.n_interior + unknowns[c];
             const double force = c / (unknowns.size() / 3) == direction ? 1 : 0;
             missing[direction][c] = force - moved[direction * n + u];
         }
@@ -62,20 +62,20 @@ void refuse_too_large(double needed) {
 }
 
 Condensation analyse(const Discretisation& discretisation, AssembledStiffness& stiffness) {
-    return {std::move(stiffness.matrix), discretisation.node_of_unknown(),
-            discretisation.n_interior()};
+    return {std::move(stiffness.matrix), discretisation.unknowns.node_of_unknown,
+            discretisation.unknowns.n_interior};
 }
 
 CondensedLayer condense_discretised(const Discretisation& discretisation) {
     auto stiffness = discretisation.assemble();
     Condensation condensation = analyse(discretisation, stiffness);
-    const auto& unknowns = discretisation.contact_unknowns();
+    const auto& unknowns = discretisation.unknowns.of_contact;
     const int n_components = static_cast<int>(unknowns.size());
     refuse_too_large(condensation.predicted_bytes(n_components) + blas_buffer_bytes());
     condensation.factorise();
     CondensedLayer layer;
-    layer.points = discretisation.contact_points();
-    layer.contact_mass = discretisation.contact_mass();
+    layer.points = discretisation.surface.points;
+    layer.contact_mass = discretisation.surface.mass;
     layer.missing_reaction = missing_reaction(discretisation, condensation, stiffness.held_rows);
     layer.compliance = condensation.compliance(n_components);
     spread(unknowns, layer.compliance);
@@ -125,8 +125,8 @@ double predicted_bytes(const LayerProblem& problem) {
     const Discretisation discretisation(problem);
     auto stiffness = discretisation.assemble();
     const Condensation condensation = analyse(discretisation, stiffness);
-    return condensation.matrix_bytes() +
-           condensation.predicted_bytes(static_cast<int>(discretisation.contact_unknowns().size()));
+    return condensation.matrix_bytes() + condensation.predicted_bytes(static_cast<int>(
+                                             discretisation.unknowns.of_contact.size()));
 }
 
 CondensedLayer contact_line(const CondensedLayer& slice) {

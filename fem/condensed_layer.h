@@ -35,7 +35,7 @@ struct CondensedLayer {
     /// x of all points, then y, then z out of the substrate; symmetric, by columns; rows and
     /// columns of held components are zero.
     std::vector<double> compliance;
-    SparseMatrix contact_mass;  ///< see Discretisation
+    SparseMatrix contact_mass;  ///< see ContactSurface
     /// Ground's reaction + force under unit forces: by direction, components as above.
     std::array<std::vector<double>, 3> missing_reaction;
 

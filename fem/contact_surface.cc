@@ -37,8 +37,8 @@ struct Lines {
 
     Lines(const Q2Space& space, const std::vector<int>& nodes) {
         for (const int node : nodes) {
-            x.push_back(space.nodes()[node][0]);
-            y.push_back(space.nodes()[node][1]);
+            x.push_back(space.nodes[node][0]);
+            y.push_back(space.nodes[node][1]);
         }
         const auto extent = [](const std::vector<double>& v) {
             const auto [low, high] = std::ranges::minmax(v);
@@ -63,7 +63,7 @@ struct Lines {
 
 std::vector<int> nodes_on(const Q2Space& space, Boundary boundary) {
     std::vector<int> nodes;
-    for (const auto& face : space.faces())
+    for (const auto& face : space.faces)
         if (face.boundary == boundary)
             nodes.insert(nodes.end(), face.nodes.begin(), face.nodes.end());
     std::ranges::sort(nodes);
@@ -75,14 +75,14 @@ std::vector<int> nodes_on(const Q2Space& space, Boundary boundary) {
 ContactPoints arrange(const Q2Space& space, std::vector<int>& nodes) {
     const Lines lines(space, nodes);
     const auto place = [&](int node) {
-        const auto& x = space.nodes()[node];
+        const auto& x = space.nodes[node];
         return std::pair(nearest(lines.y, x[1]), nearest(lines.x, x[0]));
     };
     std::ranges::sort(nodes, {}, place);
     ContactPoints points;
     for (const int node : nodes) {
-        points.x.push_back(space.nodes()[node][0]);
-        points.y.push_back(space.nodes()[node][1]);
+        points.x.push_back(space.nodes[node][0]);
+        points.y.push_back(space.nodes[node][1]);
     }
     const auto dx = Lines::even_spacing(lines.x, lines.tolerance);
     const auto dy = Lines::even_spacing(lines.y, lines.tolerance);
@@ -105,8 +105,8 @@ void add_faces(const Q2Space& space, ContactSurface& surface) {
     for (std::size_t i = 0; i < surface.nodes.size(); ++i)
         point_of_node[surface.nodes[i]] = static_cast<int>(i);
     std::vector<std::map<int, double>> columns(surface.nodes.size());
-    for (std::size_t f = 0; f < space.faces().size(); ++f) {
-        const auto& face = space.faces()[f];
+    for (std::size_t f = 0; f < space.faces.size(); ++f) {
+        const auto& face = space.faces[f];
         if (face.boundary != Boundary::contact) continue;
         auto& quad = surface.points.quads.emplace_back();
         for (int i = 0; i < 9; ++i) quad[i] = point_of_node.at(face.nodes[i]);
@@ -148,7 +148,7 @@ ContactSurface contact_surface(const Q2Space& space) {
     surface.points = arrange(space, surface.nodes);
     auto& points = surface.points;
     points.mirrored = std::ranges::any_of(
-        space.faces(), [](const auto& face) { return face.boundary == Boundary::symmetry; });
+        space.faces, [](const auto& face) { return face.boundary == Boundary::symmetry; });
     add_faces(space, surface);
     points.area = row_sums(surface.mass);
     for (double& area : points.area) {

@@ -10,9 +10,9 @@ namespace tricontact::fem {
 
 /// The contact patch of a mesh as contact sees it.
 struct ContactSurface {
-    std::vector<int> nodes;  ///< of the mesh, per contact point
-    contact::ContactPoints points;
-    SparseMatrix mass;  ///< see Discretisation
+    std::vector<int> nodes;         ///< of the mesh, per contact point
+    contact::ContactPoints points;  ///< areas: row sums of the mass, doubled where `mirrored`
+    SparseMatrix mass;              ///< consistent, lower triangle [m^2] (mirrored: half of it)
 };
 
 /// On a regular patch x runs fastest; else the points are sorted by y, then x. Throws

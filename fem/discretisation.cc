@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "contact/error.h"
-#include "fem/assembly.h"
-#include "fem/contact_surface.h"
 #include "fem/memory.h"
 
 namespace tricontact::fem {
@@ -16,36 +14,6 @@ using meshes::Boundary;
 constexpr Directions none = 0, y_only = 2, z_only = 4, all = 7;
 
 }  // namespace
-
-Discretisation::Discretisation(const LayerProblem& problem)
-    : space_(problem.mesh),
-      surface_(contact_surface(space_)),
-      unknowns_(number_unknowns(space_, surface_.nodes, problem.base, problem.sides)) {
-    for (std::size_t r = 0; r < moduli_.size(); ++r)
-        moduli_[r] = moduli_of(problem.materials[r], problem.largest_bulk_ratio);
-    return_freed_memory();
-}
-
-AssembledStiffness Discretisation::assemble() const {
-    return fem::assemble(space_, unknowns_, moduli_);
-}
-
-contact::Interior Discretisation::interior(std::span<const double> displacement,
-                                           std::span<const double> force) const {
-    NodalDisplacement nodal(space_.nodes().size(), {0, 0, 0});
-    for (int u = 0; u < unknowns_.n; ++u)
-        nodal[unknowns_.node_of_unknown[u]][unknowns_.direction_of_unknown[u]] = displacement[u];
-    auto interior = interior_fields(space_, moduli_, nodal);
-    for (int u = 0; u < unknowns_.n; ++u)
-        interior.applied[unknowns_.direction_of_unknown[u]] += force[u];
-    interior.base_reaction = held_forces(space_, unknowns_, moduli_, nodal);
-    if (surface_.points.mirrored) {
-        interior.strain_energy *= 2;
-        for (auto* total : {&interior.applied, &*interior.base_reaction})
-            *total = {2 * (*total)[0], 0, 2 * (*total)[2]};  // y cancels
-    }
-    return interior;
-}
 
 Directions held_on(Boundary boundary, Case::Base base, Case::Sides sides) {
     switch (boundary) {
@@ -73,15 +41,17 @@ void refuse_rigid_motions(bool has_base, bool has_sides, Case::Base base, Case::
             "sliding; choose fem.sides = \"fixed\"");
 }
 
+namespace {
+
 Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
                          Case::Base base, Case::Sides sides) {
     const auto has = [&](Boundary boundary) {
-        return std::ranges::any_of(space.faces(),
+        return std::ranges::any_of(space.faces,
                                    [&](const auto& face) { return face.boundary == boundary; });
     };
     refuse_rigid_motions(has(Boundary::base), has(Boundary::sides), base, sides);
-    std::vector<Directions> held(space.nodes().size(), none);
-    for (const auto& face : space.faces())
+    std::vector<Directions> held(space.nodes.size(), none);
+    for (const auto& face : space.faces)
         for (const int node : face.nodes) held[node] |= held_on(face.boundary, base, sides);
     std::vector<bool> in_contact(held.size(), false);
     for (const int node : contact_nodes) in_contact[node] = true;
@@ -104,6 +74,17 @@ Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_n
             unknowns.of_contact.push_back(unknown < 0 ? -1 : unknown - unknowns.n_interior);
         }
     return unknowns;
+}
+
+}  // namespace
+
+Discretisation::Discretisation(const LayerProblem& problem)
+    : space(problem.mesh),
+      surface(contact_surface(space)),
+      unknowns(number_unknowns(space, surface.nodes, problem.base, problem.sides)) {
+    for (std::size_t r = 0; r < moduli.size(); ++r)
+        moduli[r] = moduli_of(problem.materials[r], problem.largest_bulk_ratio);
+    return_freed_memory();
 }
 
 }  // namespace tricontact::fem

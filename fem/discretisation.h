@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,22 +17,19 @@ namespace tricontact::fem {
 /// of all nodes, then y, then z.
 struct Unknowns {
     int n = 0, n_interior = 0;
-    std::vector<std::array<int, 3>> of_node;  ///< per node and direction; -1: held
-    std::vector<int> node_of_unknown, direction_of_unknown;
-    std::vector<int> of_contact;  ///< c * n + i less n_interior, or -1: see Discretisation
+    std::vector<std::array<int, 3>> of_node;                 ///< per node and direction; -1: held
+    std::vector<int> node_of_unknown, direction_of_unknown;  ///< 0 x, 1 y, 2 z
+    std::vector<int> of_contact;  ///< of component c of contact point i at c * n + i, less
+                                  ///< n_interior; -1: held
 };
 
-/// Bit c: displacement c is held.
+/// Bit c: displacement c is held: at the base (bonded: all, frictionless: z), fixed sides (all),
+/// the symmetry plane (y).
 using Directions = std::uint8_t;
 Directions held_on(meshes::Boundary boundary, contact::Case::Base base, contact::Case::Sides sides);
 /// Throws contact::InputError when rigid motions remain with a base or sides in the mesh or not.
 void refuse_rigid_motions(bool has_base, bool has_sides, contact::Case::Base base,
                           contact::Case::Sides sides);
-
-/// Held are: the base (bonded: all, frictionless: z), fixed sides (all), the symmetry plane (y).
-/// Throws contact::InputError when rigid motions remain.
-Unknowns number_unknowns(const Q2Space& space, const std::vector<int>& contact_nodes,
-                         contact::Case::Base base, contact::Case::Sides sides);
 
 struct AssembledStiffness {
     SparseMatrix matrix;  ///< between the free unknowns, lower triangle [N/m]
@@ -48,38 +44,28 @@ struct AssembledStiffness {
 ///
 /// Free unknowns only: interior ones first, those of the contact patch last, there ordered as
 /// x of all contact nodes, then y, then z; held components (base, sides, symmetry plane) have none.
-class Discretisation {
-  public:
+struct Discretisation {
     /// Throws contact::InputError when the mesh leaves rigid motions free, has no contact, or
     /// boundary faces without a name.
     explicit Discretisation(const LayerProblem& problem);
 
     /// Recomputed by each call: the largest part of a discretisation, often needed but once.
     AssembledStiffness assemble() const;
-    /// Node (numbered from 0) to which each unknown belongs, for orderings.
-    const std::vector<int>& node_of_unknown() const { return unknowns_.node_of_unknown; }
-    /// 0 x, 1 y, 2 z.
-    const std::vector<int>& direction_of_unknown() const { return unknowns_.direction_of_unknown; }
-    int n_unknowns() const { return unknowns_.n; }
-    int n_interior() const { return unknowns_.n_interior; }  ///< before the first of the contact
-
-    /// Nodes of the contact patch. On a regular patch x runs fastest and the grid is described;
-    /// areas are row sums of the surface mass (doubled where `mirrored`), all positive.
-    const contact::ContactPoints& contact_points() const { return surface_.points; }
-    /// Unknown of component c of contact node i at c * n + i, from 0 at n_interior(); -1: held.
-    const std::vector<int>& contact_unknowns() const { return unknowns_.of_contact; }
-    /// Lower triangle of the consistent mass [m^2] between contact nodes (mirrored: half of it).
-    const SparseMatrix& contact_mass() const { return surface_.mass; }
-
+    /// Sum over all held components of K u in each direction: the force of what holds them [N], for
+    /// the displacement of every node [m].
+    using NodalDisplacement = std::vector<std::array<double, 3>>;
+    std::array<double, 3> held_forces(const NodalDisplacement& displacement) const;
     /// Fields inside for the displacements [m] of all free unknowns under the forces [N] on them.
+    /// Points on the interface of two regions appear once for each. Stresses come from the
+    /// 2 x 2 x 2 Gauss points, where those of Q2 elements are most accurate (Barlow 1976), linearly
+    /// extrapolated to the nodes and averaged over the elements of a region.
     contact::Interior interior(std::span<const double> displacement,
                                std::span<const double> force) const;
 
-  private:
-    Q2Space space_;
-    std::array<Moduli, meshes::n_regions> moduli_{};
-    ContactSurface surface_;
-    Unknowns unknowns_;
+    Q2Space space;
+    std::array<Moduli, meshes::n_regions> moduli{};
+    ContactSurface surface;
+    Unknowns unknowns;
 };
 
 }  // namespace tricontact::fem

@@ -10,8 +10,8 @@ constexpr int n_nodes = 27, n_unknowns = 81;
 
 // Lower triangle of S: products of the derivatives a of shape function i and b of j, integrated.
 void integrate_derivatives(const ElementValues& values, ElementStiffness& s) {
-    const auto weights = values.weights();
-    const auto gradients = values.gradients();
+    const auto weights = values.weights;
+    const auto gradients = values.gradients;
     for (auto& row : s) row.fill(0);
     std::array<double, n_unknowns> derivative{};
     for (std::size_t q = 0; q < weights.size(); ++q) {
@@ -35,9 +35,9 @@ Moduli moduli_of(const contact::Material& material, double largest_bulk_ratio) {
 }
 
 Dilatation::Dilatation(const ElementValues& values) {
-    const auto weights = values.weights();
-    const auto points = values.points();
-    const auto gradients = values.gradients();
+    const auto weights = values.weights;
+    const auto points = values.points;
+    const auto gradients = values.gradients;
     double volume = 0;
     for (std::size_t q = 0; q < weights.size(); ++q) {
         volume += weights[q];
@@ -72,13 +72,6 @@ Dilatation::Dilatation(const ElementValues& values) {
 std::array<double, 4> Dilatation::functions(const std::array<double, 3>& x) const {
     return {1, (x[0] - centre_[0]) / size_, (x[1] - centre_[1]) / size_,
             (x[2] - centre_[2]) / size_};
-}
-
-void Dilatation::solve_lower(std::array<double, 4>& b) const {
-    for (int m = 0; m < 4; ++m) {
-        for (int n = 0; n < m; ++n) b[m] -= mass_factor_[m][n] * b[n];
-        b[m] /= mass_factor_[m][m];
-    }
 }
 
 double Dilatation::at(const std::array<double, 3>& x,

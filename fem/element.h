@@ -30,7 +30,12 @@ class Dilatation {
 
   private:
     std::array<double, 4> functions(const std::array<double, 3>& x) const;
-    void solve_lower(std::array<double, 4>& b) const;
+    void solve_lower(std::array<double, 4>& b) const {
+        for (int m = 0; m < 4; ++m) {
+            for (int n = 0; n < m; ++n) b[m] -= mass_factor_[m][n] * b[n];
+            b[m] /= mass_factor_[m][m];
+        }
+    }
 
     std::array<double, 3> centre_{};
     double size_ = 0;

@@ -9,7 +9,6 @@
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
@@ -19,8 +18,6 @@
 #include "contact/special_values.h"
 #include "fem/layer_file.h"
 #include "files/digest.h"
-#include "files/partial_file.h"
-#include "files/regular_file.h"
 
 // What a condensed layer depends on, as the name of its file.
 
@@ -133,6 +130,17 @@ std::uint64_t cache_limit() {
     return static_cast<std::uint64_t>(size);
 }
 
+std::string size_text(std::uint64_t bytes) {
+    const auto value = static_cast<double>(bytes);
+    for (const auto& [unit, factor] : units)
+        if (value >= factor) return fmt::format("{:.3g} {}", value / factor, unit);
+    return "0 B";
+}
+
+namespace {
+
+/// Removes the layers that were not used for longest until the others take `most` bytes at most;
+/// the one with the path `kept` stays whatever its size.
 void remove_oldest_layers(const std::string& folder, std::uint64_t most, const std::string& kept) {
     const std::vector<KeptLayer> layers = kept_layers(folder);
     std::uint64_t sum = bytes_of(layers);
@@ -145,12 +153,7 @@ void remove_oldest_layers(const std::string& folder, std::uint64_t most, const s
     }
 }
 
-std::string size_text(std::uint64_t bytes) {
-    const auto value = static_cast<double>(bytes);
-    for (const auto& [unit, factor] : units)
-        if (value >= factor) return fmt::format("{:.3g} {}", value / factor, unit);
-    return "0 B";
-}
+}  // namespace
 
 LayerCache::LayerCache(const std::string& folder)
     : folder_(folder.empty()     ? user_folder()
@@ -168,8 +171,8 @@ std::optional<CondensedLayer> LayerCache::load(const std::string& key, std::stri
     const std::string path = path_of(key);
     files::remove_left_partial_files(folder_);
     try {
-        const files::RegularFile file(path);
-        std::optional<CondensedLayer> layer = read_layer(file.descriptor(), key);
+        files::RegularFile file(path);
+        std::optional<CondensedLayer> layer = read_layer(file, key);
         ::futimens(file.descriptor(),
                    nullptr);  // used now; in a folder of others it may not say so
         return layer;
@@ -194,13 +197,10 @@ bool LayerCache::store(const std::string& key, const CondensedLayer& layer,
     const std::string path = path_of(key);
     try {
         files::PartialFile file(path);
-        write_layer(file.descriptor(), key, layer);
+        write_layer(file, key, layer);
         file.move_to_target();
     } catch (const std::system_error& failure) {
         tell(why, path, "cannot be written (" + failure.code().message() + ")");
-        return false;
-    } catch (const LayerFileError& failure) {
-        tell(why, path, failure.what());
         return false;
     }
     remove_oldest_layers(folder_, limit_, path);

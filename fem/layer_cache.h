@@ -31,10 +31,6 @@ std::uint64_t bytes_of(const std::vector<KeptLayer>& layers);
 /// 10 GB. Throws contact::InputError if that is no size.
 std::uint64_t cache_limit();
 
-/// Removes the layers that were not used for longest until the others take `most` bytes at most;
-/// the one with the path `kept` stays whatever its size.
-void remove_oldest_layers(const std::string& folder, std::uint64_t most, const std::string& kept);
-
 /// "402 MB".
 std::string size_text(std::uint64_t bytes);
 

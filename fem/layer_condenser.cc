@@ -54,8 +54,4 @@ std::unique_ptr<CondensedCompliance> LayerCondenser::make(meshes::HexMesh mesh) 
     return compliance_of(std::move(layer));
 }
 
-void LayerCondenser::say(const std::string& line) const {
-    if (say_) say_("fem: " + line);
-}
-
 }  // namespace tricontact::fem

@@ -17,7 +17,9 @@ class LayerCondenser {
     /// The case's layer on this mesh. Throws contact::InputError, also when the memory does not
     /// suffice; contact::NotConverged.
     std::unique_ptr<CondensedCompliance> make(meshes::HexMesh mesh);
-    void say(const std::string& line) const;
+    void say(const std::string& line) const {
+        if (say_) say_("fem: " + line);
+    }
 
   private:
     const contact::Case& case_;

@@ -1,16 +1,12 @@
 #include "fem/layer_file.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <memory>
 #include <new>
-#include <system_error>
 
 #include "fem/matrices.h"
 
@@ -47,10 +43,6 @@ std::uint64_t file_size(const Header& header) {
            16 * header.n_mass + 8 * 3 * m + 8 * (m * (m + 1) / 2) + sizeof(XXH64_hash_t);
 }
 
-[[noreturn]] void fail_with_errno(const char* what) {
-    throw LayerFileError(std::string(what) + " (" + std::generic_category().message(errno) + ")");
-}
-
 class Hash {
   public:
     Hash() : state_(XXH3_createState(), &XXH3_freeState) {
@@ -64,20 +56,12 @@ class Hash {
     std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state_;
 };
 
+// Arrays of the payload, hashed on their way.
 class Writer {
   public:
-    explicit Writer(int file) : file_(file) {}
+    explicit Writer(files::PartialFile& file) : file_(file) {}
 
-    void raw(const void* data, std::size_t n) {
-        const auto* bytes = static_cast<const char*>(data);
-        while (n > 0) {
-            const ssize_t written = ::write(file_, bytes, n);
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) fail_with_errno("cannot be written");
-            bytes += written;
-            n -= static_cast<std::size_t>(written);
-        }
-    }
+    void raw(const void* data, std::size_t n) { file_.write({static_cast<const char*>(data), n}); }
     template <typename T>
     void array(const T* data, std::size_t n) {
         hash_.update(data, n * sizeof(T));
@@ -86,23 +70,20 @@ class Writer {
     std::uint64_t digest() const { return hash_.digest(); }
 
   private:
-    int file_;
+    files::PartialFile& file_;
     Hash hash_;
 };
 
 class Reader {
   public:
-    explicit Reader(int file) : file_(file) {}
+    explicit Reader(files::RegularFile& file) : file_(file) {}
 
     void raw(void* data, std::size_t n) {
-        auto* bytes = static_cast<char*>(data);
-        while (n > 0) {
-            const ssize_t got = ::read(file_, bytes, n);
-            if (got < 0 && errno == EINTR) continue;
-            if (got < 0) fail_with_errno("cannot be read");
+        for (auto* bytes = static_cast<char*>(data); n > 0;) {
+            const std::size_t got = file_.read(bytes, n);
             if (got == 0) throw LayerFileError("is truncated");
             bytes += got;
-            n -= static_cast<std::size_t>(got);
+            n -= got;
         }
     }
     template <typename T>
@@ -113,7 +94,7 @@ class Reader {
     std::uint64_t digest() const { return hash_.digest(); }
 
   private:
-    int file_;
+    files::RegularFile& file_;
     Hash hash_;
 };
 
@@ -189,22 +170,18 @@ CondensedLayer layer_of_size(const Header& header) {
 
 }  // namespace
 
-void write_layer(int file_descriptor, const std::string& key, const CondensedLayer& layer) {
-    Writer writer(file_descriptor);
+void write_layer(files::PartialFile& file, const std::string& key, const CondensedLayer& layer) {
+    Writer writer(file);
     const Header header = header_of(key, layer);
     writer.raw(&header, sizeof(Header));
     transfer(writer, layer);
     const std::uint64_t digest = writer.digest();
     writer.raw(&digest, sizeof(digest));
-    if (::fsync(file_descriptor) != 0) fail_with_errno("cannot be written");
 }
 
-CondensedLayer read_layer(int file_descriptor, const std::string& key) {
-    struct stat status {};
-    if (::fstat(file_descriptor, &status) != 0) fail_with_errno("cannot be read");
-    Reader reader(file_descriptor);
-    const Header header =
-        read_header(reader, static_cast<std::uint64_t>(std::max<off_t>(0, status.st_size)), key);
+CondensedLayer read_layer(files::RegularFile& file, const std::string& key) {
+    Reader reader(file);
+    const Header header = read_header(reader, file.size(), key);
     CondensedLayer layer = layer_of_size(header);
     transfer(reader, layer);
     std::uint64_t digest = 0;

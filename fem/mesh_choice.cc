@@ -28,9 +28,7 @@ constexpr double end_fineness = 4;  // elements of a roller's ends in one of the
 /// Half sides of the region that the contact centre sweeps [m].
 Vector2 path_extent(const Case& c, double contact_radius) {
     if (!c.rolling) return {0, 0};
-    const bool of_model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
-    const double reach = rolling_amplitude(
-        *c.rolling, of_model ? contact_radius : half_space_scales(c).contact_radius);
+    const double reach = contact::path_amplitude(c, contact_radius);
     return {std::abs(reach * std::cos(c.rolling->angle)),
             is_symmetric(c) ? 0 : std::abs(reach * std::sin(c.rolling->angle))};
 }
@@ -97,6 +95,23 @@ std::array<double, 4> pressed_values(const Case& c, double size, double radius,
     return {s.indentation, s.normal_force, tip, s.unit_shift};
 }
 
+/// Short over long half axis of the case's contact on the half-space, 1 of a circle.
+double narrowness(const Case& c) {
+    if (c.is_cylindrical()) return 1;
+    const Vector2 half = half_space_scales(c).half_widths;
+    return std::min(half[0], half[1]) / std::max(half[0], half[1]);
+}
+
+/// The same with elements of another size.
+meshes::LayerMeshSpec resized(meshes::LayerMeshSpec spec, double size) {
+    const bool square = !spec.plane_strain && !spec.ends;
+    spec.patch_x = whole_elements(spec.patch_x, size);
+    if (square) spec.patch_y = whole_elements(spec.patch_y, size);
+    if (spec.ends) spec.ends->size *= size / spec.size;
+    spec.size = size;
+    return spec;
+}
+
 /// The least size found whose condensation is predicted to fit [m]; 0: none was.
 double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemoryShort& shortage) {
     // Factor and dense compliance of a layer grow with about h^-2.5.
@@ -117,18 +132,6 @@ double size_that_fits(const Case& c, meshes::LayerMeshSpec spec, const MemorySho
 }
 
 }  // namespace
-
-double narrowness(const Case& c) {
-    if (c.is_cylindrical()) return 1;
-    const Vector2 half = half_space_scales(c).half_widths;
-    return std::min(half[0], half[1]) / std::max(half[0], half[1]);
-}
-
-contact::NormalControl hardest_press(const Case& c) {
-    contact::NormalControl control = contact::press_step(c).normal;
-    control.value *= 1 + std::abs(c.load.normal_amplitude_ratio);
-    return control;
-}
 
 bool is_symmetric(const Case& c) {
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
@@ -155,15 +158,6 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
         spec.patch_y = whole_elements(contact_radius + extent[1], size);
         spec.half_y = half_side(c.layer.depth, spec.patch_y);
     }
-    return spec;
-}
-
-meshes::LayerMeshSpec resized(meshes::LayerMeshSpec spec, double size) {
-    const bool square = !spec.plane_strain && !spec.ends;
-    spec.patch_x = whole_elements(spec.patch_x, size);
-    if (square) spec.patch_y = whole_elements(spec.patch_y, size);
-    if (spec.ends) spec.ends->size *= size / spec.size;
-    spec.size = size;
     return spec;
 }
 

@@ -55,7 +55,9 @@ void require_room(const char* side, double half, double patch, double size) {
 
 meshes::LayerMeshSpec plan(const Case& c, LayerCondenser& condenser) {
     require_layer(c);
-    const double radius = patch_margin * probe_radius(c, hardest_press(c), condenser);
+    contact::NormalControl hardest = contact::press_step(c).normal;
+    hardest.value *= contact::crest_factor(c);
+    const double radius = patch_margin * probe_radius(c, hardest, condenser);
     const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, condenser);
     meshes::LayerMeshSpec spec = spec_for(c, size, radius);
     require_room("width", spec.half_x, spec.patch_x, size);

@@ -112,65 +112,40 @@ struct Q2Space::Parts {
     std::vector<dealii::DoFHandler<3>::active_cell_iterator> iterators;
     std::vector<std::pair<std::size_t, int>> cell_of_face;  // and the face's number there
 
-    std::vector<std::array<double, 3>> nodes;
-    std::vector<std::array<int, 27>> cells;
-    std::vector<meshes::Region> regions;
-    std::vector<Face> faces;
-
     explicit Parts(const meshes::HexMesh& mesh) {
         triangulate(mesh, triangulation);
         dofs.distribute_dofs(fe);
-        number_cells();
-        place_nodes();
-        for (std::size_t c = 0; c < cells.size(); ++c)
-            for (int f = 0; f < 6; ++f)
-                if (iterators[c]->face(f)->at_boundary()) add_face(c, f);
-    }
-
-    void number_cells() {
-        std::vector<dealii::types::global_dof_index> indices(27);
-        for (const auto& cell : dofs.active_cell_iterators()) {
-            iterators.push_back(cell);
-            regions.push_back(static_cast<meshes::Region>(cell->material_id()));
-            cell->get_dof_indices(indices);
-            auto& numbers = cells.emplace_back();
-            for (int i = 0; i < 27; ++i) numbers[i] = static_cast<int>(indices[within_cell[i]]);
-        }
-    }
-
-    void place_nodes() {
-        std::vector<dealii::Point<3>> points(dofs.n_dofs());
-        dealii::DoFTools::map_dofs_to_support_points(mapping, dofs, points);
-        nodes.reserve(points.size());
-        for (const auto& x : points) nodes.push_back({x[0], x[1], x[2]});
-    }
-
-    void add_face(std::size_t c, int f) {
-        const auto id = iterators[c]->face(f)->boundary_id();
-        const auto x = iterators[c]->face(f)->center();
-        require_name(id, {x[0], x[1], x[2]});
-        Face face{{}, static_cast<meshes::Boundary>(id - 1)};
-        const auto local = nodes_on_face(f);
-        for (int i = 0; i < 9; ++i) face.nodes[i] = cells[c][local[i]];
-        faces.push_back(face);
-        cell_of_face.emplace_back(c, f);
+        for (const auto& cell : dofs.active_cell_iterators()) iterators.push_back(cell);
     }
 };
 
-Q2Space::Q2Space(const meshes::HexMesh& mesh) : parts_(std::make_unique<Parts>(mesh)) {}
+Q2Space::Q2Space(const meshes::HexMesh& mesh) : parts_(std::make_unique<Parts>(mesh)) {
+    const auto& dofs = parts_->dofs;
+    std::vector<dealii::types::global_dof_index> indices(27);
+    for (const auto& cell : parts_->iterators) {
+        regions.push_back(static_cast<meshes::Region>(cell->material_id()));
+        cell->get_dof_indices(indices);
+        auto& numbers = cells.emplace_back();
+        for (int i = 0; i < 27; ++i) numbers[i] = static_cast<int>(indices[parts_->within_cell[i]]);
+    }
+    std::vector<dealii::Point<3>> points(dofs.n_dofs());
+    dealii::DoFTools::map_dofs_to_support_points(parts_->mapping, dofs, points);
+    for (const auto& x : points) nodes.push_back({x[0], x[1], x[2]});
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        for (int f = 0; f < 6; ++f)
+            if (parts_->iterators[c]->face(f)->at_boundary()) add_face(c, f);
+}
 Q2Space::~Q2Space() = default;
 
-const std::vector<std::array<double, 3>>& Q2Space::nodes() const {
-    return parts_->nodes;
-}
-const std::vector<std::array<int, 27>>& Q2Space::cells() const {
-    return parts_->cells;
-}
-const std::vector<meshes::Region>& Q2Space::regions() const {
-    return parts_->regions;
-}
-const std::vector<Q2Space::Face>& Q2Space::faces() const {
-    return parts_->faces;
+void Q2Space::add_face(std::size_t c, int f) {
+    const auto face = parts_->iterators[c]->face(f);
+    const auto x = face->center();
+    require_name(face->boundary_id(), {x[0], x[1], x[2]});
+    auto& [numbers, boundary] = faces.emplace_back();
+    boundary = static_cast<meshes::Boundary>(face->boundary_id() - 1);
+    const auto local = nodes_on_face(f);
+    for (int i = 0; i < 9; ++i) numbers[i] = cells[c][local[i]];
+    parts_->cell_of_face.emplace_back(c, f);
 }
 
 std::array<std::array<double, 9>, 9> Q2Space::face_mass(std::size_t face) const {
@@ -192,25 +167,22 @@ std::array<std::array<double, 9>, 9> Q2Space::face_mass(std::size_t face) const 
 struct ElementValues::Parts {
     const Q2Space::Parts& space;
     dealii::FEValues<3> values;
-    std::vector<std::array<double, 3>> points;
-    std::vector<Gradients> gradients;
-
-    Parts(const Q2Space::Parts& of, int n)
-        : space(of),
-          values(of.mapping, of.fe, dealii::QGauss<3>(n),
-                 dealii::update_gradients | dealii::update_JxW_values |
-                     dealii::update_quadrature_points),
-          points(values.n_quadrature_points),
-          gradients(values.n_quadrature_points) {}
 };
 
 ElementValues::ElementValues(const Q2Space& space, int n)
-    : parts_(std::make_unique<Parts>(*space.parts_, n)) {}
+    : parts_(new Parts{*space.parts_,
+                       {space.parts_->mapping, space.parts_->fe, dealii::QGauss<3>(n),
+                        dealii::update_gradients | dealii::update_JxW_values |
+                            dealii::update_quadrature_points}}) {
+    points.resize(parts_->values.n_quadrature_points);
+    gradients.resize(points.size());
+}
 ElementValues::~ElementValues() = default;
 
 void ElementValues::reinit(std::size_t cell) {
-    auto& [space, values, points, gradients] = *parts_;
+    auto& [space, values] = *parts_;
     values.reinit(space.iterators[cell]);
+    weights = values.get_JxW_values();
     for (const unsigned q : values.quadrature_point_indices()) {
         const auto& x = values.quadrature_point(q);
         points[q] = {x[0], x[1], x[2]};
@@ -219,15 +191,6 @@ void ElementValues::reinit(std::size_t cell) {
             gradients[q][i] = {gradient[0], gradient[1], gradient[2]};
         }
     }
-}
-std::span<const double> ElementValues::weights() const {
-    return parts_->values.get_JxW_values();
-}
-std::span<const std::array<double, 3>> ElementValues::points() const {
-    return parts_->points;
-}
-std::span<const ElementValues::Gradients> ElementValues::gradients() const {
-    return parts_->gradients;
 }
 
 }  // namespace tricontact::fem

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "meshes/hex_mesh.h"
@@ -39,16 +38,17 @@ class Q2Space {
     explicit Q2Space(const meshes::HexMesh& mesh);
     ~Q2Space();
 
-    const std::vector<std::array<double, 3>>& nodes() const;  ///< [m]
-    const std::vector<std::array<int, 27>>& cells() const;    ///< VTK's order
-    const std::vector<meshes::Region>& regions() const;       ///< per cell
-    const std::vector<Face>& faces() const;                   ///< on the boundary
+    std::vector<std::array<double, 3>> nodes;  ///< [m]
+    std::vector<std::array<int, 27>> cells;    ///< VTK's order
+    std::vector<meshes::Region> regions;       ///< per cell
+    std::vector<Face> faces;                   ///< on the boundary
 
     /// Integrals over a face of the products of its shape functions [m^2], in its nodes' order.
     std::array<std::array<double, 9>, 9> face_mass(std::size_t face) const;
 
   private:
     friend class ElementValues;
+    void add_face(std::size_t cell, int face);
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
@@ -64,9 +64,9 @@ class ElementValues {
     ~ElementValues();
 
     void reinit(std::size_t cell);
-    std::span<const double> weights() const;                ///< times the Jacobian [m^3]
-    std::span<const std::array<double, 3>> points() const;  ///< [m]
-    std::span<const Gradients> gradients() const;           ///< of the shape functions [1/m]
+    std::vector<double> weights;                ///< times the Jacobian [m^3]
+    std::vector<std::array<double, 3>> points;  ///< [m]
+    std::vector<Gradients> gradients;           ///< of the shape functions [1/m]
 
   private:
     struct Parts;

@@ -4,7 +4,9 @@
 #include <sys/resource.h>
 #include <sys/time.h>
 
+#include <array>
 #include <chrono>
+#include <vector>
 
 #include "contact/error.h"
 #include "fem/distributed/petsc.h"
@@ -85,6 +87,164 @@ class Stages {
     Cost last_;
 };
 
+/// The Schur complement of a stiffness on its contact patch by MUMPS (Amestoy, Duff, L'Excellent
+/// and Koster 2001): Cholesky, METIS' nested dissection, the factor distributed over the ranks, the
+/// complement whole on the first one.
+class Condensation {
+  public:
+    /// Symbolic analysis only. Collective, as all but the predictions. Throws std::bad_alloc.
+    Condensation(const Stiffness& stiffness, const Session& session)
+        : stiffness_(stiffness), session_(session) {
+        for (int c = 0; c < static_cast<int>(n_components()); ++c) {
+            const auto& rows = stiffness.contact_rows;
+            if (rows[c] >= 0) free_rows_.push_back(rows[c]), components_.push_back(c);
+        }
+        analyse();
+    }
+
+    /// What this rank will take on top of now [bytes], predicted by MUMPS.
+    double predicted_bytes() const {
+        int megabytes = 0;
+        check(MatMumpsGetInfo(factor_, info_megabytes, &megabytes));
+        const double complement = static_cast<double>(n()) * n();
+        const auto compliance = static_cast<double>(n_components() * n_components());
+        return 1e6 * megabytes + sizeof(double) * (complement + compliance);
+    }
+
+    /// Numbers in the factor of all ranks.
+    double factor_entries() const {
+        int entries = 0;  // negative: millions
+        check(MatMumpsGetInfog(factor_, infog_factor_entries, &entries));
+        return entries < 0 ? -1e6 * entries : entries;
+    }
+
+    /// Of the elimination on all ranks [flop].
+    double operations() const {
+        double operations = 0;
+        check(MatMumpsGetRinfog(factor_, rinfog_operations, &operations));
+        return operations;
+    }
+
+    /// Throws contact::NotConverged if the matrix is not positive definite; std::bad_alloc.
+    void factorise() {
+        check(MatCholeskyFactorNumeric(factor_, stiffness_.matrix, &info_));
+        session_.agree([&] { refuse_failure(factor_); });
+    }
+
+    /// When all held components are moved by one in a direction and the contact is kept where it
+    /// was, the forces on the contact's components that do so, with the opposite sign [N], one
+    /// after another like columns of the compliance. On the first rank; empty on others. With one
+    /// step of iterative refinement. After factorise(), before compliance().
+    std::array<std::vector<double>, 3> forces_of_motion() const {
+        Mat matrix = stiffness_.matrix;
+        const Vector forces = like(matrix), displacement = like(matrix), held_by = like(matrix);
+        std::array<std::vector<double>, 3> result;
+        for (int direction = 0; direction < 3; ++direction) {
+            check(VecCopy(stiffness_.held_rows[direction], forces));
+            check(VecScale(forces, -1));
+            solve_interior(forces, displacement);
+            check(MatMult(matrix, displacement, held_by));
+            check(VecAXPY(forces, -1, held_by));
+            result[direction] = at_contact(forces);
+        }
+        return result;
+    }
+
+    /// CondensedLayer::compliance on the first rank; empty on others. After factorise(), once.
+    std::vector<double> compliance() {
+        Mat complement = nullptr;
+        check(MatFactorGetSchurComplement(factor_, &complement, nullptr));
+        double* values = nullptr;
+        check(MatDenseGetArray(complement, &values));
+        std::vector<double> compliance;
+        session_.agree_on_first([&] { compliance = inverse_of(values); });
+        check(MatDenseRestoreArray(complement, &values));
+        check(MatFactorRestoreSchurComplement(factor_, &complement, MAT_FACTOR_SCHUR_INVERTED));
+        return compliance;
+    }
+
+  private:
+    int n() const { return static_cast<int>(free_rows_.size()); }
+    std::size_t n_components() const {
+        return session_.is_root() ? stiffness_.contact_rows.size() : 0;
+    }
+
+    Indices contact() const {
+        Indices indices;
+        check(ISCreateGeneral(PETSC_COMM_SELF, n(), free_rows_.data(), PETSC_COPY_VALUES,
+                              indices.put()));
+        return indices;
+    }
+
+    void analyse() {
+        Mat matrix = stiffness_.matrix;
+        check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
+        check(MatGetFactor(matrix, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor_.put()));
+        check(MatFactorSetSchurIS(factor_, contact()));
+        check(MatMumpsSetIcntl(factor_, icntl_ordering, metis));
+        check(MatMumpsSetIcntl(factor_, icntl_reserve, percent_of_reserve));
+        check(MatFactorInfoInitialize(&info_));
+        check(MatCholeskyFactorSymbolic(factor_, matrix, nullptr, &info_));
+        check(MatMumpsSetIcntl(factor_, icntl_schur_solve, interior_alone));
+        session_.agree([&] { refuse_failure(factor_); });
+    }
+
+    // Displacements [m] of the interior under `forces` [N] with the contact kept where it is.
+    void solve_interior(Vec forces, Vec displacement) const {
+        Mat matrix = stiffness_.matrix;
+        const Vector residual = like(matrix), correction = like(matrix);
+        check(MatSolve(factor_, forces, displacement));
+        check(MatMult(matrix, displacement, residual));
+        check(VecAYPX(residual, -1, forces));
+        check(MatSolve(factor_, residual, correction));
+        check(VecAXPY(displacement, 1, correction));
+    }
+
+    // Values of a distributed vector at the contact's components; on the first rank.
+    std::vector<double> at_contact(Vec vector) const {
+        Vector local;
+        check(VecCreateSeq(PETSC_COMM_SELF, n(), local.put()));
+        Scatter scatter;
+        check(VecScatterCreate(vector, contact(), local, nullptr, scatter.put()));
+        check(VecScatterBegin(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
+        check(VecScatterEnd(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
+        const double* values = nullptr;
+        check(VecGetArrayRead(local, &values));
+        std::vector<double> result(n_components(), 0.0);
+        for (int i = 0; i < n(); ++i) result[components_[i]] = values[i];
+        check(VecRestoreArrayRead(local, &values));
+        return result;
+    }
+
+    // Inverse of the complement (n x n) at the places of all components. MUMPS alone gives the
+    // lower triangle by columns; with others by rows (and in the other one nothing of value).
+    std::vector<double> inverse_of(double* complement) const {
+        const int size = n();
+        const bool lower = session_.n_ranks() == 1;
+        const char* triangle = lower ? "L" : "U";
+        int status = 0;
+        if (size > 0) dpotrf_(triangle, &size, complement, &size, &status);
+        if (size > 0 && status == 0) dpotri_(triangle, &size, complement, &size, &status);
+        if (status != 0)
+            throw contact::NotConverged("the condensed stiffness of the contact is singular");
+        const std::size_t ld = n_components();
+        std::vector<double> inverse(ld * ld, 0.0);
+        for (std::size_t c = 0; c < components_.size(); ++c)
+            for (std::size_t r = c; r < components_.size(); ++r)
+                inverse[components_[c] * ld + components_[r]] =
+                    inverse[components_[r] * ld + components_[c]] =
+                        lower ? complement[c * size + r] : complement[r * size + c];
+        return inverse;
+    }
+
+    const Stiffness& stiffness_;
+    const Session& session_;
+    std::vector<int> free_rows_;   // of the contact; none but on the first rank
+    std::vector<int> components_;  // contact components of these
+    Matrix factor_;
+    MatFactorInfo info_{};
+};
+
 // Ranks on one machine share its memory.
 void refuse_too_large(const Condensation& condensation, const Session& session) {
     const double needed = session.sum_on_machine(condensation.predicted_bytes());
@@ -121,152 +281,6 @@ std::array<std::vector<double>, 3> missing_reaction(
 
 }  // namespace
 
-struct Condensation::Parts {
-    const Stiffness& stiffness;
-    const Session& session;
-    std::vector<int> free_rows;   // of the contact; none but on the first rank
-    std::vector<int> components;  // contact components of these
-    Matrix factor;
-    MatFactorInfo info{};
-
-    Parts(const Stiffness& of, const Session& ranks) : stiffness(of), session(ranks) {
-        for (int c = 0; c < static_cast<int>(n_components()); ++c) {
-            const auto& rows = stiffness.contact_rows();
-            if (rows[c] >= 0) free_rows.push_back(rows[c]), components.push_back(c);
-        }
-        analyse();
-    }
-
-    int n() const { return static_cast<int>(free_rows.size()); }
-    std::size_t n_components() const {
-        return session.is_root() ? stiffness.contact_rows().size() : 0;
-    }
-
-    Indices contact() const {
-        Indices indices;
-        check(ISCreateGeneral(PETSC_COMM_SELF, n(), free_rows.data(), PETSC_COPY_VALUES,
-                              indices.put()));
-        return indices;
-    }
-
-    void analyse() {
-        Mat matrix = stiffness.matrix();
-        check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE));
-        check(MatGetFactor(matrix, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.put()));
-        check(MatFactorSetSchurIS(factor, contact()));
-        check(MatMumpsSetIcntl(factor, icntl_ordering, metis));
-        check(MatMumpsSetIcntl(factor, icntl_reserve, percent_of_reserve));
-        check(MatFactorInfoInitialize(&info));
-        check(MatCholeskyFactorSymbolic(factor, matrix, nullptr, &info));
-        check(MatMumpsSetIcntl(factor, icntl_schur_solve, interior_alone));
-        session.agree([&] { refuse_failure(factor); });
-    }
-
-    // Displacements [m] of the interior under `forces` [N] with the contact kept where it is.
-    void solve_interior(Vec forces, Vec displacement) const {
-        Mat matrix = stiffness.matrix();
-        const Vector residual = like(matrix), correction = like(matrix);
-        check(MatSolve(factor, forces, displacement));
-        check(MatMult(matrix, displacement, residual));
-        check(VecAYPX(residual, -1, forces));
-        check(MatSolve(factor, residual, correction));
-        check(VecAXPY(displacement, 1, correction));
-    }
-
-    // Values of a distributed vector at the contact's components; on the first rank.
-    std::vector<double> at_contact(Vec vector) const {
-        Vector local;
-        check(VecCreateSeq(PETSC_COMM_SELF, n(), local.put()));
-        Scatter scatter;
-        check(VecScatterCreate(vector, contact(), local, nullptr, scatter.put()));
-        check(VecScatterBegin(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
-        check(VecScatterEnd(scatter, vector, local, INSERT_VALUES, SCATTER_FORWARD));
-        const double* values = nullptr;
-        check(VecGetArrayRead(local, &values));
-        std::vector<double> result(n_components(), 0.0);
-        for (int i = 0; i < n(); ++i) result[components[i]] = values[i];
-        check(VecRestoreArrayRead(local, &values));
-        return result;
-    }
-
-    // Inverse of the complement (n x n) at the places of all components. MUMPS alone gives the
-    // lower triangle by columns; with others by rows (and in the other one nothing of value).
-    std::vector<double> inverse_of(double* complement) const {
-        const int size = n();
-        const bool lower = session.n_ranks() == 1;
-        const char* triangle = lower ? "L" : "U";
-        int status = 0;
-        if (size > 0) dpotrf_(triangle, &size, complement, &size, &status);
-        if (size > 0 && status == 0) dpotri_(triangle, &size, complement, &size, &status);
-        if (status != 0)
-            throw contact::NotConverged("the condensed stiffness of the contact is singular");
-        const std::size_t ld = n_components();
-        std::vector<double> inverse(ld * ld, 0.0);
-        for (std::size_t c = 0; c < components.size(); ++c)
-            for (std::size_t r = c; r < components.size(); ++r)
-                inverse[components[c] * ld + components[r]] =
-                    inverse[components[r] * ld + components[c]] =
-                        lower ? complement[c * size + r] : complement[r * size + c];
-        return inverse;
-    }
-};
-
-Condensation::Condensation(const Stiffness& stiffness, const Session& session)
-    : parts_(std::make_unique<Parts>(stiffness, session)) {}
-Condensation::~Condensation() = default;
-
-double Condensation::predicted_bytes() const {
-    int megabytes = 0;
-    check(MatMumpsGetInfo(parts_->factor, info_megabytes, &megabytes));
-    const double complement = static_cast<double>(parts_->n()) * parts_->n();
-    const auto compliance = static_cast<double>(parts_->n_components() * parts_->n_components());
-    return 1e6 * megabytes + sizeof(double) * (complement + compliance);
-}
-
-double Condensation::factor_entries() const {
-    int entries = 0;  // negative: millions
-    check(MatMumpsGetInfog(parts_->factor, infog_factor_entries, &entries));
-    return entries < 0 ? -1e6 * entries : entries;
-}
-
-double Condensation::operations() const {
-    double operations = 0;
-    check(MatMumpsGetRinfog(parts_->factor, rinfog_operations, &operations));
-    return operations;
-}
-
-void Condensation::factorise() {
-    check(MatCholeskyFactorNumeric(parts_->factor, parts_->stiffness.matrix(), &parts_->info));
-    parts_->session.agree([&] { refuse_failure(parts_->factor); });
-}
-
-std::array<std::vector<double>, 3> Condensation::forces_of_motion() const {
-    Mat matrix = parts_->stiffness.matrix();
-    const Vector forces = like(matrix), displacement = like(matrix), held_by = like(matrix);
-    std::array<std::vector<double>, 3> result;
-    for (int direction = 0; direction < 3; ++direction) {
-        check(VecCopy(parts_->stiffness.held_row(direction), forces));
-        check(VecScale(forces, -1));
-        parts_->solve_interior(forces, displacement);
-        check(MatMult(matrix, displacement, held_by));
-        check(VecAXPY(forces, -1, held_by));
-        result[direction] = parts_->at_contact(forces);
-    }
-    return result;
-}
-
-std::vector<double> Condensation::compliance() {
-    Mat complement = nullptr;
-    check(MatFactorGetSchurComplement(parts_->factor, &complement, nullptr));
-    double* values = nullptr;
-    check(MatDenseGetArray(complement, &values));
-    std::vector<double> compliance;
-    parts_->session.agree_on_first([&] { compliance = parts_->inverse_of(values); });
-    check(MatDenseRestoreArray(complement, &values));
-    check(MatFactorRestoreSchurComplement(parts_->factor, &complement, MAT_FACTOR_SCHUR_INVERTED));
-    return compliance;
-}
-
 LayerProblem broadcast(LayerProblem problem, const Session& session) {
     auto& [mesh, materials, base, sides, largest_bulk_ratio, line_length] = problem;
     session.broadcast(mesh.nodes);
@@ -287,7 +301,7 @@ LayerProblem broadcast(LayerProblem problem, const Session& session) {
 CondensedLayer condense(const LayerProblem& problem, const Session& session, const Say& say) {
     Stages stages(session, say);
     const Stiffness stiffness(problem, session);
-    stages.finished(fmt::format("stiffness of {} unknowns on {} ranks", stiffness.n_unknowns(),
+    stages.finished(fmt::format("stiffness of {} unknowns on {} ranks", stiffness.n_unknowns,
                                 session.n_ranks()));
     Condensation condensation(stiffness, session);
     stages.finished(fmt::format("analysis, {:.3g} numbers in the factor, {:.3g} Gflop",
@@ -300,10 +314,9 @@ CondensedLayer condense(const LayerProblem& problem, const Session& session, con
     CondensedLayer layer;
     layer.compliance = condensation.compliance();
     session.agree_on_first([&] {
-        layer.points = stiffness.surface().points;
-        layer.contact_mass = stiffness.surface().mass;
-        layer.missing_reaction =
-            missing_reaction(forces, layer.compliance, stiffness.contact_rows());
+        layer.points = stiffness.surface.points;
+        layer.contact_mass = stiffness.surface.mass;
+        layer.missing_reaction = missing_reaction(forces, layer.compliance, stiffness.contact_rows);
         if (layer.reaction_error() > largest_reaction_error)
             throw contact::NotConverged(fmt::format(
                 "the condensed layer is wrong: the ground's reaction misses the force by {:.1e}",

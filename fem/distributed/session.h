@@ -20,8 +20,6 @@ class Session {
   public:
     Session();
     ~Session();
-    Session(const Session&) = delete;
-    Session& operator=(const Session&) = delete;
 
     int rank() const { return rank_; }
     int n_ranks() const { return n_ranks_; }

@@ -18,7 +18,6 @@
 #include "fem/discretisation.h"
 #include "fem/element.h"
 #include "fem/q2_space.h"
-#include "meshes/hex_mesh.h"
 
 namespace tricontact::fem::distributed {
 
@@ -69,7 +68,7 @@ bool has(const meshes::HexMesh& mesh, Boundary boundary) {
 
 Nodes nodes_of(const Q2Space& space, std::size_t cell) {
     Nodes nodes{};
-    for (int i = 0; i < 27; ++i) nodes[i] = space.nodes()[space.cells()[cell][i]];
+    for (int i = 0; i < 27; ++i) nodes[i] = space.nodes[space.cells[cell][i]];
     return nodes;
 }
 
@@ -198,7 +197,7 @@ struct Stiffness::Parts {
             if (!cell->is_locally_owned()) continue;
             const Numbers numbers = numbers_of(cell, nodes_of(strip, k));
             for (int i = 0; i < 81; ++i) {
-                const auto point = point_of_node.find(strip.cells()[k][i % 27]);
+                const auto point = point_of_node.find(strip.cells[k][i % 27]);
                 if (point != point_of_node.end() && !held.is_constrained(numbers[i]))
                     contact_rows[i / 27 * surface.nodes.size() + point->second] =
                         static_cast<int>(numbers[i]);
@@ -228,7 +227,7 @@ struct Stiffness::Parts {
         dealii::FullMatrix<double> local(81, 81);
         for (std::size_t c = 0; c < own_hexes.size(); ++c) {
             values.reinit(c);
-            const auto& material = problem.materials[static_cast<int>(space.regions()[c])];
+            const auto& material = problem.materials[static_cast<int>(space.regions[c])];
             element_stiffness(values, moduli_of(material, problem.largest_bulk_ratio), *k);
             for (int i = 0; i < 81; ++i)
                 for (int j = 0; j < 81; ++j) local(i, j) = (*k)[i][j];
@@ -249,28 +248,17 @@ struct Stiffness::Parts {
 };
 
 Stiffness::Stiffness(const LayerProblem& problem, const Session& session)
-    : parts_(std::make_unique<Parts>(problem, session)) {}
+    : parts_(std::make_unique<Parts>(problem, session)) {
+    auto& parts = *parts_;
+    matrix = parts.matrix;
+    for (int d = 0; d < 3; ++d) held_rows[d] = parts.held_rows[d];
+    surface = std::move(parts.surface);
+    contact_rows = std::move(parts.contact_rows);
+    for (const auto i : parts.dofs.locally_owned_dofs())
+        n_unknowns += !parts.held.is_constrained(i);
+    MPI_Allreduce(MPI_IN_PLACE, &n_unknowns, 1, MPI_INT64_T, MPI_SUM, all_ranks);
+}
 Stiffness::~Stiffness() = default;
-
-_p_Mat* Stiffness::matrix() const {
-    return parts_->matrix;
-}
-_p_Vec* Stiffness::held_row(int direction) const {
-    return parts_->held_rows[direction];
-}
-const ContactSurface& Stiffness::surface() const {
-    return parts_->surface;
-}
-const std::vector<int>& Stiffness::contact_rows() const {
-    return parts_->contact_rows;
-}
-
-std::int64_t Stiffness::n_unknowns() const {
-    std::int64_t n = 0;
-    for (const auto i : parts_->dofs.locally_owned_dofs()) n += !parts_->held.is_constrained(i);
-    MPI_Allreduce(MPI_IN_PLACE, &n, 1, MPI_INT64_T, MPI_SUM, all_ranks);
-    return n;
-}
 
 std::vector<std::array<double, 3>> Stiffness::owned_nodes() const {
     std::map<Number, dealii::Point<3>> points;

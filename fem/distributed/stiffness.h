@@ -32,15 +32,15 @@ class Stiffness {
     ~Stiffness();
 
     /// PETSc's matrix [N/m], symmetric positive definite, both triangles.
-    _p_Mat* matrix() const;
+    _p_Mat* matrix = nullptr;
     /// Per direction, as in AssembledStiffness [N/m].
-    _p_Vec* held_row(int direction) const;
+    std::array<_p_Vec*, 3> held_rows{};
     /// The contact patch of the whole mesh, the same on all ranks but for the nodes' numbers.
-    const ContactSurface& surface() const;
+    ContactSurface surface;
     /// Row of component c of contact point i at c * n + i, or -1: held. The same on all ranks.
-    const std::vector<int>& contact_rows() const;
+    std::vector<int> contact_rows;
+    std::int64_t n_unknowns = 0;  ///< free components
 
-    std::int64_t n_unknowns() const;  ///< free components
     /// Of the nodes of this rank [m]: three rows each, one after another from the rank's first.
     std::vector<std::array<double, 3>> owned_nodes() const;
 

@@ -31,10 +31,10 @@ fem::LayerProblem distorted_layer(bool half_model) {
 TEST(FemCondensation, IsTheInversesLastBlock) {
     const Discretisation layer(distorted_layer(true));
     const auto sparse = layer.assemble().matrix;
-    const int n_contact = layer.n_unknowns() - layer.n_interior();
+    const int n_contact = layer.unknowns.n - layer.unknowns.n_interior;
     const MatrixXd inverse =
         test::dense(sparse).llt().solve(MatrixXd::Identity(sparse.n, sparse.n));
-    Condensation condensation(sparse, layer.node_of_unknown(), layer.n_interior());
+    Condensation condensation(sparse, layer.unknowns.node_of_unknown, layer.unknowns.n_interior);
     EXPECT_THROW(condensation.compliance(), std::logic_error);  // not factorised
     condensation.factorise();
     const MatrixXd compliance = square(condensation.compliance());
@@ -55,7 +55,7 @@ TEST(FemCondensation, SolvesForAllUnknownsAndSeveralForces) {
     const Discretisation layer(distorted_layer(true));
     const auto sparse = layer.assemble().matrix;
     const MatrixXd stiffness = test::dense(sparse);
-    Condensation condensation(sparse, layer.node_of_unknown(), layer.n_interior());
+    Condensation condensation(sparse, layer.unknowns.node_of_unknown, layer.unknowns.n_interior);
     condensation.factorise();
     MatrixXd forces(sparse.n, 2);
     for (int i = 0; i < forces.size(); ++i) forces(i) = std::sin(i * i + .5);
@@ -72,7 +72,8 @@ TEST(FemCondensation, ParedOfItsSupportItIsRefused) {
     const Discretisation layer(distorted_layer(true));
     auto sparse = layer.assemble().matrix;
     sparse.value[sparse.column_start[sparse.n / 2]] *= -1;  // a diagonal entry
-    Condensation condensation(std::move(sparse), layer.node_of_unknown(), layer.n_interior());
+    Condensation condensation(std::move(sparse), layer.unknowns.node_of_unknown,
+                              layer.unknowns.n_interior);
     EXPECT_THROW(condensation.factorise(), contact::NotConverged);
 }
 

@@ -57,8 +57,8 @@ TEST(FemContactSurface, PositionsAreThoseOfTheNodes) {
     const Q2Space space(test::box_mesh(block()));
     const auto surface = contact_surface(space);
     for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
-        EXPECT_EQ(surface.points.x[i], space.nodes()[surface.nodes[i]][0]);
-        EXPECT_EQ(surface.points.y[i], space.nodes()[surface.nodes[i]][1]);
+        EXPECT_EQ(surface.points.x[i], space.nodes[surface.nodes[i]][0]);
+        EXPECT_EQ(surface.points.y[i], space.nodes[surface.nodes[i]][1]);
     }
 }
 

@@ -25,43 +25,43 @@ std::string refusal(const fem::LayerProblem& problem) {
 TEST(FemDiscretisation, ContactUnknownsComeLastByDirection) {
     const auto problem = test::small_layer();
     const Discretisation layer(problem);
-    const int n = static_cast<int>(layer.contact_points().size());
-    EXPECT_EQ(layer.contact_points().n_x, 5);
-    EXPECT_EQ(layer.contact_points().n_y, 9);
-    ASSERT_EQ(layer.n_unknowns() - layer.n_interior(), 3 * n);
+    const int n = static_cast<int>(layer.surface.points.size());
+    EXPECT_EQ(layer.surface.points.n_x, 5);
+    EXPECT_EQ(layer.surface.points.n_y, 9);
+    ASSERT_EQ(layer.unknowns.n - layer.unknowns.n_interior, 3 * n);
     // 4 x 6 x 3 elements: nodes above the base.
-    EXPECT_EQ(layer.n_unknowns(), 3 * 9 * 13 * 6);
-    const auto& unknowns = layer.contact_unknowns();
+    EXPECT_EQ(layer.unknowns.n, 3 * 9 * 13 * 6);
+    const auto& unknowns = layer.unknowns.of_contact;
     for (int i = 0; i < 3 * n; ++i) {
         EXPECT_EQ(unknowns[i], i);
-        EXPECT_EQ(layer.direction_of_unknown()[layer.n_interior() + i], i / n);
-        EXPECT_EQ(layer.node_of_unknown()[layer.n_interior() + i],
-                  layer.node_of_unknown()[layer.n_interior() + i % n]);
+        EXPECT_EQ(layer.unknowns.direction_of_unknown[layer.unknowns.n_interior + i], i / n);
+        EXPECT_EQ(layer.unknowns.node_of_unknown[layer.unknowns.n_interior + i],
+                  layer.unknowns.node_of_unknown[layer.unknowns.n_interior + i % n]);
     }
 }
 
 TEST(FemDiscretisation, SymmetryPlaneHoldsYOnly) {
     const Discretisation layer(test::small_layer(true));
-    const auto& points = layer.contact_points();
+    const auto& points = layer.surface.points;
     const int n = static_cast<int>(points.size());
     int n_held = 0;
     for (int i = 0; i < n; ++i) {
-        EXPECT_GE(layer.contact_unknowns()[i], 0);
-        EXPECT_GE(layer.contact_unknowns()[2 * n + i], 0);
-        const bool held = layer.contact_unknowns()[n + i] < 0;
+        EXPECT_GE(layer.unknowns.of_contact[i], 0);
+        EXPECT_GE(layer.unknowns.of_contact[2 * n + i], 0);
+        const bool held = layer.unknowns.of_contact[n + i] < 0;
         EXPECT_EQ(held, points.y[i] == 0);
         n_held += held;
     }
     EXPECT_EQ(n_held, 5);  // two elements of 1.5 mm in |x| < 2 mm
-    EXPECT_EQ(layer.n_unknowns(), 3 * 9 * 7 * 6 - 9 * 6);
+    EXPECT_EQ(layer.unknowns.n, 3 * 9 * 7 * 6 - 9 * 6);
 }
 
 TEST(FemDiscretisation, BaseAndSidesHoldWhatTheySay) {
     auto problem = test::small_layer();
     problem.sides = Case::Sides::fixed;
-    EXPECT_EQ(Discretisation(problem).n_unknowns(), 3 * 7 * 11 * 6);
+    EXPECT_EQ(Discretisation(problem).unknowns.n, 3 * 7 * 11 * 6);
     problem.base = Case::Base::frictionless;  // x and y of the base are free as well
-    EXPECT_EQ(Discretisation(problem).n_unknowns(), 3 * 7 * 11 * 6 + 2 * 7 * 11);
+    EXPECT_EQ(Discretisation(problem).unknowns.n, 3 * 7 * 11 * 6 + 2 * 7 * 11);
 }
 
 TEST(FemDiscretisation, RigidMotionsAreRefused) {
@@ -90,8 +90,9 @@ TEST(FemDiscretisation, HeldRowsBalanceTranslations) {
     const auto [sparse, held_rows] = layer.assemble();
     const auto matrix = test::dense(sparse);
     for (int d = 0; d < 3; ++d) {
-        Eigen::VectorXd moved(layer.n_unknowns());
-        for (int u = 0; u < moved.size(); ++u) moved[u] = layer.direction_of_unknown()[u] == d;
+        Eigen::VectorXd moved(layer.unknowns.n);
+        for (int u = 0; u < moved.size(); ++u)
+            moved[u] = layer.unknowns.direction_of_unknown[u] == d;
         const Eigen::VectorXd forces = matrix * moved;
         const Eigen::Map<const Eigen::VectorXd> held(held_rows[d].data(), moved.size());
         EXPECT_GT(held.norm(), 2e6 * 1e-3);  // shear modulus of the lower layer times a length

@@ -38,7 +38,7 @@ class FemElement : public testing::Test {
     }
 
     double volume() const {
-        return std::accumulate(values_->weights().begin(), values_->weights().end(), 0.);
+        return std::accumulate(values_->weights.begin(), values_->weights.end(), 0.);
     }
     Matrix stiffness(const Moduli& moduli) const {
         auto k = std::make_unique<ElementStiffness>();
@@ -48,7 +48,7 @@ class FemElement : public testing::Test {
     Vector nodal(const std::function<Point(const Point&)>& displacement) const {
         Vector u;
         for (int i = 0; i < 27; ++i) {
-            const auto at = displacement(space_->nodes()[space_->cells()[5][i]]);
+            const auto at = displacement(space_->nodes[space_->cells[5][i]]);
             for (int a = 0; a < 3; ++a) u[a * 27 + i] = at[a];
         }
         return u;
@@ -124,7 +124,7 @@ TEST(FemDilatation, LinearDivergenceIsKept) {
     const auto divergence = [](const Point& x) { return 6 * x[0] + x[0] + 5 * x[0]; };
     std::array<double, 4> amplitude{};
     for (int i = 0; i < 27; ++i) {
-        const auto u = field(space.nodes()[space.cells()[0][i]]);
+        const auto u = field(space.nodes[space.cells[0][i]]);
         for (int m = 0; m < 4; ++m)
             for (int a = 0; a < 3; ++a) amplitude[m] += dilatation.rows()[m][a * 27 + i] * u[a];
     }
@@ -138,8 +138,8 @@ TEST(FemPatchTest, ConstantStrainNeedsNoForcesInside) {
         {test::even(-1e-3, 1e-3, 3), test::even(-1e-3, 1e-3, 3), test::even(-2e-3, 0, 3), 1, 1});
     test::distort(mesh, .2e-3);
     const Q2Space space(mesh);
-    std::vector<bool> inside(space.nodes().size(), true);
-    for (const auto& face : space.faces())
+    std::vector<bool> inside(space.nodes.size(), true);
+    for (const auto& face : space.faces)
         for (const int node : face.nodes) inside[node] = false;
     ElementValues values(space, 3);
     auto k = std::make_unique<ElementStiffness>();
@@ -149,19 +149,19 @@ TEST(FemPatchTest, ConstantStrainNeedsNoForcesInside) {
         h(mode / 3, mode % 3) = 1;
         const bool dilates = mode % 4 == 0 && mode != 8;
         if (mode == 8) h(0, 0) = -1;  // without change of volume
-        std::vector<std::array<double, 3>> force(space.nodes().size(), {0, 0, 0});
+        std::vector<std::array<double, 3>> force(space.nodes.size(), {0, 0, 0});
         double largest = 0;
-        for (std::size_t c = 0; c < space.cells().size(); ++c) {
+        for (std::size_t c = 0; c < space.cells.size(); ++c) {
             values.reinit(c);
             fem::element_stiffness(values, moduli, *k);
             Vector u;
             for (int r = 0; r < 81; ++r) {
-                const auto& x = space.nodes()[space.cells()[c][r % 27]];
+                const auto& x = space.nodes[space.cells[c][r % 27]];
                 u[r] = h.row(r / 27).dot(Eigen::Vector3d(x.data()));
             }
             const Vector f = Eigen::Map<const Matrix>((*k)[0].data()) * u;
             largest = std::max(largest, f.cwiseAbs().maxCoeff());
-            for (int r = 0; r < 81; ++r) force[space.cells()[c][r % 27]][r / 27] += f[r];
+            for (int r = 0; r < 81; ++r) force[space.cells[c][r % 27]][r / 27] += f[r];
         }
         // Stress times face of an element: with dilatation K counts, else G.
         const double scale = (dilates ? bulk_ratio : 1) * 1e-3 * 1e-3;

@@ -24,10 +24,10 @@ class ConstantState {
         : material_{3e6, poisson}, slope_(slope) {
         problem.materials = {material_, material_};
         const Discretisation layer(problem);
-        std::vector<double> u(layer.n_unknowns());
+        std::vector<double> u(layer.unknowns.n);
         const auto heights = heights_of_unknowns(problem, layer);
         for (std::size_t k = 0; k < u.size(); ++k)
-            u[k] = slope[layer.direction_of_unknown()[k]] * (heights[k] - bottom);
+            u[k] = slope[layer.unknowns.direction_of_unknown[k]] * (heights[k] - bottom);
         state = layer.interior(u, std::vector<double>(u.size(), 0.));
     }
 
@@ -50,7 +50,8 @@ class ConstantState {
                                                    const Discretisation& layer) {
         const fem::Q2Space space(problem.mesh);
         std::vector<double> heights;
-        for (const int node : layer.node_of_unknown()) heights.push_back(space.nodes()[node][2]);
+        for (const int node : layer.unknowns.node_of_unknown)
+            heights.push_back(space.nodes[node][2]);
         return heights;
     }
 
@@ -89,12 +90,12 @@ TEST(FemInterior, ConstantStatesPullAtTheBase) {
 // A layer under forces on all of its contact patch.
 struct Pressed {
     explicit Pressed(const fem::LayerProblem& problem)
-        : layer(problem), force(layer.n_unknowns(), 0.) {
-        fem::Condensation condensation(layer.assemble().matrix, layer.node_of_unknown(),
-                                       layer.n_interior());
+        : layer(problem), force(layer.unknowns.n, 0.) {
+        fem::Condensation condensation(layer.assemble().matrix, layer.unknowns.node_of_unknown,
+                                       layer.unknowns.n_interior);
         condensation.factorise();
-        for (int u = layer.n_interior(); u < layer.n_unknowns(); ++u)
-            force[u] = std::sin(3. * u) - (layer.direction_of_unknown()[u] == 2);
+        for (int u = layer.unknowns.n_interior; u < layer.unknowns.n; ++u)
+            force[u] = std::sin(3. * u) - (layer.unknowns.direction_of_unknown[u] == 2);
         displacement = condensation.solve(force);
         state = layer.interior(displacement, force);
     }
@@ -112,7 +113,7 @@ TEST(FemInterior, ForcesAndEnergyBalance) {
     const auto& [layer, force, displacement, state] = pressed;
     Point applied{};
     for (std::size_t u = 0; u < force.size(); ++u)
-        applied[layer.direction_of_unknown()[u]] += force[u];
+        applied[layer.unknowns.direction_of_unknown[u]] += force[u];
     for (int d = 0; d < 3; ++d) {
         EXPECT_DOUBLE_EQ(state.applied[d], applied[d]);
         // The rounding of entries of K/G = 1e6.
@@ -138,7 +139,7 @@ TEST(FemInterior, HalfModelSpeaksForBothHalves) {
     for (const int d : {0, 2}) {
         double sum = 0;
         for (std::size_t u = 0; u < pressed.force.size(); ++u)
-            if (pressed.layer.direction_of_unknown()[u] == d) sum += pressed.force[u];
+            if (pressed.layer.unknowns.direction_of_unknown[u] == d) sum += pressed.force[u];
         EXPECT_DOUBLE_EQ(pressed.state.applied[d], 2 * sum);
         EXPECT_NEAR(pressed.state.base_reaction->at(d), -2 * sum,
                     1e-8 * std::abs(pressed.state.applied[2]));

@@ -20,7 +20,7 @@ using fem::Q2Space;
 using meshes::Boundary;
 
 Vector3d at(const Q2Space& space, int node) {
-    return Vector3d(space.nodes()[node].data());
+    return Vector3d(space.nodes[node].data());
 }
 
 meshes::HexMesh distorted_box() {
@@ -38,7 +38,7 @@ TEST(FemQ2Space, NodesAreInVtksOrder) {
             EXPECT_EQ(fem::node_positions[i][d], 2 * parametric[3 * i + d]) << i;
 
     const Q2Space space(distorted_box());
-    for (const auto& cell : space.cells())
+    for (const auto& cell : space.cells)
         for (int i = 0; i < 27; ++i) {
             Vector3d x = Vector3d::Zero();  // trilinear between the corners
             for (int v = 0; v < 8; ++v) {
@@ -55,7 +55,7 @@ TEST(FemQ2Space, NodesAreInVtksOrder) {
 TEST(FemQ2Space, CellsAreThoseOfTheMesh) {
     const auto mesh = distorted_box();
     const Q2Space space(mesh);
-    EXPECT_EQ(space.nodes().size(), 9u * 5 * 7);  // 4 x 2 x 3 hexahedra
+    EXPECT_EQ(space.nodes.size(), 9u * 5 * 7);  // 4 x 2 x 3 hexahedra
     using Corners = std::set<std::array<double, 3>>;
     std::set<std::pair<Corners, meshes::Region>> expected, found;
     for (std::size_t c = 0; c < mesh.hexes.size(); ++c) {
@@ -63,18 +63,18 @@ TEST(FemQ2Space, CellsAreThoseOfTheMesh) {
         for (const int node : mesh.hexes[c]) corners.insert(mesh.nodes[node]);
         expected.emplace(corners, mesh.regions[c]);
     }
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
         Corners corners;
-        for (int v = 0; v < 8; ++v) corners.insert(space.nodes()[space.cells()[c][v]]);
-        found.emplace(corners, space.regions()[c]);
+        for (int v = 0; v < 8; ++v) corners.insert(space.nodes[space.cells[c][v]]);
+        found.emplace(corners, space.regions[c]);
     }
     EXPECT_EQ(found, expected);
     EXPECT_EQ(found.size(), 24u);
     double volume = 0;
     fem::ElementValues values(space, 3);
-    for (std::size_t c = 0; c < space.cells().size(); ++c) {
+    for (std::size_t c = 0; c < space.cells.size(); ++c) {
         values.reinit(c);
-        volume = std::accumulate(values.weights().begin(), values.weights().end(), volume);
+        volume = std::accumulate(values.weights.begin(), values.weights.end(), volume);
     }
     EXPECT_NEAR(volume, 2 * 2 * 3, 1e-13);
 }
@@ -84,10 +84,10 @@ TEST(FemQ2Space, FacesLookOutwardsWithTheirNames) {
     const double* parametric = quad->GetParametricCoords();
     const auto mesh = distorted_box();
     const Q2Space space(mesh);
-    EXPECT_EQ(space.faces().size(), mesh.faces.size());
+    EXPECT_EQ(space.faces.size(), mesh.faces.size());
     std::array<double, meshes::n_boundaries> area{};
-    for (std::size_t f = 0; f < space.faces().size(); ++f) {
-        const auto& [nodes, boundary] = space.faces()[f];
+    for (std::size_t f = 0; f < space.faces.size(); ++f) {
+        const auto& [nodes, boundary] = space.faces[f];
         const Vector3d origin = at(space, nodes[0]), centre = at(space, nodes[8]);
         const Vector3d normal =
             (at(space, nodes[2]) - origin).cross(at(space, nodes[3]) - at(space, nodes[1]));
