@@ -40,9 +40,9 @@ HeightMap random_map(int n_x, int n_y, double spacing) {
 TEST(HeightField, IsExactForBilinearHeights) {
     const HeightField field(bilinear_map());
     for (const auto& [x, y] : {std::pair(.5, .25), {.1, .2}, {.7, .9}, {1.4, .01}}) {
-        EXPECT_NEAR(field.height(x, y), 1 + 2 * x - 3 * y + 4 * x * y, 1e-13) << x << ' ' << y;
-        EXPECT_NEAR(field.slope(x, y)[0], 2 + 4 * y, 1e-12);
-        EXPECT_NEAR(field.slope(x, y)[1], -3 + 4 * x, 1e-12);
+        EXPECT_NEAR(field.at(x, y).height, 1 + 2 * x - 3 * y + 4 * x * y, 1e-13) << x << ' ' << y;
+        EXPECT_NEAR(field.at(x, y).slope[0], 2 + 4 * y, 1e-12);
+        EXPECT_NEAR(field.at(x, y).slope[1], -3 + 4 * x, 1e-12);
     }
 }
 
@@ -52,9 +52,9 @@ TEST(HeightField, RepeatsItself) {
     for (const int p : {-2, 0, 3})
         for (int j = 0; j < 9; ++j)
             for (int i = 0; i < 6; ++i)
-                EXPECT_EQ(field.height((i + 6 * p) * .3, (j - 9 * p) * .3), map.at(i, j));
+                EXPECT_EQ(field.at((i + 6 * p) * .3, (j - 9 * p) * .3).height, map.at(i, j));
     // half way over the seam
-    EXPECT_NEAR(field.height(-.15, 0), (map.at(5, 0) + map.at(0, 0)) / 2, 1e-16);
+    EXPECT_NEAR(field.at(-.15, 0).height, (map.at(5, 0) + map.at(0, 0)) / 2, 1e-16);
 }
 
 TEST(HeightField, RefusesWhatIsNoMap) {
