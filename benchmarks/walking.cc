@@ -18,8 +18,6 @@ namespace tricontact::benchmarks {
 namespace {
 
 using namespace walking;
-using Detail = Batch::Detail;
-
 constexpr double step = 1e-3;
 
 /// Wetter (2016), eq. 4.1.26.
@@ -34,40 +32,37 @@ std::vector<Motion> starts_of(const std::vector<Machine>& machines) {
 /// Arithmetic vector instructions of a step of the two-spot model, counted in
 /// kernel_step.h: with a fused multiply-add and one instruction for the clamp, with the clamp in
 /// three, with multiplications and additions apart.
-double instructions(Kernel kernel, Detail detail) {
-    const bool all = detail == Detail::everything;
+double instructions(Kernel kernel) {
     switch (kernel) {
         case Kernel::avx512:
-            return all ? 57 : 33;
+            return 57;
         case Kernel::avx2:
-            return all ? 63 : 37;
+            return 63;
         default:
-            return all ? 84 : 49;
+            return 84;
     }
 }
 
 /// `lane_steps`: of one machine, per second on one core, the best of many short runs; `of_peak`:
 /// the share of the arithmetic instructions that the core can do, measured in turn with the runs.
-void kernel_speed(benchmark::State& state, const BatchOptions& options, Machine::Model model,
-                  Detail detail) {
+void kernel_speed(benchmark::State& state, Kernel kernel, Machine::Model model) {
     constexpr std::int64_t n_steps = 5'000;
     const std::vector<Machine> machines(240, {.kappas = set_b, .model = model});
-    Batch batch(machines, starts_of(machines), step, options);
+    Batch batch(machines, starts_of(machines), step, {.kernel = kernel});
     std::vector<StretchSums> sums(machines.size());
     double best = 0, peak = 0;
     for (auto _ : state) {
         const CpuTimer timer;
-        batch.advance(n_steps, detail, sums);
+        batch.advance(n_steps, sums);
         const double seconds = timer.seconds();
         state.SetIterationTime(seconds);
         best = std::max(best, static_cast<double>(n_steps * machines.size()) / seconds);
-        peak = std::max(peak, arithmetic_peak(options.kernel));
+        peak = std::max(peak, arithmetic_peak(kernel));
     }
     state.counters["lane_steps"] = best;
-    const int doubles = 1 << static_cast<int>(options.kernel);  // of a vector
-    const int lanes = options.precision == Precision::float32 ? 2 * doubles : doubles;
-    if (model == Machine::Model::two_spot && options.kernel != Kernel::plain)
-        state.counters["of_peak"] = best * instructions(options.kernel, detail) / (lanes * peak);
+    const int lanes = 1 << static_cast<int>(kernel);  // of a vector
+    if (model == Machine::Model::two_spot && kernel != Kernel::plain)
+        state.counters["of_peak"] = best * instructions(kernel) / (lanes * peak);
 }
 
 /// The same of the integrator of one machine.
@@ -106,8 +101,8 @@ void design(benchmark::State& state) {
     for (auto _ : state) {
         Batch batch(machines, starts, step, {.n_threads = static_cast<int>(state.range(0))});
         std::vector<StretchSums> sums(machines.size());
-        batch.advance(2'000'000, Detail::motion, {});
-        batch.advance(2'000'000, Detail::motion, sums);
+        batch.advance(2'000'000, {});
+        batch.advance(2'000'000, sums);
         double finite = 0, tilted = 0, lane_steps = 0;
         for (std::size_t i = 0; i < machines.size(); ++i) {
             const Motion motion = batch.motion(i);
@@ -128,24 +123,18 @@ BENCHMARK(design)
     ->UseRealTime()
     ->Unit(benchmark::kSecond);
 
-void register_kernel(const BatchOptions& options, Machine::Model model, Detail detail) {
-    std::string name(word_of(options.kernel));
-    name += options.precision == Precision::float32 ? "/float32" : "/float64";
-    name += model == Machine::Model::prism ? "/prism" : "/two-spot";
-    name += detail == Detail::motion ? "/motion" : "/everything";
-    benchmark::RegisterBenchmark(name.c_str(), kernel_speed, options, model, detail)
-        ->Iterations(100)
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond);
-}
-
 void register_kernels() {
     benchmark::RegisterBenchmark("one_machine", one_machine)->Unit(benchmark::kMillisecond);
+    constexpr const char* names[] = {"plain", "sse2", "avx2", "avx512"};
     for (const Kernel kernel : available_kernels())
-        for (const Precision precision : {Precision::float32, Precision::float64})
-            for (const auto model : {Machine::Model::two_spot, Machine::Model::prism})
-                for (const Detail detail : {Detail::motion, Detail::everything})
-                    register_kernel({.kernel = kernel, .precision = precision}, model, detail);
+        for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
+            const std::string name = names[static_cast<int>(kernel)];
+            const char* shape = model == Machine::Model::prism ? "/prism" : "/two-spot";
+            benchmark::RegisterBenchmark((name + shape).c_str(), kernel_speed, kernel, model)
+                ->Iterations(100)
+                ->UseManualTime()
+                ->Unit(benchmark::kMillisecond);
+        }
 }
 
 }  // namespace

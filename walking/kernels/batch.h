@@ -50,17 +50,17 @@ class Lane {
     Lane(const Machine& machine, const Motion& start, double step);
 
     const Machine& machine() const { return machine_; }
+    bool tilted() const { return tilted_; }
 
-    /// Constants and state, as the kernels want them.
-    double field(walking::kernels::Field field) const { return fields_[field]; }
-    /// The state after so many steps more.
-    void set_state(const std::array<double, walking::kernels::n_state>& state,
-                   std::int64_t n_steps);
+    /// Constants and state in the places that kernels advance: `stride` from field to field.
+    void load(double* fields, int stride) const;
+    /// Takes state and sums from there after so many steps; not those of a machine that has
+    /// tilted: it stays as it was before them.
+    void store(const double* fields, int stride, std::int64_t n_steps);
 
     Motion motion() const;
-    /// Of the sums over a call of so many steps.
-    StretchSums sums(const std::array<double, walking::kernels::n_sums>& sums, std::int64_t n_steps,
-                     bool everything) const;
+    /// Of the steps since the last call.
+    StretchSums take_sums();
 
   private:
     void set_constants();
@@ -70,13 +70,14 @@ class Lane {
     Machine machine_;
     double step_;
     double start_time_, start_base_;
-    std::int64_t n_steps_ = 0;
+    std::int64_t n_steps_ = 0, n_summed_ = 0;
+    bool tilted_ = false;
     std::array<double, kernels::end_of_state> fields_{};
+    std::array<double, kernels::n_sums> sums_;
 };
 
 struct BatchOptions {
     Kernel kernel = best_kernel();
-    Precision precision = Precision::float64;
     int n_threads = 1;
 };
 
@@ -86,10 +87,6 @@ struct BatchOptions {
 /// calls.
 class Batch {
   public:
-    /// What the sums hold: `motion` the spring force and the extremes of z and phi; `everything`
-    /// the spots and the kinetic energy too, at about half the speed.
-    enum class Detail { motion, everything };
-
     /// One start per machine; `step` > 0, in units of sqrt(m/k_x). Throws std::invalid_argument for
     /// what the lanes do not know: Model::spots, beds, machines of two models side by side, no
     /// coupling, excitation, kappa1 or mu not above 0; and for a start with another number of
@@ -104,7 +101,7 @@ class Batch {
     /// velocities of the spots lags one step behind the rest, as in StretchRecorder. A machine that
     /// tilts (tilting_limit) stays where it was up to a thousand steps before, and adds nothing
     /// from there on.
-    void advance(std::int64_t n_steps, Detail detail, std::span<StretchSums> sums);
+    void advance(std::int64_t n_steps, std::span<StretchSums> sums);
 
     Motion motion(std::size_t machine) const { return lanes_[machine].motion(); }
 
@@ -112,11 +109,9 @@ class Batch {
     std::optional<double> tilted(std::size_t machine) const;
 
   private:
-    template <class Number>
-    void advance_groups(std::int64_t n_steps, bool everything, std::span<StretchSums> sums);
+    void advance_groups(std::int64_t n_steps, std::span<StretchSums> sums);
 
     std::vector<Lane> lanes_;
-    std::vector<char> tilted_;
     double step_;
     BatchOptions options_;
 };

@@ -2,11 +2,6 @@
 
 namespace tricontact::walking {
 
-std::string_view word_of(Kernel kernel) {
-    constexpr std::string_view words[] = {"plain", "sse2", "avx2", "avx512"};
-    return words[static_cast<int>(kernel)];
-}
-
 std::vector<Kernel> available_kernels() {
     std::vector<Kernel> kernels{Kernel::plain};
 #ifdef __x86_64__

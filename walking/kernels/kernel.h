@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 namespace tricontact::walking {
@@ -13,17 +12,6 @@ enum class Kernel {
     sse2,   ///< 2 machines at once
     avx2,   ///< 4
     avx512  ///< 8
-};
-
-std::string_view word_of(Kernel kernel);  ///< "plain", "sse2", "avx2", "avx512"
-
-/// Numbers that a batch computes with.
-enum class Precision {
-    /// Twice as fast. Limit cycles and shares of a map are the same; a chaotic motion is another
-    /// one
-    /// of the same kind, and a machine may end in another one of its ways to go.
-    float32,
-    float64
 };
 
 /// Those that this processor has, the fastest one last.
@@ -100,26 +88,17 @@ enum Field : int {
 constexpr int n_state = end_of_state - n_constants;
 constexpr int n_sums = n_fields - end_of_state;
 
-/// Advances lanes: fields[f * n_lanes + i] is field f of lane i, on a boundary of 64 bytes.
-template <class Number>
-using AdvanceLanes = void(Number* fields, std::int64_t n_steps);
-
 /// The step compiled for one instruction set.
-template <class Number>
 struct LaneFunctions {
     int n_lanes;
-    /// First index: two spots, prism; second: sums up to max_rotation, all sums.
-    AdvanceLanes<Number>* advance[2][2];
+    /// Advances lanes of two spots, of prisms: fields[f * n_lanes + i] is field f of lane i, on a
+    /// boundary of 64 bytes.
+    void (*advance[2])(double* fields, std::int64_t n_steps);
 };
 
-// Of float and double.
-template <class Number>
-LaneFunctions<Number> plain_lanes();
-template <class Number>
-LaneFunctions<Number> sse2_lanes();
-template <class Number>
-LaneFunctions<Number> avx2_lanes();
-template <class Number>
-LaneFunctions<Number> avx512_lanes();
+LaneFunctions plain_lanes();
+LaneFunctions sse2_lanes();
+LaneFunctions avx2_lanes();
+LaneFunctions avx512_lanes();
 
 }  // namespace tricontact::walking::kernels

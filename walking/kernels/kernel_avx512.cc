@@ -5,27 +5,7 @@
 namespace tricontact::walking::kernels {
 namespace {
 
-template <class Number>
-struct Avx512;
-template <>
-struct Avx512<float> {
-    using Number = float;
-    using Register = __m512;
-    static Register fmadd(Register a, Register b, Register c) { return _mm512_fmadd_ps(a, b, c); }
-    static Register fmsub(Register a, Register b, Register c) { return _mm512_fmsub_ps(a, b, c); }
-    static Register fnmadd(Register a, Register b, Register c) { return _mm512_fnmadd_ps(a, b, c); }
-    static Register min(Register a, Register b) { return _mm512_min_ps(a, b); }
-    static Register max(Register a, Register b) { return _mm512_max_ps(a, b); }
-    static Register sqrt(Register a) { return _mm512_sqrt_ps(a); }
-    static Register clamp(Register a, Register bound) { return _mm512_range_ps(a, bound, 0b0010); }
-    static Register count_zero(Register count, Register a) {
-        const auto zero = _mm512_cmp_ps_mask(a, _mm512_setzero_ps(), _CMP_EQ_OQ);
-        return _mm512_mask_add_ps(count, zero, count, _mm512_set1_ps(1));
-    }
-};
-template <>
-struct Avx512<double> {
-    using Number = double;
+struct Avx512 {
     using Register = __m512d;
     static Register fmadd(Register a, Register b, Register c) { return _mm512_fmadd_pd(a, b, c); }
     static Register fmsub(Register a, Register b, Register c) { return _mm512_fmsub_pd(a, b, c); }
@@ -42,11 +22,8 @@ struct Avx512<double> {
 
 }  // namespace
 
-template <class Number>
-LaneFunctions<Number> avx512_lanes() {
-    return lane_functions<Pack<Avx512<Number>>>();
+LaneFunctions avx512_lanes() {
+    return lane_functions<Pack<Avx512>>();
 }
-template LaneFunctions<float> avx512_lanes();
-template LaneFunctions<double> avx512_lanes();
 
 }  // namespace tricontact::walking::kernels

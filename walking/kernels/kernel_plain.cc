@@ -3,23 +3,18 @@
 namespace tricontact::walking::kernels {
 namespace {
 
-template <class Value>
 struct Plain {
-    using Number = Value;
-    using Register = Value;
-    static Value min(Value a, Value b) { return a < b ? a : b; }
-    static Value max(Value a, Value b) { return a > b ? a : b; }
-    static Value sqrt(Value a) { return static_cast<Value>(__builtin_sqrt(a)); }
-    static Value count_zero(Value count, Value a) { return a == 0 ? count + 1 : count; }
+    using Register = double;
+    static double min(double a, double b) { return a < b ? a : b; }
+    static double max(double a, double b) { return a > b ? a : b; }
+    static double sqrt(double a) { return __builtin_sqrt(a); }
+    static double count_zero(double count, double a) { return a == 0 ? count + 1 : count; }
 };
 
 }  // namespace
 
-template <class Number>
-LaneFunctions<Number> plain_lanes() {
-    return lane_functions<Pack<Plain<Number>>>();
+LaneFunctions plain_lanes() {
+    return lane_functions<Pack<Plain>>();
 }
-template LaneFunctions<float> plain_lanes();
-template LaneFunctions<double> plain_lanes();
 
 }  // namespace tricontact::walking::kernels

@@ -15,8 +15,7 @@ namespace tricontact::walking::kernels {
 /// Fields of one pack of lanes.
 template <class Pack>
 struct PackFields {
-    using Number = typename Pack::Number;
-    Number* first;
+    double* first;
     int stride;
 
     Pack operator[](int field) const { return Pack::load(first + field * stride); }
@@ -88,10 +87,9 @@ struct PrismContact {
         const Pack length = square_root(multiply_add(x, x, along * along));
         // Where length and bound vanish, any factor below 1 will do.
         const Pack factor =
-            bound /
-            max(max(length, bound), Pack::all(std::numeric_limits<typename Pack::Number>::min()));
+            bound / max(max(length, bound), Pack::all(std::numeric_limits<double>::min()));
         spot = {factor * x, factor * along};
-        const Pack sqrt2 = Pack::all(static_cast<typename Pack::Number>(1.4142135623730951));
+        const Pack sqrt2 = Pack::all(1.4142135623730951);
         return {bound, x - spot.u, Pack::all(1) - factor,
                 multiply_add(k[flank_force], spot.flank, sqrt2 * bound), spot.u + spot.u};
     }
@@ -134,26 +132,6 @@ PackStep<Pack> advance(PackState<Pack>& s, PackFields<Pack> k) {
     return step;
 }
 
-/// Sums and extremes up to max_rotation.
-template <class Pack>
-struct MotionSums {
-    Pack force = Pack::all(0);
-    Pack z_min = Pack::all(__builtin_inf()), z_max = Pack::all(-__builtin_inf());
-    Pack p_min = Pack::all(__builtin_inf()), p_max = Pack::all(-__builtin_inf());
-
-    void start(const PackState<Pack>&, PackFields<Pack>) {}
-    void add(const PackState<Pack>& s, const PackStep<Pack>& step) {
-        force = force + step.spring_force;
-        z_min = min(z_min, s.z), z_max = max(z_max, s.z);
-        p_min = min(p_min, s.p), p_max = max(p_max, s.p);
-    }
-    void store(PackFields<Pack> fields) const {
-        fields.set(sum_force, force);
-        fields.set(min_height, z_min), fields.set(max_height, z_max);
-        fields.set(min_rotation, p_min), fields.set(max_rotation, p_max);
-    }
-};
-
 /// Velocities by central differences are known a step later, hence what stands beside them is that
 /// of the step before.
 template <class Pack>
@@ -181,42 +159,47 @@ struct SpotPackSums {
     }
 };
 
-/// All sums.
+/// Sums and extremes over the steps of a call.
 template <class Pack>
-struct AllSums {
-    MotionSums<Pack> motion;
-    SpotPackSums<Pack> left, right;
+struct PackSums {
+    Pack force = Pack::all(0);
+    Pack z_min = Pack::all(__builtin_inf()), z_max = Pack::all(-__builtin_inf());
+    Pack p_min = Pack::all(__builtin_inf()), p_max = Pack::all(-__builtin_inf());
     Pack x_squared = Pack::all(0), z_squared = Pack::all(0), p_squared = Pack::all(0);
+    SpotPackSums<Pack> left, right;
 
     void start(const PackState<Pack>& s, PackFields<Pack> k) {
         left.last_bound = s.left_bound(k), left.last_slip = k[slip_1];
         right.last_bound = s.right_bound(k), right.last_slip = k[slip_2];
     }
     void add(const PackState<Pack>& s, const PackStep<Pack>& step) {
-        motion.add(s, step);
+        force = force + step.spring_force;
+        z_min = min(z_min, s.z), z_max = max(z_max, s.z);
+        p_min = min(p_min, s.p), p_max = max(p_max, s.p);
         left.add(step.left), right.add(step.right);
         x_squared = multiply_add(step.twice_dx, step.twice_dx, x_squared);
         z_squared = multiply_add(step.twice_dz, step.twice_dz, z_squared);
         p_squared = multiply_add(step.twice_dp, step.twice_dp, p_squared);
     }
     void store(PackFields<Pack> fields) const {
-        motion.store(fields);
-        left.store(fields, 0), right.store(fields, 1);
+        fields.set(sum_force, force);
+        fields.set(min_height, z_min), fields.set(max_height, z_max);
+        fields.set(min_rotation, p_min), fields.set(max_rotation, p_max);
         fields.set(sum_x_squared, x_squared);
         fields.set(sum_height_squared, z_squared);
         fields.set(sum_rotation_squared, p_squared);
+        left.store(fields, 0), right.store(fields, 1);
     }
 };
 
 /// Several packs of lanes step by step side by side: one waits for its results while others
 /// compute.
-template <class Contact, class Sums, class Pack, int... i>
-void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
-                   std::integer_sequence<int, i...>) {
+template <class Contact, class Pack, int... i>
+void advance_packs(double* fields, std::int64_t n_steps, std::integer_sequence<int, i...>) {
     constexpr int n = sizeof...(i);
     PackState<Pack> states[n];
     PackStep<Pack> last[n];
-    Sums sums[n];
+    PackSums<Pack> sums[n];
     const auto of = [&](int pack) -> PackFields<Pack> {
         return {fields + pack * Pack::size, n * Pack::size};
     };
@@ -234,36 +217,30 @@ void advance_packs(typename Pack::Number* fields, std::int64_t n_steps,
 
 constexpr int n_packs = 3;
 
-template <class Contact, class Sums, class Pack>
-__attribute__((flatten)) void advance_lanes(typename Pack::Number* fields, std::int64_t n_steps) {
-    advance_packs<Contact, Sums, Pack>(fields, n_steps, std::make_integer_sequence<int, n_packs>());
+template <class Contact, class Pack>
+__attribute__((flatten)) void advance_lanes(double* fields, std::int64_t n_steps) {
+    advance_packs<Contact, Pack>(fields, n_steps, std::make_integer_sequence<int, n_packs>());
 }
 
 template <class Pack>
-LaneFunctions<typename Pack::Number> lane_functions() {
-    using Flat = FlatContact<Pack>;
-    using Prism = PrismContact<Pack>;
-    return {
-        n_packs * Pack::size,
-        {{advance_lanes<Flat, MotionSums<Pack>, Pack>, advance_lanes<Flat, AllSums<Pack>, Pack>},
-         {advance_lanes<Prism, MotionSums<Pack>, Pack>,
-          advance_lanes<Prism, AllSums<Pack>, Pack>}}};
+LaneFunctions lane_functions() {
+    return {n_packs * Pack::size,
+            {advance_lanes<FlatContact<Pack>, Pack>, advance_lanes<PrismContact<Pack>, Pack>}};
 }
 
 /// As many numbers as a register of the processor holds. `Instructions` are those of a unit, in a
 /// namespace without name (kernel_step.h): functions of registers.
 template <class Instructions>
 struct Pack {
-    using Number = typename Instructions::Number;
     using Register = typename Instructions::Register;
-    static constexpr int size = sizeof(Register) / sizeof(Number);
+    static constexpr int size = sizeof(Register) / sizeof(double);
     static constexpr bool fused = requires(Register a) { Instructions::fmadd(a, a, a); };
 
     Register v;
 
-    static Pack load(const Number* from) { return {*reinterpret_cast<const Register*>(from)}; }
-    static Pack all(Number value) { return {value + Register{}}; }
-    void store(Number* to) const { *reinterpret_cast<Register*>(to) = v; }
+    static Pack load(const double* from) { return {*reinterpret_cast<const Register*>(from)}; }
+    static Pack all(double value) { return {value + Register{}}; }
+    void store(double* to) const { *reinterpret_cast<Register*>(to) = v; }
 
     Pack operator+(Pack b) const { return {v + b.v}; }
     Pack operator-(Pack b) const { return {v - b.v}; }

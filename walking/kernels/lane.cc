@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
+#include "contact/special_values.h"
 #include "walking/kernels/batch.h"
 #include "walking/machine/motion.h"
 
@@ -26,6 +29,15 @@ const char* obstacle(const Machine& machine) {
     return nullptr;
 }
 
+constexpr std::array<double, n_sums> no_sums = [] {
+    std::array<double, n_sums> sums{};
+    for (const Field field : {min_height, min_rotation})
+        sums[field - end_of_state] = contact::infinity;
+    for (const Field field : {max_height, max_rotation})
+        sums[field - end_of_state] = -contact::infinity;
+    return sums;
+}();
+
 }  // namespace
 
 bool fits_lane(const Machine& machine) {
@@ -33,7 +45,11 @@ bool fits_lane(const Machine& machine) {
 }
 
 Lane::Lane(const Machine& machine, const Motion& start, double step)
-    : machine_(machine), step_(step), start_time_(start.time), start_base_(start.base) {
+    : machine_(machine),
+      step_(step),
+      start_time_(start.time),
+      start_base_(start.base),
+      sums_(no_sums) {
     if (const char* reason = obstacle(machine)) throw std::invalid_argument(reason);
     if (start.spots.size() != 2)
         throw std::invalid_argument("the start has another number of spots than the machine");
@@ -82,9 +98,32 @@ void Lane::set_start(const Motion& start) {
     }
 }
 
-void Lane::set_state(const std::array<double, n_state>& state, std::int64_t n_steps) {
-    std::copy(state.begin(), state.end(), fields_.begin() + n_constants);
+void Lane::load(double* fields, int stride) const {
+    for (int field = 0; field < end_of_state; ++field) fields[field * stride] = fields_[field];
+}
+
+void Lane::store(const double* fields, int stride, std::int64_t n_steps) {
+    if (tilted_) return;
+    const auto at = [&](int field) { return fields[field * stride]; };
+    const double limit =
+        tilting_limit(machine_) / (machine_.kappas.kappa3 * machine_.kappas.kappa3);
+    // Extremes may miss what is not a number; the state does not.
+    tilted_ = !(at(max_rotation) <= limit && at(min_rotation) >= -limit &&
+                std::abs(at(rotation)) <= limit && std::isfinite(at(height)) &&
+                std::isfinite(at(extension)));
+    if (tilted_) return;
     n_steps_ += n_steps;
+    n_summed_ += n_steps;
+    for (int field = n_constants; field < end_of_state; ++field) fields_[field] = at(field);
+    for (int field = end_of_state; field < n_fields; ++field) {
+        double& sum = sums_[field - end_of_state];
+        if (field == min_height || field == min_rotation)
+            sum = std::min(sum, at(field));
+        else if (field == max_height || field == max_rotation)
+            sum = std::max(sum, at(field));
+        else
+            sum += at(field);
+    }
 }
 
 Motion Lane::motion() const {
@@ -110,19 +149,18 @@ Motion Lane::motion() const {
     return motion;
 }
 
-StretchSums Lane::sums(const std::array<double, n_sums>& sums, std::int64_t n_steps,
-                       bool everything) const {
+StretchSums Lane::take_sums() {
+    const auto sums = std::exchange(sums_, no_sums);
     const auto of = [&](int field) { return sums[static_cast<std::size_t>(field - end_of_state)]; };
     const Kappas& k = machine_.kappas;
     const double c = bound_per_height(), reach = k.kappa3 * k.kappa3;
-    StretchSums result{.steps = n_steps,
+    StretchSums result{.steps = std::exchange(n_summed_, 0),
                        .spring_force = of(sum_force),
                        .z_min = of(min_height) / c,
                        .z_max = of(max_height) / c,
                        .phi_min = of(min_rotation) * reach,
                        .phi_max = of(max_rotation) * reach,
                        .spots = {}};
-    if (!everything) return result;
     // phi = kappa3^2 p: kappa7/kappa3^2 phi'^2 = kappa7 kappa3^2 p'^2
     result.kinetic_energy = (of(sum_x_squared) + of(sum_height_squared) / (c * c) +
                              k.kappa7 * reach * of(sum_rotation_squared)) /

@@ -203,7 +203,6 @@ void EventDriven::pass(const Crossing& crossing) {
     state_ = after(crossing.after);
     time_ += crossing.after;
     flow_.pass(crossing.guard, state_, modes_);
-    ++n_events_;
     next_step_ = share_after_event * longest_step_;
     n_stalled_ = crossing.after > 0 ? 0 : n_stalled_ + 1;
     if (n_stalled_ > 4 * modes_.size())
@@ -215,7 +214,8 @@ void EventDriven::pass(const Crossing& crossing) {
 
 ReferenceCycle reference_cycle(EventDriven& run) {
     const std::size_t n_spots = run.modes().size();
-    ReferenceCycle before{.stick_times = std::vector<double>(n_spots)};
+    ReferenceCycle before;
+    before.stick_times.resize(n_spots);
     follow_to_flight(run, before);
     const EnergyBalance earlier = run.energy_balance();
     ReferenceCycle cycle{.start = run.motion(),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "walking/machine/energy.h"
@@ -95,7 +94,6 @@ class EventDriven {
     const std::vector<ContactMode>& modes() const { return modes_; }
     /// Since the start.
     EnergyBalance energy_balance() const;
-    std::int64_t n_events() const { return n_events_; }
 
   private:
     struct Crossing {
@@ -120,7 +118,6 @@ class EventDriven {
     double time_;
     ContactFlow::State state_;
     std::vector<ContactMode> modes_;
-    std::int64_t n_events_ = 0;
     std::size_t n_stalled_ = 0;  // events since time last went on
 };
 

@@ -149,7 +149,7 @@ Ends run_lanes(Batch& batch, const WalkSteps& steps, std::vector<Walk>& walks) {
         std::int64_t next = window_end;
         for (const std::int64_t stop : {judged_begin, tail_begin})
             if (stop > done) next = std::min(next, stop);
-        batch.advance(next - done, Batch::Detail::everything, sums);
+        batch.advance(next - done, sums);
         done = next;
         if (done < window_end) continue;
         for (std::size_t i = 0; i < walks.size(); ++i) {

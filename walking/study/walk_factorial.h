@@ -55,12 +55,11 @@ struct VarianceAnalysis {
     double explained_by_pairs = 0;    ///< by both kinds of parts
 };
 
-/// One per factor. Throws std::invalid_argument if the response has not one value per combination;
-/// means of levels without combinations are NaN.
+/// One per factor; means of levels without combinations are NaN.
 std::vector<MainEffect> main_effects(const FactorialDesign& design);
 
-/// Shares add up to those explained where nothing is excluded. Throws std::invalid_argument as
-/// above and for fewer combinations than parts, contact::NotConverged if some pair of levels is
+/// Shares add up to those explained where nothing is excluded. Throws std::invalid_argument for
+/// fewer combinations than parts, contact::NotConverged if some pair of levels is
 /// excluded altogether.
 VarianceAnalysis variance_analysis(const FactorialDesign& design);
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
+#include "walking/kernels/kernel.h"
 #include "walking/machine/dimensional_machine.h"
 #include "walking/machine/machine.h"
 #include "walking/machine/walk_case.h"
@@ -16,6 +18,11 @@ inline Kappas set_a() {
 /// Wetter (2016), eq. 4.1.26: walks.
 inline Kappas set_b() {
     return {2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
+}
+
+inline std::string name_of(Kernel kernel) {
+    constexpr const char* names[] = {"plain", "sse2", "avx2", "avx512"};
+    return names[static_cast<int>(kernel)];
 }
 
 /// From rest to `end`, in steps of 1e-3.

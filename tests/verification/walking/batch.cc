@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <tuple>
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/walk_case.h"
@@ -15,9 +13,7 @@ namespace {
 
 constexpr double step = 1e-3;
 
-using Numbers = std::tuple<Kernel, Precision>;
-
-class WalkingBatch : public testing::TestWithParam<Numbers> {
+class WalkingBatch : public testing::TestWithParam<Kernel> {
   protected:
     /// Sums over the window of a run of the machine from each of these starts.
     static std::vector<StretchSums> run(const Machine& machine, const std::vector<Start>& starts,
@@ -25,22 +21,15 @@ class WalkingBatch : public testing::TestWithParam<Numbers> {
         std::vector<Motion> motions;
         for (const Start& start : starts) motions.push_back(motion_at_start(machine, start));
         const std::vector<Machine> machines(starts.size(), machine);
-        const auto [kernel, precision] = GetParam();
-        Batch batch(machines, motions, step, {.kernel = kernel, .precision = precision});
+        Batch batch(machines, motions, step, {.kernel = GetParam()});
         std::vector<StretchSums> sums(starts.size());
-        batch.advance(std::llround(window_begin / step), Batch::Detail::motion, {});
-        batch.advance(std::llround((end - window_begin) / step), Batch::Detail::everything, sums);
+        batch.advance(std::llround(window_begin / step), {});
+        batch.advance(std::llround((end - window_begin) / step), sums);
         return sums;
     }
 };
-std::string name_of(const testing::TestParamInfo<Numbers>& numbers) {
-    const auto [kernel, precision] = numbers.param;
-    return std::string(word_of(kernel)) + (precision == Precision::float32 ? "_float32" : "");
-}
-INSTANTIATE_TEST_SUITE_P(Kernels, WalkingBatch,
-                         testing::Combine(testing::ValuesIn(available_kernels()),
-                                          testing::Values(Precision::float32, Precision::float64)),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Kernels, WalkingBatch, testing::ValuesIn(available_kernels()),
+                         [](const auto& kernel) { return name_of(kernel.param); });
 
 double mu_e(const Machine& machine, const StretchSums& sums) {
     return sums.spring_force / static_cast<double>(sums.steps) /
@@ -91,9 +80,9 @@ TEST(BatchSums, VelocitiesOfTheSpotsAddUpToTheirWaysOverTenMillionSteps) {
     Batch batch(std::span(&machine, 1), std::span(&start, 1), step);
     StretchSums sums;
     constexpr std::int64_t n = 10'000'000;
-    batch.advance(n - 1, Batch::Detail::everything, std::span(&sums, 1));
+    batch.advance(n - 1, std::span(&sums, 1));
     const Motion before = batch.motion(0);
-    batch.advance(1, Batch::Detail::everything, std::span(&sums, 1));
+    batch.advance(1, std::span(&sums, 1));
     ASSERT_EQ(sums.steps, n);
     for (std::size_t i = 0; i < 2; ++i) {
         // Central differences: each end but the first is counted by half.
@@ -108,7 +97,7 @@ struct Shares {
     double critical = 0, no_effect = 0, reduction = 0, below_half = 0, jumps = 0;
 };
 
-Shares shares_of_map(Precision precision) {
+Shares shares_of_map() {
     constexpr int n = 40;
     std::vector<Machine> machines;
     std::vector<Motion> starts;
@@ -119,10 +108,10 @@ Shares shares_of_map(Precision precision) {
         machines.push_back({.kappas = kappas});
         starts.push_back(motion_at_start(machines.back()));
     }
-    Batch batch(machines, starts, step, {.precision = precision, .n_threads = 2});
+    Batch batch(machines, starts, step, {.n_threads = 2});
     std::vector<StretchSums> sums(machines.size());
-    batch.advance(2'000'000, Batch::Detail::motion, {});
-    batch.advance(2'000'000, Batch::Detail::motion, sums);
+    batch.advance(2'000'000, {});
+    batch.advance(2'000'000, sums);
     Shares shares;
     constexpr double share = 100. / (n * n);
     for (std::size_t i = 0; i < machines.size(); ++i) {
@@ -141,16 +130,14 @@ Shares shares_of_map(Precision precision) {
 
 // Wetter (2016), table 4.2.1, by an independent program. Cells at the edges of the regions and in
 // chaos fall this way or that.
-TEST(WalkingMap, SharesAreThoseOfTheTableInBothPrecisions) {
-    for (const Precision precision : {Precision::float32, Precision::float64}) {
-        const Shares shares = shares_of_map(precision);
-        constexpr double points = 1;
-        EXPECT_NEAR(shares.critical, 46.7, points);
-        EXPECT_NEAR(shares.no_effect, 26.5, points);
-        EXPECT_NEAR(shares.reduction, 25.6, points);
-        EXPECT_NEAR(shares.below_half, 10.0, points);
-        EXPECT_NEAR(shares.jumps, 31.2, points);
-    }
+TEST(WalkingMap, SharesAreThoseOfTheTable) {
+    const Shares shares = shares_of_map();
+    constexpr double points = 1;
+    EXPECT_NEAR(shares.critical, 46.7, points);
+    EXPECT_NEAR(shares.no_effect, 26.5, points);
+    EXPECT_NEAR(shares.reduction, 25.6, points);
+    EXPECT_NEAR(shares.below_half, 10.0, points);
+    EXPECT_NEAR(shares.jumps, 31.2, points);
 }
 
 }  // namespace

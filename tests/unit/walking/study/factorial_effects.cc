@@ -125,9 +125,6 @@ TEST(FactorialEffects, RefusesWhatCannotBeTold) {
     for (std::size_t c = 0; c < 3; ++c) design.response[c] = NAN;  // a = 1 with b = 0: all
     EXPECT_THROW(variance_analysis(design), contact::NotConverged);
     EXPECT_EQ(main_effects(design)[0].n, (std::vector{3, 6, 6}));
-    design.response.pop_back();
-    EXPECT_THROW(main_effects(design), std::invalid_argument);
-    EXPECT_THROW(variance_analysis(design), std::invalid_argument);
 }
 
 }  // namespace
