@@ -27,21 +27,13 @@ Motion seen(SpotView& view, const Motion& start) {
 
 void SnapshotRecorder::add(const VelocityVerlet& run) {
     view_.look_at(run.motion(), run.spot_steps());
-    if (first_.size() < n_first_) take_snapshot(view_, first_.emplace_back());
-    if (ring_.size() < n_last_) ring_.emplace_back();
-    // Written over, so that it keeps its memory: a run takes millions.
-    take_snapshot(view_, ring_[next_]);
-    next_ = (next_ + 1) % n_last_;
+    take_snapshot(view_, now_);
+    if (first_.size() < n_first_) first_.push_back(now_);
+    last_.push_back(now_);  // written over, they keep their memory: a run takes millions
 }
 
 std::vector<Snapshot> SnapshotRecorder::last(std::size_t count) const {
-    std::vector<Snapshot> ordered(ring_);
-    if (ring_.size() == n_last_)
-        std::rotate_copy(ring_.begin(), ring_.begin() + static_cast<std::ptrdiff_t>(next_),
-                         ring_.end(), ordered.begin());
-    if (ordered.size() > count)
-        ordered.erase(ordered.begin(), ordered.end() - static_cast<std::ptrdiff_t>(count));
-    return ordered;
+    return {last_.end() - static_cast<std::ptrdiff_t>(std::min(count, last_.size())), last_.end()};
 }
 
 PeriodRecorder::PeriodRecorder(const Machine& machine, const Motion& start)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/circular_buffer.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,7 +18,7 @@ class SnapshotRecorder {
   public:
     /// How many are kept of its beginning and, > 0, of its end.
     SnapshotRecorder(const Machine& machine, std::size_t first, std::size_t last)
-        : n_first_(first), n_last_(last), view_(machine) {}
+        : n_first_(first), view_(machine), last_(last) {}
 
     void add(const VelocityVerlet& run);
 
@@ -26,11 +27,11 @@ class SnapshotRecorder {
     std::vector<Snapshot> last(std::size_t count) const;
 
   private:
-    std::size_t n_first_, n_last_;
+    std::size_t n_first_;
     SpotView view_;
     std::vector<Snapshot> first_;
-    std::vector<Snapshot> ring_;
-    std::size_t next_ = 0;  // place of the oldest, once the ring is full
+    boost::circular_buffer<Snapshot> last_;
+    Snapshot now_;
 };
 
 /// Follows an excited machine period by period.
