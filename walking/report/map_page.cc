@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <kainjow/mustache.hpp>
 #include <ranges>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "report/base64.h"
 #include "report/chart_json.h"
 #include "report/chart_library.h"
+#include "report/figure.h"
 #include "report/format.h"
 #include "report/json_number.h"
 #include "report/page_templates.h"
@@ -40,7 +40,7 @@ int motion_class(const WalkResult& result) {
 
 /// mu_c of the map's machine with this kappa8; its normal forces are those of its model.
 double critical_friction_at(const WalkMap& map, double kappa8) {
-    Machine machine{.kappas = map.kappas, .model = map.model};
+    Machine machine = map.machine;
     machine.kappas.kappa8 = kappa8;
     return critical_friction(machine);
 }
@@ -91,7 +91,7 @@ template <class Value>
 Json quantity(const WalkMap& map, const std::string& name, double least, double most, Value value) {
     std::vector<double> values;
     double low = most, high = least;
-    for (const WalkMapCell& cell : map.cells) {
+    for (const WalkOutcome& cell : map.cells) {
         values.push_back(cell.result.regime == Regime::tilting ? contact::undefined
                                                                : value(cell.result));
         if (!std::isfinite(values.back())) continue;
@@ -112,7 +112,7 @@ Json quantities_of(const WalkMap& map) {
     list.push_back(quantity(map, "highest point, z_min over z_stat", high_jump, 1,
                             [](const auto& r) { return r.z_min_ratio; }));
     std::size_t n_spots = 0;
-    for (const WalkMapCell& cell : map.cells) n_spots = std::max(n_spots, cell.result.spots.size());
+    for (const WalkOutcome& cell : map.cells) n_spots = std::max(n_spots, cell.result.spots.size());
     using Spot = WalkResult::Spot;
     const auto add_spots = [&](const char* name, double least, double Spot::*member) {
         for (std::size_t i = 0; i < n_spots; ++i)
@@ -133,22 +133,17 @@ Json quantities_of(const WalkMap& map) {
 
 /// Friction above which the machine tilts, over the width of the map as far as its height.
 Json limit(const WalkMap& map) {
-    constexpr int n_points = 200;
-    std::vector<double> x, y;
-    const double first = map.kappa8.front(), last = map.kappa8.back();
-    for (int i = 0; i < n_points; ++i) {
-        const double kappa8 = first + (last - first) * i / (n_points - 1);
+    report::Curve curve;
+    curve.sample(map.kappa8.front(), map.kappa8.back(), 199, [&](double kappa8) {
         const double friction = critical_friction_at(map, kappa8);
-        x.push_back(kappa8);
-        y.push_back(friction < 2 * map.friction.back() ? friction : contact::undefined);
-    }
-    return {{"x", report::numbers(x)}, {"y", report::numbers(y)}};
+        return friction < 2 * map.friction.back() ? friction : contact::undefined;
+    });
+    return {{"x", report::numbers(curve.x)}, {"y", report::numbers(curve.y)}};
 }
 
 Json samples(const WalkMap& map, const MotionSamples& motion, double friction) {
     Json lists = Json::array();
-    const Machine machine{.kappas = map.kappas, .model = map.model};
-    const double load = friction * map.kappas.kappa4;
+    const double load = friction * map.machine.kappas.kappa4;
     if (motion.z.empty() || load == 0) return lists;
     const auto add = [&](std::span<const float> values, double unit) {
         std::vector<float> ratios;
@@ -157,9 +152,9 @@ Json samples(const WalkMap& map, const MotionSamples& motion, double friction) {
         lists.push_back({list.offset, list.scale, list.base64});
     };
     add(motion.displacement, load);
-    add(motion.z, static_displacement(machine));
-    add(motion.phi, map.kappas.kappa3 * load);
-    add(motion.spring_force, normal_load_factor(machine) * load);
+    add(motion.z, static_displacement(map.machine));
+    add(motion.phi, map.machine.kappas.kappa3 * load);
+    add(motion.spring_force, normal_load_factor(map.machine) * load);
     return lists;
 }
 
@@ -168,7 +163,7 @@ Json cells(const WalkMap& map) {
     for (std::size_t i = 0; i < map.cells.size(); ++i) {
         const double kappa8 = map.kappa8[i % map.kappa8.size()];
         const double friction = map.friction[i / map.kappa8.size()];
-        const WalkMapCell& cell = map.cells[i];
+        const WalkOutcome& cell = map.cells[i];
         const double mean =
             cell.result.regime == Regime::tilting ? contact::undefined : cell.result.mu_e;
         list.push_back({{"readings", texts_of(map, kappa8, cell.result)},
@@ -182,7 +177,7 @@ Json cells(const WalkMap& map) {
 /// The machine of least friction among those whose runs were long enough to tell, if there are
 /// any: the first that a reader sees.
 std::size_t best(const WalkMap& map) {
-    const auto rank = [](const WalkMapCell& cell) {
+    const auto rank = [](const WalkOutcome& cell) {
         const WalkResult& r = cell.result;
         const bool known = r.regime != Regime::tilting && !std::isnan(r.mu_e);
         return std::tuple(!known, !r.transient_over, known ? r.mu_e : 0);
@@ -192,26 +187,6 @@ std::size_t best(const WalkMap& map) {
 }
 
 using kainjow::mustache::data;
-
-void check(bool right, const char* rule) {
-    if (!right) throw std::invalid_argument(rule);
-}
-
-void check_map(const WalkMap& map) {
-    for (const auto& axis : {map.kappa8, map.friction})
-        check(axis.size() >= 2 && std::ranges::is_sorted(axis, std::less_equal()),
-              "an axis of the map does not increase");
-    check(map.cells.size() == map.kappa8.size() * map.friction.size(),
-          "the map has another number of cells than its axes say");
-    for (const WalkMapCell& cell : map.cells) {
-        const MotionSamples& motion = cell.samples;
-        const std::size_t n = motion.z.size();
-        check(motion.displacement.size() == n && motion.phi.size() == n &&
-                  motion.spring_force.size() == n,
-              "a machine's samples differ in number");
-        check(n == 0 || motion.interval > 0, "a machine's samples have no interval");
-    }
-}
 
 data pairs(const std::vector<std::pair<std::string, std::string>>& list) {
     data result{data::type::list};
@@ -230,7 +205,8 @@ data pairs(const std::vector<std::pair<std::string, std::string>>& list) {
 
 Json map_json(const WalkMap& map) {
     Json curves = Json::array();
-    const char* force = map.model == Machine::Model::prism ? "f_s / (√2 μ κ_4)" : "f_s / (μ κ_4)";
+    const char* force =
+        map.machine.model == Machine::Model::prism ? "f_s / (√2 μ κ_4)" : "f_s / (μ κ_4)";
     for (const char* name : {"Δx / (μ κ_4)", "z / z_stat", "φ / (μ κ_3 κ_4)", force})
         curves.push_back(report::chart_label(name));
     return {{"x", {{"name", report::chart_label("κ_8")}, {"values", map.kappa8}}},
@@ -265,7 +241,6 @@ PackedSamples packed(std::span<const float> samples) {
 }
 
 std::string map_page(const WalkMap& map) {
-    check_map(map);
     data names{data::type::list};
     const auto add = [&](const char* name) { names << data{"name", report::typeset(name)}; };
     add("motion");

@@ -7,24 +7,16 @@
 #include <vector>
 
 #include "walking/machine/machine.h"
-#include "walking/run/walk.h"
 #include "walking/study/walk_outcome.h"
 
 namespace tricontact::walking {
 
-/// What one machine of a map came to.
-struct WalkMapCell {
-    WalkResult result;
-    MotionSamples samples = {};  ///< none: not kept, as of a machine that fell over
-};
-
 /// Machines that differ in kappa8 and friction alone.
 struct WalkMap {
     std::string title;
-    Kappas kappas;  ///< of all; kappa5 and kappa8 are those of the cells instead
-    Machine::Model model = Machine::Model::two_spot;
+    Machine machine;  ///< of all; kappa5 and kappa8 are those of the cells instead
     std::vector<double> kappa8, friction;                            ///< increasing
-    std::vector<WalkMapCell> cells;                                  ///< kappa8 fastest
+    std::vector<WalkOutcome> cells;                                  ///< kappa8 fastest
     std::vector<std::pair<std::string, std::string>> settings = {};  ///< name, value with unit
     std::vector<std::pair<std::string, std::string>> files = {};     ///< text, path from the page
     std::string command = {};                                        ///< that makes it again
@@ -48,8 +40,7 @@ PackedSamples packed(std::span<const float> samples);
 
 /// One HTML file that needs no network: the map of kappa8 and friction with a marker that mouse,
 /// finger and keyboard drag, beside it the motion of the machine under the marker as it was
-/// computed and what its run came to. Same map, same bytes. Throws std::invalid_argument for axes
-/// that do not increase and for cells or samples that do not fit them.
+/// computed and what its run came to. Same map, same bytes.
 std::string map_page(const WalkMap& map);
 
 }  // namespace tricontact::walking

@@ -130,16 +130,14 @@ std::optional<WalkMap> walk_map_of(const WalkSweep& sweep) {
     if (!grid || label_of(sweep, grid->x_axis) != "κ_8" || label_of(sweep, grid->y_axis) != "μ")
         return {};
     WalkMap map{.title = sweep.title,
-                .kappas = groups.front().machine().kappas,
-                .model = groups.front().machine().model,
+                .machine = groups.front().machine(),
                 .kappa8 = grid->x,
                 .friction = grid->y,
                 .cells = {},
                 .settings = sweep.settings};
     for (const WalkGroup* cell : grid->cells) {
         if (!cell || cell->points.front()->outcome->result.drift) return {};
-        const WalkOutcome& outcome = *cell->points.front()->outcome;
-        map.cells.push_back({outcome.result, outcome.samples});
+        map.cells.push_back(*cell->points.front()->outcome);
     }
     return map;
 }
