@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "contact/special_values.h"
 #include "report/json_number.h"
@@ -18,7 +19,6 @@ namespace tricontact::walking {
 
 namespace {
 
-using Drift = WalkResult::Drift;
 using json = nlohmann::ordered_json;
 
 WalkOutcome::SecondHalf second_half(const Machine& machine, const Walk& walk) {
@@ -67,37 +67,50 @@ MotionSamples samples_of(const Machine& machine, const Walk& walk) {
     return samples;
 }
 
-/// A number of the outcome by its name, as it is written and read.
-struct Number {
-    const char* name;
-    double& (*of)(WalkOutcome& outcome);
-};
+/// Every word and number of an outcome that has spots and a drift, by its name in the order of the
+/// table. Spots 1 and 2 are the first and the last.
+template <class Visit>
+void for_each_result(WalkOutcome& o, const Visit& visit) {
+    WalkResult& r = o.result;
+    visit("regime", r.regime);
+    visit("mu_e", r.mu_e);
+    visit("mu_e_error", r.mu_e_error);
+    visit("z_min_ratio", r.z_min_ratio);
+    visit("z_max_ratio", r.z_max_ratio);
+    visit("stick_time_1", r.spots.front().stick_time);
+    visit("stick_time_2", r.spots.back().stick_time);
+    visit("correlation_1", r.spots.front().correlation);
+    visit("correlation_2", r.spots.back().correlation);
+    visit("kinetic_energy", r.kinetic_energy);
+    visit("phi_min", r.phi_min);
+    visit("phi_max", r.phi_max);
+    visit("transient", r.transient);
+    visit("observed", r.observed);
+    visit("mu_e_second_half", o.second_half.mu_e);
+    visit("z_min_ratio_second_half", o.second_half.z_min_ratio);
+    visit("z_max_ratio_second_half", o.second_half.z_max_ratio);
+    visit("frequency", o.vibration.frequency);
+    visit("frequency_error", o.vibration.frequency_error);
+    visit("instability", o.vibration.instability);
+    visit("largest_phi", o.largest_phi);
+    visit("initial_energy", o.initial_energy);
+    visit("period", r.period);
+    visit("section_points", r.section_points);
+    visit("transient_over", r.transient_over);
+    visit("tilting_time", r.tilting_time);
+    visit("shift_per_period", r.drift->per_period);
+    visit("shift_per_period_error", r.drift->error);
+    visit("airborne", r.drift->airborne);
+}
 
-constexpr Number numbers_of_result[] = {
-    {"mu_e", [](WalkOutcome& o) -> double& { return o.result.mu_e; }},
-    {"mu_e_error", [](WalkOutcome& o) -> double& { return o.result.mu_e_error; }},
-    {"z_min_ratio", [](WalkOutcome& o) -> double& { return o.result.z_min_ratio; }},
-    {"z_max_ratio", [](WalkOutcome& o) -> double& { return o.result.z_max_ratio; }},
-    {"stick_time_1", [](WalkOutcome& o) -> double& { return o.result.spots.front().stick_time; }},
-    {"stick_time_2", [](WalkOutcome& o) -> double& { return o.result.spots.back().stick_time; }},
-    {"correlation_1", [](WalkOutcome& o) -> double& { return o.result.spots.front().correlation; }},
-    {"correlation_2", [](WalkOutcome& o) -> double& { return o.result.spots.back().correlation; }},
-    {"kinetic_energy", [](WalkOutcome& o) -> double& { return o.result.kinetic_energy; }},
-    {"phi_min", [](WalkOutcome& o) -> double& { return o.result.phi_min; }},
-    {"phi_max", [](WalkOutcome& o) -> double& { return o.result.phi_max; }},
-    {"transient", [](WalkOutcome& o) -> double& { return o.result.transient; }},
-    {"observed", [](WalkOutcome& o) -> double& { return o.result.observed; }},
-    {"mu_e_second_half", [](WalkOutcome& o) -> double& { return o.second_half.mu_e; }},
-    {"z_min_ratio_second_half",
-     [](WalkOutcome& o) -> double& { return o.second_half.z_min_ratio; }},
-    {"z_max_ratio_second_half",
-     [](WalkOutcome& o) -> double& { return o.second_half.z_max_ratio; }},
-    {"frequency", [](WalkOutcome& o) -> double& { return o.vibration.frequency; }},
-    {"frequency_error", [](WalkOutcome& o) -> double& { return o.vibration.frequency_error; }},
-    {"instability", [](WalkOutcome& o) -> double& { return o.vibration.instability; }},
-    {"largest_phi", [](WalkOutcome& o) -> double& { return o.largest_phi; }},
-    {"initial_energy", [](WalkOutcome& o) -> double& { return o.initial_energy; }},
-};
+/// With undefined ones in place of spots and a drift that it has not.
+WalkOutcome with_all_parts(WalkOutcome outcome) {
+    constexpr double none = contact::undefined;
+    WalkResult& result = outcome.result;
+    if (result.spots.empty()) result.spots.push_back({none, none});
+    if (!result.drift) result.drift = {none, none, none};
+    return outcome;
+}
 
 constexpr std::pair<const char*, std::vector<float> MotionSamples::*> lists_of_samples[] = {
     {"displacement", &MotionSamples::displacement},
@@ -117,15 +130,6 @@ json samples_json(const MotionSamples& samples) {
         for (const float value : samples.*member) list.push_back(five_digits(value));
     }
     return result;
-}
-
-double number_in(const json& value) {
-    return value.is_null() ? contact::undefined : value.get<double>();
-}
-
-std::optional<double> optional_in(const json& value) {
-    if (value.is_null()) return {};
-    return value.get<double>();
 }
 
 Regime regime_of(const std::string& word) {
@@ -152,31 +156,25 @@ WalkOutcome outcome_of(const WalkCase& walk_case, const Walk& walk) {
 
 const std::vector<std::string>& walk_result_names() {
     static const std::vector<std::string> names = [] {
-        std::vector<std::string> all{"regime"};
-        for (const Number& number : numbers_of_result) all.emplace_back(number.name);
-        all.insert(all.end(), {"period", "section_points", "transient_over", "tilting_time",
-                               "shift_per_period", "shift_per_period_error", "airborne"});
+        std::vector<std::string> all;
+        WalkOutcome any = with_all_parts({});
+        for_each_result(any, [&](const char* name, const auto&) { all.emplace_back(name); });
         return all;
     }();
     return names;
 }
 
 json walk_results(const WalkOutcome& outcome) {
-    WalkOutcome whole = outcome;
-    if (whole.result.spots.empty())
-        whole.result.spots.push_back({contact::undefined, contact::undefined});
-    json results{{"regime", word_of(outcome.result.regime)}};
-    for (const Number& each : numbers_of_result)
-        results[each.name] = report::number(each.of(whole));
-    results["period"] = report::number(outcome.result.period);
-    results["section_points"] = outcome.result.section_points;
-    results["transient_over"] = outcome.result.transient_over;
-    results["tilting_time"] = report::number(outcome.result.tilting_time);
-    const auto drift = outcome.result.drift.value_or(
-        Drift{contact::undefined, contact::undefined, contact::undefined});
-    results["shift_per_period"] = report::number(drift.per_period);
-    results["shift_per_period_error"] = report::number(drift.error);
-    results["airborne"] = report::number(drift.airborne);
+    WalkOutcome whole = with_all_parts(outcome);
+    json results;
+    for_each_result(whole, [&]<class Value>(const char* name, const Value& value) {
+        if constexpr (std::is_same_v<Value, Regime>)
+            results[name] = word_of(value);
+        else if constexpr (std::is_integral_v<Value>)
+            results[name] = value;
+        else
+            results[name] = report::number(value);
+    });
     if (outcome.samples.interval > 0) results["samples"] = samples_json(outcome.samples);
     return results;
 }
@@ -184,17 +182,19 @@ json walk_results(const WalkOutcome& outcome) {
 WalkOutcome read_walk_results(const json& results) {
     WalkOutcome outcome;
     outcome.result.spots.resize(2);
-    outcome.result.regime = regime_of(results.at("regime").get<std::string>());
-    for (const Number& each : numbers_of_result)
-        each.of(outcome) = number_in(results.at(each.name));
-    outcome.result.period = optional_in(results.at("period"));
-    outcome.result.section_points = results.at("section_points").get<int>();
-    outcome.result.transient_over = results.at("transient_over").get<bool>();
-    outcome.result.tilting_time = optional_in(results.at("tilting_time"));
-    if (!results.at("shift_per_period").is_null())
-        outcome.result.drift = Drift{number_in(results.at("shift_per_period")),
-                                     number_in(results.at("shift_per_period_error")),
-                                     number_in(results.at("airborne"))};
+    outcome.result.drift.emplace();
+    for_each_result(outcome, [&]<class Value>(const char* name, Value& value) {
+        const json& given = results.at(name);
+        if constexpr (std::is_same_v<Value, Regime>)
+            value = regime_of(given.get<std::string>());
+        else if constexpr (std::is_integral_v<Value>)
+            given.get_to(value);
+        else if (!given.is_null())
+            value = given.get<double>();
+        else if constexpr (std::is_same_v<Value, double>)
+            value = contact::undefined;
+    });
+    if (std::isnan(outcome.result.drift->per_period)) outcome.result.drift.reset();
     if (const auto samples = results.find("samples"); samples != results.end()) {
         outcome.samples.interval = samples->at("interval").get<double>();
         for (const auto& [name, member] : lists_of_samples)
