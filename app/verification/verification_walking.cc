@@ -112,12 +112,8 @@ double balance_over(const Machine& machine, const walking::ReferenceCycle& cycle
     start.base = 0;
     const double n_steps = std::round(cycle.period / step);
     walking::VelocityVerlet run(machine, start, cycle.period / n_steps);
-    walking::VerletEnergy energy(run);
-    for (int i = 0; i < static_cast<int>(n_steps); ++i) {
-        run.advance();
-        energy.add_step();
-    }
-    return 1 + energy.balance().residual() / energy.balance().base;
+    const auto balance = walking::verlet_balance(run, static_cast<int>(n_steps));
+    return 1 + balance.residual() / balance.base;
 }
 
 void add_cycle(const Say& say, Verification& all) {

@@ -22,6 +22,16 @@ WorkingForces mean(const WorkingForces& a, const WorkingForces& b) {
             .geometric_moment = mean(a.geometric_moment, b.geometric_moment)};
 }
 
+/// With the kinetic energy of the velocities half a step before and after.
+double stored_by_verlet(const VelocityVerlet& run) {
+    const Machine& machine = run.machine();
+    const auto [x, z, phi] = acceleration(machine, run.spots(), run.motion());
+    const double rotation = phi / machine.kappas.kappa3;
+    const double squares = x * x + z * z + machine.kappas.kappa7 * rotation * rotation;
+    return stored_energy(machine, run.spots(), run.motion()) -
+           run.step() * run.step() / 8 * squares;
+}
+
 }  // namespace
 
 double stored_energy(const Machine& machine, std::span<const Spot> spots, const Motion& motion) {
@@ -71,46 +81,35 @@ double slip_work(const Machine& machine, const Spot& spot, const SpotDeflection&
            (deflection.tangential * slip + deflection.flank * flank_slip);
 }
 
-VerletEnergy::VerletEnergy(const VelocityVerlet& run)
-    : run_(run),
-      start_energy_(stored_now()),
-      before_(run.motion()),
-      forces_before_(working_forces(run.machine(), run.spots(), before_)) {}
-
-double VerletEnergy::stored_now() const {
-    const Machine& machine = run_.machine();
-    const auto [x, z, phi] = acceleration(machine, run_.spots(), run_.motion());
-    const double rotation = phi / machine.kappas.kappa3;
-    const double squares = x * x + z * z + machine.kappas.kappa7 * rotation * rotation;
-    return stored_energy(machine, run_.spots(), run_.motion()) -
-           run_.step() * run_.step() / 8 * squares;
-}
-
-void VerletEnergy::add_step() {
-    const Machine& machine = run_.machine();
-    const Motion& now = run_.motion();
-    const WorkingForces forces = working_forces(machine, run_.spots(), now);
-    const EnergyBalance done = work(machine, mean(forces_before_, forces), now.base - before_.base,
-                                    now.z - before_.z, now.phi - before_.phi);
-    works_.base += done.base;
-    works_.excitation += done.excitation;
-    works_.geometric += done.geometric;
-    for (std::size_t i = 0; i < run_.spots().size(); ++i) {
-        const SpotDeflection &a = before_.spots[i], &b = now.spots[i];
-        const SpotDeflection middle{.tangential = mean(a.tangential, b.tangential),
-                                    .flank = mean(a.flank, b.flank)};
-        const SpotStep& step = run_.spot_steps()[i];
-        works_.dissipation +=
-            slip_work(machine, run_.spots()[i], middle, step.slip, step.flank_slip);
+EnergyBalance verlet_balance(VelocityVerlet& run, std::int64_t n_steps) {
+    const Machine& machine = run.machine();
+    const std::vector<Spot>& spots = run.spots();
+    const double stored_before = stored_by_verlet(run);
+    EnergyBalance works;
+    Motion before = run.motion();
+    WorkingForces forces_before = working_forces(machine, spots, before);
+    for (std::int64_t step = 0; step < n_steps; ++step) {
+        run.advance();
+        const Motion& now = run.motion();
+        const WorkingForces forces = working_forces(machine, spots, now);
+        const EnergyBalance done =
+            work(machine, mean(forces_before, forces), now.base - before.base, now.z - before.z,
+                 now.phi - before.phi);
+        works.base += done.base;
+        works.excitation += done.excitation;
+        works.geometric += done.geometric;
+        for (std::size_t i = 0; i < spots.size(); ++i) {
+            const SpotDeflection &a = before.spots[i], &b = now.spots[i];
+            const SpotDeflection middle{.tangential = mean(a.tangential, b.tangential),
+                                        .flank = mean(a.flank, b.flank)};
+            const SpotStep& slip = run.spot_steps()[i];
+            works.dissipation += slip_work(machine, spots[i], middle, slip.slip, slip.flank_slip);
+        }
+        before = now;
+        forces_before = forces;
     }
-    before_ = now;
-    forces_before_ = forces;
-}
-
-EnergyBalance VerletEnergy::balance() const {
-    EnergyBalance balance = works_;
-    balance.stored = stored_now() - start_energy_;
-    return balance;
+    works.stored = stored_by_verlet(run) - stored_before;
+    return works;
 }
 
 }  // namespace tricontact::walking

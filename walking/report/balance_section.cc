@@ -29,14 +29,10 @@ std::optional<EnergyStretch> energy_of(const WalkReport& report) {
     const Walk& walk = report.walk;
     if (walk.result.regime == Regime::tilting) return std::nullopt;
     VelocityVerlet run(report.walk_case.machine, walk.last, report.walk_case.time.step);
-    VerletEnergy energy(run);
     const double wanted = walk.result.period.value_or(without_period);
     const auto n_steps = std::max(1LL, std::llround(wanted / run.step()));
-    for (long long i = 0; i < n_steps; ++i) {
-        run.advance();
-        energy.add_step();
-    }
-    EnergyStretch stretch{energy.balance(), static_cast<double>(n_steps) * run.step(), 0};
+    EnergyStretch stretch{verlet_balance(run, n_steps), static_cast<double>(n_steps) * run.step(),
+                          0};
     const EnergyBalance& b = stretch.balance;
     stretch.scale = std::max(
         {std::abs(b.base), std::abs(b.excitation), std::abs(b.dissipation), std::abs(b.stored)});

@@ -14,12 +14,7 @@ namespace {
 
 EnergyBalance by_verlet(const Machine& machine, double step, double end) {
     VelocityVerlet run(machine, motion_at_start(machine), step);
-    VerletEnergy energy(run);
-    for (int i = 0; i < std::lround(end / step); ++i) {
-        run.advance();
-        energy.add_step();
-    }
-    return energy.balance();
+    return verlet_balance(run, std::lround(end / step));
 }
 
 EnergyBalance by_reference(const Machine& machine, double end) {
@@ -86,7 +81,7 @@ TEST(Energy, NeedsTheGeometricMomentInProportionToTheRotation) {
 }
 
 // Stick-slip of a block that neither lands nor lifts off: to rounding with steps of any length.
-TEST(VerletEnergy, BalancesExactlyThroughStickAndSlip) {
+TEST(VerletBalance, BalancesExactlyThroughStickAndSlip) {
     const Machine machine{.kappas = set_b(), .mechanisms = {.rotation = false}};
     for (const double step : {0.7, 0.01}) {
         const EnergyBalance balance = by_verlet(machine, step, 70);
@@ -98,7 +93,7 @@ TEST(VerletEnergy, BalancesExactlyThroughStickAndSlip) {
 // Landing and lift-off in the models, and with a harmonic load: the reference balances, Verlet to
 // the 1e-6 required of it, and the two agree in every work: nearby motions of set B come apart by
 // a factor of 1000 in this time, a step of 1e-4 is right to 1e-8 in each unit of it.
-TEST(VerletEnergy, AgreesWithTheReferenceInEveryWork) {
+TEST(VerletBalance, AgreesWithTheReferenceInEveryWork) {
     Machine two_spot{.kappas = set_b()};
     Machine excited = two_spot, prism = two_spot, spots = two_spot, rounded = two_spot;
     rounded.bed = Bed{.radius = 0.5, .springs = 8};
