@@ -36,18 +36,6 @@ std::vector<Snapshot> SnapshotRecorder::last(std::size_t count) const {
     return {last_.end() - static_cast<std::ptrdiff_t>(std::min(count, last_.size())), last_.end()};
 }
 
-PeriodRecorder::PeriodRecorder(const Machine& machine, const Motion& start)
-    : start_(start.time), length_(2 * std::numbers::pi / machine.excitation.frequency) {}
-
-void PeriodRecorder::add(const Motion& motion) {
-    ++steps_;
-    const auto in_the_air = [](const SpotDeflection& spot) { return spot.normal == 0; };
-    if (std::any_of(motion.spots.begin(), motion.spots.end(), in_the_air)) ++airborne_;
-    if (motion.time - start_ < static_cast<double>(periods_.size() + 1) * length_) return;
-    periods_.push_back({motion.x + motion.phi, static_cast<double>(airborne_) / steps_});
-    steps_ = airborne_ = 0;
-}
-
 WalkRecorder::WalkRecorder(const Machine& machine, const Motion& start, double step,
                            std::int64_t window)
     : base_velocity_(machine.kappas.kappa6),
@@ -55,9 +43,19 @@ WalkRecorder::WalkRecorder(const Machine& machine, const Motion& start, double s
       last_(seen(view_, start)),
       stretch_(machine, last_, step),
       window_(window),
-      open_window_{start.time, start.time, {}} {
+      open_window_{start.time, start.time, {}},
+      start_(start.time) {
     if (machine.excitation.frequency > 0 && machine.kappas.kappa6 == 0)
-        periods_.emplace(machine, start);
+        period_ = 2 * std::numbers::pi / machine.excitation.frequency;
+}
+
+void WalkRecorder::add_to_period(const Motion& motion) {
+    ++steps_;
+    const auto in_the_air = [](const SpotDeflection& spot) { return spot.normal == 0; };
+    if (std::ranges::any_of(motion.spots, in_the_air)) ++airborne_;
+    if (motion.time - start_ < static_cast<double>(periods_.size() + 1) * period_) return;
+    periods_.push_back({motion.x + motion.phi, static_cast<double>(airborne_) / steps_});
+    steps_ = airborne_ = 0;
 }
 
 void WalkRecorder::end_stretch() {
@@ -77,7 +75,7 @@ void WalkRecorder::add(const Motion& spring_motion, const std::vector<SpotStep>&
         open_return_ = {between(last_, motion, before / (before - now)), {}};
     }
     stretch_.add(motion, view_.steps());
-    if (periods_) periods_->add(motion);
+    if (period_ > 0) add_to_period(motion);
     last_ = motion;
     if (open_window_.sums.steps + stretch_.steps() == window_) {
         end_stretch();
@@ -96,10 +94,6 @@ std::vector<WalkWindow> WalkRecorder::windows() const {
     all.back().end = rest.end;
     all.back().sums.add(rest.sums);
     return all;
-}
-
-std::vector<ExcitedPeriod> WalkRecorder::periods() const {
-    return periods_ ? periods_->periods() : std::vector<ExcitedPeriod>();
 }
 
 }  // namespace tricontact::walking

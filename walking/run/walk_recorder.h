@@ -34,23 +34,6 @@ class SnapshotRecorder {
     Snapshot now_;
 };
 
-/// Follows an excited machine period by period.
-class PeriodRecorder {
-  public:
-    /// The machine has an excitation of a frequency > 0.
-    PeriodRecorder(const Machine& machine, const Motion& start);
-
-    /// Next step; `motion` as its spots see it.
-    void add(const Motion& motion);
-
-    const std::vector<ExcitedPeriod>& periods() const { return periods_; }
-
-  private:
-    double start_, length_;
-    int steps_ = 0, airborne_ = 0;  // of the open period
-    std::vector<ExcitedPeriod> periods_;
-};
-
 /// Follows a run step by step: windows of equal length and returns to the Poincare section.
 class WalkRecorder {
   public:
@@ -70,10 +53,11 @@ class WalkRecorder {
     const std::vector<SectionReturn>& returns() const { return returns_; }
 
     /// Of an excitation while the base stands still, so far; else none.
-    std::vector<ExcitedPeriod> periods() const;
+    const std::vector<ExcitedPeriod>& periods() const { return periods_; }
 
   private:
     void end_stretch();
+    void add_to_period(const Motion& motion);
 
     double base_velocity_;  // kappa6
     SpotView view_;
@@ -84,7 +68,9 @@ class WalkRecorder {
     WalkWindow open_window_;
     std::vector<SectionReturn> returns_;
     std::optional<SectionReturn> open_return_;
-    std::optional<PeriodRecorder> periods_;
+    double start_, period_ = 0;     // of the excitation; 0: none that is followed
+    int steps_ = 0, airborne_ = 0;  // of its open period
+    std::vector<ExcitedPeriod> periods_;
 };
 
 }  // namespace tricontact::walking

@@ -58,15 +58,17 @@ TEST(Drift, IsNotJudgedFromAFewPeriods) {
 
 TEST(Drift, PeriodsEndWithTheExcitation) {
     Machine machine{.kappas = set_b()};
+    machine.kappas.kappa6 = 0;
     machine.excitation.frequency = 2 * std::numbers::pi;  // period 1
     Motion motion{.spots = {{1}, {1}}};
-    PeriodRecorder recorder(machine, motion);
+    constexpr double dt = 0.0125;
+    WalkRecorder recorder(machine, motion, dt, 1000);
     for (int step = 1; step <= 200; ++step) {
-        motion.time = step * 0.0125;  // 80 steps a period, two and a half periods
+        motion.time = step * dt;  // 80 steps a period, two and a half periods
         motion.x = motion.time;
         motion.phi = 1;
         motion.spots[1].normal = step % 80 < 20 ? 0 : 1;
-        recorder.add(motion);
+        recorder.add(motion, std::vector<SpotStep>(2));
     }
     ASSERT_EQ(recorder.periods().size(), 2u);
     EXPECT_NEAR(recorder.periods()[1].shift, 3, 1e-12);
