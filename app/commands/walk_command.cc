@@ -37,7 +37,7 @@ std::vector<Snapshot> frames_of(const Walk& walk, std::size_t most) {
 }
 
 void write_animation(const std::string& output, const WalkCase& walk_case, const Walk& walk) {
-    const auto frames = frames_of(walk, static_cast<std::size_t>(walk_case.output.frames));
+    const auto frames = frames_of(walk, static_cast<std::size_t>(walk_case.frames));
     if (frames.empty()) return;
     const std::string folder = output + "/animation";
     io::make_output_folder(folder);
@@ -52,7 +52,7 @@ void write_page(const CommandOptions& options, const WalkCase& walk_case, const 
                       {"the case, resolved", resolved_case_name}};
     document.command = walk_again;
     document.version = files::version;
-    if (walk_case.output.frames > 0)
+    if (walk_case.frames > 0)
         document.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
     options.write("report.html", report::document_html(document));
 }

@@ -7,17 +7,12 @@ namespace tricontact::walking {
 namespace {
 
 using contact::Material;
+using io::at;
 using Keys = std::vector<WalkKey>;
 
 constexpr double large = 1e9;
 
-/// Place of a member of a member ... of the case.
-template <auto... members>
-io::Field at(WalkCase& c) {
-    return &(c.*....*members);
-}
-
-/// The same of a dimensional machine, and of one whose stiffnesses are its own.
+/// Place of a number of a dimensional machine, and of one whose stiffnesses are its own.
 template <double DimensionalMachine::*member>
 io::Field dimension(WalkCase& c) {
     return io::in(c.dimensional, member);
@@ -32,22 +27,6 @@ io::Field own_stiffness(WalkCase& c) {
 template <double Kappas::*member>
 io::Field kappa(WalkCase& c) {
     return c.dimensional ? io::Field() : io::Field(&(c.machine.kappas.*member));
-}
-
-/// Place of a number of the contact's bodies: `body` is the machine's, else the substrate's.
-template <double Material::*member>
-io::Field of_body(WalkCase& c) {
-    return c.input.contact ? io::Field(&(c.input.contact->body.*member)) : io::Field();
-}
-
-template <double Material::*member>
-io::Field of_substrate(WalkCase& c) {
-    return c.input.contact ? io::in(c.input.contact->substrate, member) : io::Field();
-}
-
-template <auto member>
-io::Field of_bed(WalkCase& c) {
-    return io::in(c.machine.bed, member);
 }
 
 /// A number with a default.
@@ -156,23 +135,24 @@ Keys dimension_keys() {
 
 Keys contact_keys() {
     constexpr std::string_view diameter = "contact.diameter";
+    constexpr auto part = &WalkCase::Input::contact;
     return {{io::length_key(diameter, R"("1.8 mm")",
                             "diameter D_c of a contact: k_z = E* D_c, k_x = G* D_c",
                             {.alternative = spot_stiffness}),
              [](WalkCase& c) { return io::in(c.input.contact, &SpotContact::diameter); }},
             {io::modulus_key("contact.young", R"("1.4 GPa")", "Young's modulus of the machine",
                              {.required = true, .needs = diameter}),
-             of_body<&Material::young>},
+             at<&WalkCase::input, part, &SpotContact::body, &Material::young>},
             {io::poisson_key("contact.poisson", "0.3", "Poisson's ratio of the machine",
                              {.required = true, .needs = diameter}),
-             of_body<&Material::poisson>},
+             at<&WalkCase::input, part, &SpotContact::body, &Material::poisson>},
             {io::modulus_key("contact.substrate_young", R"("90 GPa")",
                              "Young's modulus of the substrate; without it the substrate is rigid",
                              {.needs = diameter}),
-             of_substrate<&Material::young>},
+             at<&WalkCase::input, part, &SpotContact::substrate, &Material::young>},
             {io::poisson_key("contact.substrate_poisson", "0.3", "Poisson's ratio of the substrate",
                              {.needs = diameter}),
-             of_substrate<&Material::poisson>}};
+             at<&WalkCase::input, part, &SpotContact::substrate, &Material::poisson>}};
 }
 
 Keys spot_keys() {
@@ -192,17 +172,17 @@ Keys spot_keys() {
              at<&WalkCase::input, &Input::stiffnesses>},
             {io::number_key("bed.radius", io::above_zero(1e9), "0.5",
                             "radius R of the tips, in units of b", {.required = true}),
-             of_bed<&Bed::radius>},
+             at<&WalkCase::machine, &Machine::bed, &Bed::radius>},
             {io::integer_key("bed.springs", {1, 10000}, "40", "springs of each spot",
                              {.default_value = "40", .needs = "bed.radius"}),
-             of_bed<&Bed::springs>},
+             at<&WalkCase::machine, &Machine::bed, &Bed::springs>},
             {io::number_key(
                  "bed.width", {1, 1000}, "3",
                  "width of the bed over the diameter of the contact at rest; a tip ends there",
                  {.reason = "at rest the contact has a width of 1",
                   .default_value = "3.0",
                   .needs = "bed.radius"}),
-             of_bed<&Bed::width>}};
+             at<&WalkCase::machine, &Machine::bed, &Bed::width>}};
 }
 
 Keys mechanism_keys() {
@@ -260,7 +240,7 @@ Keys run_keys() {
             {velocity("start.phi_velocity"), at<&WalkCase::start, &Start::phi_velocity>},
             {io::integer_key("output.frames", {0, 10000}, "100",
                              "of the animation for ParaView; 0: none", {.default_value = "100"}),
-             at<&WalkCase::output, &WalkCase::Output::frames>}};
+             at<&WalkCase::frames>}};
 }
 
 }  // namespace

@@ -28,19 +28,13 @@ struct WalkCase {
         std::vector<double> positions, heights, stiffnesses;
     };
 
-    struct Output {
-        int frames = 100;  ///< of the animation
-
-        bool operator==(const Output&) const = default;
-    };
-
     std::string title;
     Machine machine;
     std::optional<DimensionalMachine> dimensional;  ///< what the kappas follow from, if given
     Start start;
     Time time;
     Input input;
-    Output output;
+    int frames = 100;  ///< of the animation
 };
 
 }  // namespace tricontact::walking

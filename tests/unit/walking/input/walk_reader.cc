@@ -206,7 +206,7 @@ TEST(WalkWriter, ReadsBackTheSame) {
         EXPECT_EQ(back.time, c.time);
         EXPECT_EQ(back.start, c.start);
         EXPECT_EQ(back.title, c.title);
-        EXPECT_EQ(back.output, c.output);
+        EXPECT_EQ(back.frames, c.frames);
     }
 }
 
