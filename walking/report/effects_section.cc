@@ -87,15 +87,12 @@ report::Figure pair_figure(const Response& response, const FactorialDesign& desi
                             .x = over.levels,
                             .kind = report::Curve::Kind::line_and_points};
         for (std::size_t i = 0; i < over.levels.size(); ++i) {
-            double sum = 0, n = 0;
-            for (std::size_t c = 0; c < design.response.size(); ++c) {
-                if (std::isnan(design.response[c]) || design.level(c, interaction.first) != i ||
-                    design.level(c, interaction.second) != j)
-                    continue;
-                sum += design.response[c];
-                ++n;
-            }
-            curve.y.push_back(sum / n);
+            std::vector<double> values;
+            for (const std::size_t c : design.kept())
+                if (design.level(c, interaction.first) == i &&
+                    design.level(c, interaction.second) == j)
+                    values.push_back(design.response[c]);
+            curve.y.push_back(mean_of(values).value);
         }
         figure.curves.push_back(curve);
     }
@@ -115,14 +112,10 @@ report::DocumentTable rule_table(const std::vector<WalkGroup>& groups,
     for (const Factor& factor : factorial.factors) table.columns.push_back({factor.name});
     for (const ExclusionRule& rule : exclusion_rules()) {
         const FactorialDesign design = factorial.design(groups, rule, responses[0].value);
-        double sum = 0, n = 0;
-        for (const double value : design.response) {
-            if (std::isnan(value)) continue;
-            sum += value;
-            ++n;
-        }
-        std::vector<report::Cell>& row =
-            table.rows.emplace_back(std::vector<report::Cell>{rule.name, n, sum / n});
+        std::vector<double> values;
+        for (const std::size_t c : design.kept()) values.push_back(design.response[c]);
+        std::vector<report::Cell>& row = table.rows.emplace_back(std::vector<report::Cell>{
+            rule.name, static_cast<double>(values.size()), mean_of(values).value});
         for (const MainEffect& effect : main_effects(design))
             row.emplace_back(report::WithError{
                 effect.means.back().value - effect.means.front().value,

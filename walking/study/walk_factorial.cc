@@ -21,24 +21,6 @@ std::size_t n_combinations(const std::vector<Factor>& factors) {
     return n;
 }
 
-std::vector<std::size_t> kept(const FactorialDesign& design) {
-    std::vector<std::size_t> combinations;
-    for (std::size_t i = 0; i < design.response.size(); ++i)
-        if (!std::isnan(design.response[i])) combinations.push_back(i);
-    return combinations;
-}
-
-report::WithError mean_of(const std::vector<double>& values) {
-    const auto n = static_cast<double>(values.size());
-    if (values.empty()) return {NAN, NAN};
-    double sum = 0, squares = 0;
-    for (const double value : values) sum += value;
-    for (const double value : values) squares += (value - sum / n) * (value - sum / n);
-    if (values.size() == 1) return {sum, NAN};
-    const double t = statistics::student_t(confidence, static_cast<int>(values.size()) - 1);
-    return {sum / n, t * std::sqrt(squares / (n - 1) / n)};
-}
-
 /// Parts of the model: of the mean, of one factor, or of two.
 struct Term {
     std::vector<std::size_t> factors;
@@ -101,16 +83,13 @@ struct Block {
     Eigen::VectorXd parameters;
     Eigen::MatrixXd covariance;
 
-    Block(const statistics::Fit& fit, const Term& term)
-        : parameters(static_cast<Eigen::Index>(term.n_columns)),
-          covariance(parameters.size(), parameters.size()) {
-        for (std::size_t i = 0; i < term.n_columns; ++i) {
-            const auto row = static_cast<Eigen::Index>(i);
-            parameters[row] = fit.parameters[term.first_column + i].value;
-            for (std::size_t j = 0; j < term.n_columns; ++j)
-                covariance(row, static_cast<Eigen::Index>(j)) =
-                    fit.covariance[term.first_column + i][term.first_column + j];
-        }
+    Block(const statistics::Fit& fit, const Term& term) {
+        const auto n = static_cast<Eigen::Index>(term.n_columns);
+        const auto* values = &fit.parameters[term.first_column];
+        const auto* rows = &fit.covariance[term.first_column];
+        parameters = Eigen::VectorXd::NullaryExpr(n, [&](auto i) { return values[i].value; });
+        covariance = Eigen::MatrixXd::NullaryExpr(
+            n, n, [&](auto i, auto j) { return rows[i][term.first_column + j]; });
     }
 };
 
@@ -163,9 +142,16 @@ std::size_t FactorialDesign::level(std::size_t combination, std::size_t factor) 
     return combination % factors[factor].levels.size();
 }
 
+std::vector<std::size_t> FactorialDesign::kept() const {
+    std::vector<std::size_t> combinations;
+    for (std::size_t i = 0; i < response.size(); ++i)
+        if (!std::isnan(response[i])) combinations.push_back(i);
+    return combinations;
+}
+
 std::vector<MainEffect> main_effects(const FactorialDesign& design) {
     std::vector<MainEffect> effects;
-    const std::vector<std::size_t> combinations = kept(design);
+    const std::vector<std::size_t> combinations = design.kept();
     for (std::size_t factor = 0; factor < design.factors.size(); ++factor) {
         std::vector<std::vector<double>> values(design.factors[factor].levels.size());
         for (const std::size_t i : combinations)
@@ -180,7 +166,7 @@ std::vector<MainEffect> main_effects(const FactorialDesign& design) {
 }
 
 VarianceAnalysis variance_analysis(const FactorialDesign& design) {
-    const std::vector<std::size_t> combinations = kept(design);
+    const std::vector<std::size_t> combinations = design.kept();
     VarianceAnalysis analysis;
     analysis.explained_by_factors =
         fit_of(design, terms_of(design, false), combinations).r_squared();

@@ -10,9 +10,6 @@
 
 namespace tricontact::walking {
 
-/// Of the intervals of a study of machines.
-inline constexpr double confidence = 0.95;
-
 /// What an experiment varies, and to which values.
 struct Factor {
     std::string name;
@@ -26,6 +23,8 @@ struct FactorialDesign {
 
     /// Level of a factor in a combination.
     std::size_t level(std::size_t combination, std::size_t factor) const;
+    /// Combinations that were not excluded.
+    std::vector<std::size_t> kept() const;
 };
 
 /// Means of the response over all combinations that share a level of a factor. Wetter (2016),

@@ -9,8 +9,7 @@
 #include "contact/special_values.h"
 #include "report/csv.h"
 #include "report/format.h"
-#include "statistics/regression.h"
-#include "walking/study/walk_factorial.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::walking {
 
@@ -111,6 +110,13 @@ std::size_t place_of(const std::vector<double>& values, double value) {
 
 }  // namespace
 
+report::WithError mean_of(const std::vector<double>& values) {
+    const auto n = static_cast<int>(values.size());
+    if (n < 2) return {n == 1 ? values.front() : contact::undefined, contact::undefined};
+    const statistics::Estimate mean = statistics::mean_of(values, confidence);
+    return {mean.value, statistics::student_t(confidence, n - 1) * mean.standard_error};
+}
+
 std::size_t WalkGroup::n_tilted() const {
     return static_cast<std::size_t>(std::ranges::count_if(points, tilted));
 }
@@ -119,29 +125,24 @@ bool WalkGroup::tilts() const {
     return n_tilted() > 0 && 2 * n_tilted() >= points.size();
 }
 
+std::vector<double> WalkGroup::values_of(double (*value)(const WalkOutcome& outcome)) const {
+    std::vector<double> all;
+    if (tilts()) return all;
+    for (const WalkSweep::Point* point : points)
+        if (!tilted(point)) all.push_back(value(*point->outcome));
+    return all;
+}
+
 double WalkGroup::mean(double (*value)(const WalkOutcome& outcome)) const {
-    if (tilts()) return contact::undefined;
-    double sum = 0, n = 0;
-    for (const WalkSweep::Point* point : points) {
-        if (tilted(point)) continue;
-        sum += value(*point->outcome);
-        ++n;
-    }
-    return n > 0 ? sum / n : contact::undefined;
+    return mean_of(values_of(value)).value;
 }
 
 report::WithError WalkGroup::mu_e() const {
-    const double value = mean([](const WalkOutcome& o) { return o.result.mu_e; });
-    if (std::isnan(value)) return {contact::undefined, contact::undefined};
-    double squares = 0;
-    int n = 0;
-    for (const WalkSweep::Point* point : points) {
-        if (tilted(point)) continue;
-        squares += std::pow(point->outcome->result.mu_e - value, 2);
-        ++n;
-    }
-    if (n == 1) return {value, mean([](const WalkOutcome& o) { return o.result.mu_e_error; })};
-    return {value, statistics::student_t(confidence, n - 1) * std::sqrt(squares / (n - 1) / n)};
+    const std::vector<double> all = values_of([](const WalkOutcome& o) { return o.result.mu_e; });
+    report::WithError friction = mean_of(all);
+    if (all.size() == 1)
+        friction.error = mean([](const WalkOutcome& o) { return o.result.mu_e_error; });
+    return friction;
 }
 
 std::vector<std::size_t> machine_axes(const WalkSweep& sweep) {

@@ -12,6 +12,12 @@
 
 namespace tricontact::walking {
 
+/// Of the intervals of a study of machines.
+inline constexpr double confidence = 0.95;
+
+/// With its error from the scatter; that of one value is undefined, and so is the mean of none.
+report::WithError mean_of(const std::vector<double>& values);
+
 /// What a study of walking machines varied and found.
 struct WalkSweep {
     struct Point {
@@ -35,7 +41,9 @@ struct WalkGroup {
     std::size_t n_tilted() const;
     /// Whether at least half of the computed ones tilt.
     bool tilts() const;
-    /// Mean over those that do not tilt; NaN if the group does, or none was computed.
+    /// Of those that do not tilt; none if the group does.
+    std::vector<double> values_of(double (*value)(const WalkOutcome& outcome)) const;
+    /// Their mean; NaN for none.
     double mean(double (*value)(const WalkOutcome& outcome)) const;
     /// Mean of mu_e. Its error, 95 %, is from the scatter between the starts; with one start it is
     /// that of the run.
