@@ -85,7 +85,6 @@ enum Field : int {
     n_fields
 };
 
-constexpr int n_state = end_of_state - n_constants;
 constexpr int n_sums = n_fields - end_of_state;
 
 /// The step compiled for one instruction set.

@@ -191,10 +191,9 @@ std::optional<Motion> steady_sliding(const Machine& machine) {
 
 std::array<std::array<double, 3>, 3> sliding_jacobian(const Machine& machine,
                                                       const Motion& motion) {
-    const Eigen::Matrix3d matrix = jacobian(machine, motion);
     std::array<std::array<double, 3>, 3> rows{};
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) rows[i][j] = matrix(i, j);
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.front().data()) =
+        jacobian(machine, motion);
     return rows;
 }
 

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "contact/special_values.h"
 
 namespace tricontact::walking {
 
@@ -29,7 +30,7 @@ std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load) {
 
 double critical_friction(const Kappas& kappas) {
     const double lever = kappas.kappa3 * (1 + kappas.kappa8);  // (h + a)/b
-    return lever > 0 ? 1 / lever : std::numeric_limits<double>::infinity();
+    return lever > 0 ? 1 / lever : contact::infinity;
 }
 
 std::vector<Spot> spots_of(const Machine& machine) {

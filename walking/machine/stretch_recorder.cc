@@ -64,11 +64,9 @@ void StretchSums::add(const StretchSums& other) {
         SpotSums& spot = spots[i];
         const SpotSums& more = other.spots[i];
         spot.sticking += more.sticking;
-        spot.velocity += more.velocity;
-        spot.velocity_squared += more.velocity_squared;
-        spot.normal += more.normal;
-        spot.normal_squared += more.normal_squared;
-        spot.normal_velocity += more.normal_velocity;
+        for (const auto sum : {&SpotSums::velocity, &SpotSums::velocity_squared, &SpotSums::normal,
+                               &SpotSums::normal_squared, &SpotSums::normal_velocity})
+            spot.*sum += more.*sum;
     }
 }
 

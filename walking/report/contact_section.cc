@@ -16,23 +16,19 @@ namespace {
 report::Band strip(std::span<const Snapshot> snapshots, std::size_t spot, SpotState state,
                    const std::string& name, double low, double high, int colour) {
     report::Band band{.name = name, .colour = colour};
-    const double begin = snapshots.front().motion.time;
+    const auto add = [&](const Snapshot& snapshot, double from, double to) {
+        band.x.push_back(snapshot.motion.time - snapshots.front().motion.time);
+        band.low.push_back(from);
+        band.high.push_back(to);
+    };
     for (std::size_t i = 0; i < snapshots.size(); ++i) {
-        const bool in = snapshots[i].spots[spot] == state;
-        const bool ends =
-            in && (i + 1 == snapshots.size() || snapshots[i + 1].spots[spot] != state);
-        if (!in) continue;
+        if (snapshots[i].spots[spot] != state) continue;
+        const Snapshot& next = snapshots[std::min(i + 1, snapshots.size() - 1)];
+        const bool ends = i + 1 == snapshots.size() || next.spots[spot] != state;
+        add(snapshots[i], low, high);
         // Until the next state is seen: one that lasts for a single snapshot shows too.
-        const std::size_t last = ends ? std::min(i + 1, snapshots.size() - 1) : i;
-        for (const std::size_t at : {i, last}) {
-            band.x.push_back(snapshots[at].motion.time - begin);
-            band.low.push_back(low);
-            band.high.push_back(high);
-        }
-        if (!ends) continue;
-        band.x.push_back(band.x.back());
-        band.low.push_back(contact::undefined);
-        band.high.push_back(contact::undefined);
+        add(ends ? next : snapshots[i], low, high);
+        if (ends) add(next, contact::undefined, contact::undefined);
     }
     return band;
 }
@@ -47,22 +43,21 @@ double friction_bound(const Machine& machine, const Spot& spot, const SpotDeflec
 report::Figure spot_figure(const Machine& machine, std::span<const Snapshot> snapshots,
                            std::size_t i) {
     const Spot spot = spots_of(machine)[i];
-    report::Curve normal{.name = "normal force", .colour = 0};
-    report::Curve friction{.name = "friction force", .colour = 1};
-    report::Curve bound{.name = "its bounds", .theory = true};
+    const auto curve = [&](const char* name, auto value) {
+        return over_time(snapshots, name, [&](const Snapshot& s) {
+            return value(s.motion.spots[i]) / machine.kappas.kappa4;
+        });
+    };
+    using Deflection = const SpotDeflection&;
+    report::Curve normal =
+        curve("normal force", [&](Deflection d) { return spot_force(machine, spot, d).normal; });
+    report::Curve friction = curve(
+        "friction force", [&](Deflection d) { return spot_force(machine, spot, d).tangential; });
+    report::Curve bound =
+        curve("its bounds", [&](Deflection d) { return friction_bound(machine, spot, d); });
     report::Curve below = bound;
-    for (const Snapshot& snapshot : snapshots) {
-        const SpotDeflection& deflection = snapshot.motion.spots[i];
-        const auto force = spot_force(machine, spot, deflection);
-        const double limit = friction_bound(machine, spot, deflection);
-        const std::pair<report::Curve*, double> points[] = {{&normal, force.normal},
-                                                            {&friction, force.tangential},
-                                                            {&bound, limit},
-                                                            {&below, -limit}};
-        for (const auto& [curve, value] : points)
-            curve->add(snapshot.motion.time - snapshots.front().motion.time,
-                       value / machine.kappas.kappa4);
-    }
+    for (double& value : below.y) value = -value;
+    normal.colour = 0, friction.colour = 1, bound.theory = below.theory = true;
     const double top = std::ranges::max(normal.y);
     return {.id = fmt::format("spot_{}", i + 1),
             .title = fmt::format("Forces of spot {}", i + 1),
@@ -87,13 +82,11 @@ report::Figure share_figure(std::span<const Snapshot> snapshots) {
     for (const auto& [state, name] : {std::pair{SpotState::stick, "stick"},
                                       {SpotState::slip, "slip"},
                                       {SpotState::released, "in the air"}}) {
-        report::Curve curve{.name = name};
-        for (const Snapshot& snapshot : snapshots) {
-            const auto n = std::count(snapshot.spots.begin(), snapshot.spots.end(), state);
-            curve.add(snapshot.motion.time - snapshots.front().motion.time,
-                      static_cast<double>(n) / static_cast<double>(snapshot.spots.size()));
-        }
-        figure.curves.push_back(curve);
+        const auto share = [state = state](const Snapshot& s) {
+            return static_cast<double>(std::ranges::count(s.spots, state)) /
+                   static_cast<double>(s.spots.size());
+        };
+        figure.curves.push_back(over_time(snapshots, name, share));
     }
     return figure;
 }

@@ -13,7 +13,8 @@ namespace tricontact::walking {
 namespace {
 
 report::Figure motion_figure(const WalkReport& report) {
-    const MotionSeries series = motion_series(report.walk_case.machine, last_swings(report.walk));
+    const auto [x, z, phi, force] =
+        motion_curves(report.walk_case.machine, last_swings(report.walk));
     return {.id = "motion",
             .title = "Motion",
             .caption =
@@ -22,10 +23,7 @@ report::Figure motion_figure(const WalkReport& report) {
                 "Wetter (2016), figures 4.5 and 4.6.",
             .x = {time_label},
             .y = {"dynamic quantities [-]"},
-            .curves = {{.name = "Δx", .x = series.time, .y = series.displacement},
-                       {.name = "z", .x = series.time, .y = series.z},
-                       {.name = "φ", .x = series.time, .y = series.phi},
-                       {.name = "f_s", .x = series.time, .y = series.force}}};
+            .curves = {x, z, phi, force}};
 }
 
 /// Snapshots of the period that has the phases, from a little before its first one.
@@ -51,7 +49,7 @@ void mark(report::Figure& figure, const std::string& name, double time, double b
 report::Figure period_figure(const WalkReport& report, const WalkPhases& phases) {
     const Machine& machine = report.walk_case.machine;
     const auto snapshots = period_of(report.walk, phases);
-    const MotionSeries series = motion_series(machine, snapshots);
+    const MotionCurves curves = motion_curves(machine, snapshots);
     const double load = machine.kappas.kappa5 * machine.kappas.kappa4;
     report::Figure figure{
         .id = "period",
@@ -63,19 +61,15 @@ report::Figure period_figure(const WalkReport& report, const WalkPhases& phases)
             "go (3), in the air and fast forwards (4). Wetter (2016), figures 4.18 and 4.19.",
         .x = {time_label},
         .y = {"dynamic quantities [-]"}};
-    report::Curve way{.name = "Δx", .x = series.time};
-    for (const Snapshot& snapshot : snapshots)
-        way.y.push_back((snapshot.motion.x - snapshots.front().motion.x) / load);
-    figure.curves = {way,
-                     {.name = "z", .x = series.time, .y = series.z},
-                     {.name = "φ", .x = series.time, .y = series.phi}};
+    const auto way = [&](const Snapshot& s) {
+        return (s.motion.x - snapshots.front().motion.x) / load;
+    };
+    figure.curves = {over_time(snapshots, "Δx", way), curves.z, curves.phi};
     const std::size_t n_spots = spots_of(machine).size();
-    for (std::size_t i = 0; i < n_spots && n_spots <= most_spots; ++i) {
-        report::Curve spot{.name = fmt::format("n_{}", i + 1), .x = series.time};
-        for (const Snapshot& snapshot : snapshots)
-            spot.y.push_back(snapshot.motion.spots[i].normal / load);
-        figure.curves.push_back(spot);
-    }
+    for (std::size_t i = 0; i < n_spots && n_spots <= most_spots; ++i)
+        figure.curves.push_back(
+            over_time(snapshots, fmt::format("n_{}", i + 1),
+                      [&](const Snapshot& s) { return s.motion.spots[i].normal / load; }));
     const double begin = snapshots.front().motion.time;
     mark(figure, "(1) sticking begins", phases.sticking, begin);
     mark(figure, "(2) turning point", phases.turning_point, begin);
@@ -86,7 +80,7 @@ report::Figure period_figure(const WalkReport& report, const WalkPhases& phases)
 
 report::Curve orbit(const Machine& machine, std::span<const Snapshot> snapshots,
                     const std::string& name, int colour) {
-    report::Curve curve{.name = name, .x = motion_series(machine, snapshots).displacement};
+    report::Curve curve{.name = name, .x = motion_curves(machine, snapshots).displacement.y};
     curve.colour = colour;
     for (const Snapshot& snapshot : snapshots)
         curve.y.push_back(snapshot.motion.x_velocity / machine.kappas.kappa6);

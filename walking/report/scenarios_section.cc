@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "report/format.h"
+#include "walking/report/walk_readings.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/run/walk_judge.h"
 
@@ -116,14 +117,6 @@ report::Curve curve_of(const Series& series, int colour, Value value, double top
     return curve;
 }
 
-report::Curve limit_at(double amplitude, double top, std::string name, std::optional<int> colour) {
-    return {.name = std::move(name),
-            .x = {amplitude, amplitude},
-            .y = {0, top},
-            .theory = true,
-            .colour = colour};
-}
-
 /// Over the amplitude: what the machines do, and where quasi-static ones change their ways.
 report::Figure figure_of(const std::vector<Series>& all, report::Figure figure, Value value) {
     figure.caption +=
@@ -137,8 +130,8 @@ report::Figure figure_of(const std::vector<Series>& all, report::Figure figure, 
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto& [ratcheting, lift_off] = all[i].limits;
         figure.curves.push_back(
-            limit_at(ratcheting, top, "limit of shakedown", static_cast<int>(i)));
-        figure.curves.push_back(limit_at(lift_off, top, "lift-off", {}));
+            upright("limit of shakedown", ratcheting, top, static_cast<int>(i)));
+        figure.curves.push_back(upright("lift-off", lift_off, top));
     }
     return figure;
 }

@@ -30,9 +30,8 @@ struct Arrivals {
     /// Mean life of what ends at a constant rate, by maximum likelihood: all time waited over the
     /// number of ends.
     report::WithError mean_life() const {
-        double sum = 0;
-        for (const double time : times) sum += time;
-        for (const double time : waiting) sum += time;
+        double sum = std::accumulate(times.begin(), times.end(), 0.);
+        sum = std::accumulate(waiting.begin(), waiting.end(), sum);
         const auto n_ends = static_cast<double>(times.size());
         return {sum / n_ends,
                 statistics::normal_quantile(confidence) * sum / n_ends / std::sqrt(n_ends)};

@@ -10,10 +10,6 @@ namespace tricontact::walking {
 
 namespace {
 
-report::Curve upright(const std::string& name, double frequency, double top) {
-    return {.name = name, .x = {frequency, frequency}, .y = {0, top}, .theory = true};
-}
-
 report::Figure spectrum_figure(const Vibration& vibration) {
     constexpr double shown = 4;  // times the frequency of free flight
     report::Curve amplitudes{.name = "amplitude of f_s"};
@@ -24,19 +20,17 @@ report::Figure spectrum_figure(const Vibration& vibration) {
         amplitudes.add(frequency, spectrum.amplitudes[i]);
     }
     const double top = std::ranges::max(amplitudes.y);
-    report::Curve characteristic =
-        upright("characteristic", vibration.characteristic.frequency, top);
-    characteristic.colour = 1;
-    return {
-        .id = "spectrum",
-        .title = "Spectrum of the spring force",
-        .caption =
-            "Amplitudes of sines in f_s over the force of steady sliding, root mean "
-            "square over eight parts of the recorded end under a Hann window: twice the "
-            "modulus of Wetter (2016), eq. 5.2.31.",
-        .x = {"frequency [√(k_x/m)]"},
-        .y = {"amplitude [-]"},
-        .curves = {amplitudes, characteristic, upright("free flight", vibration.free_flight, top)}};
+    return {.id = "spectrum",
+            .title = "Spectrum of the spring force",
+            .caption =
+                "Amplitudes of sines in f_s over the force of steady sliding, root mean "
+                "square over eight parts of the recorded end under a Hann window: twice the "
+                "modulus of Wetter (2016), eq. 5.2.31.",
+            .x = {"frequency [√(k_x/m)]"},
+            .y = {"amplitude [-]"},
+            .curves = {amplitudes,
+                       upright("characteristic", vibration.characteristic.frequency, top, 1),
+                       upright("free flight", vibration.free_flight, top)}};
 }
 
 report::Figure variance_figure(const Vibration& vibration) {

@@ -30,19 +30,21 @@ double error_of(const Walk& walk, std::size_t spot, Value value) {
 
 }  // namespace
 
-MotionSeries motion_series(const Machine& machine, std::span<const Snapshot> snapshots) {
-    MotionSeries series;
+MotionCurves motion_curves(const Machine& machine, std::span<const Snapshot> snapshots) {
     const double load = machine.kappas.kappa5 * machine.kappas.kappa4;
     const double rest = static_displacement(machine), sliding = sliding_force(machine);
-    for (const Snapshot& snapshot : snapshots) {
-        const Motion& motion = snapshot.motion;
-        series.time.push_back(motion.time - snapshots.front().motion.time);
-        series.displacement.push_back((motion.x - motion.base) / load);
-        series.z.push_back(motion.z / rest);
-        series.phi.push_back(motion.phi / (machine.kappas.kappa3 * load));
-        series.force.push_back(spring_force(machine, motion) / sliding);
-    }
-    return series;
+    const auto curve = [&](const char* name, auto value) {
+        return over_time(snapshots, name, [&](const Snapshot& s) { return value(s.motion); });
+    };
+    return {curve("Δx", [&](const Motion& m) { return (m.x - m.base) / load; }),
+            curve("z", [&](const Motion& m) { return m.z / rest; }),
+            curve("φ", [&](const Motion& m) { return m.phi / (machine.kappas.kappa3 * load); }),
+            curve("f_s", [&](const Motion& m) { return spring_force(machine, m) / sliding; })};
+}
+
+report::Curve upright(const std::string& name, double place, double top,
+                      std::optional<int> colour) {
+    return {.name = name, .x = {place, place}, .y = {0, top}, .theory = true, .colour = colour};
 }
 
 double sampling_interval(const Walk& walk) {
@@ -61,7 +63,7 @@ std::span<const Snapshot> last_swings(const Walk& walk) {
 
 std::optional<Vibration> vibration_of(const Machine& machine, const Walk& walk) {
     if (walk.tail.size() < fewest) return std::nullopt;
-    const std::vector<double> forces = motion_series(machine, walk.tail).force;
+    const std::vector<double> forces = motion_curves(machine, walk.tail).force.y;
     Vibration vibration;
     vibration.interval = sampling_interval(walk);
     vibration.spectrum = statistics::mean_spectrum(forces, vibration.interval, n_parts);

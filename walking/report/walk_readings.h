@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "report/document.h"
@@ -13,17 +14,30 @@
 
 namespace tricontact::walking {
 
-/// Motion over time, normalised as in Wetter (2016), figures 4.5 and 4.6. NaN or infinite without
+/// A value of the snapshots over t* = t - t_0.
+template <class Value>
+report::Curve over_time(std::span<const Snapshot> snapshots, const std::string& name,
+                        const Value& value) {
+    report::Curve curve{.name = name};
+    for (const Snapshot& snapshot : snapshots)
+        curve.add(snapshot.motion.time - snapshots.front().motion.time, value(snapshot));
+    return curve;
+}
+
+/// Motion over t*, normalised as in Wetter (2016), figures 4.5 and 4.6. NaN or infinite without
 /// friction.
-struct MotionSeries {
-    std::vector<double> time;          ///< t* = t - t_0
-    std::vector<double> displacement;  ///< (x - x_s)/(mu kappa4)
-    std::vector<double> z;             ///< over the static displacement
-    std::vector<double> phi;           ///< over mu kappa3 kappa4
-    std::vector<double> force;         ///< f_s/(mu kappa4), in the prism over sqrt(2)
+struct MotionCurves {
+    report::Curve displacement;  ///< (x - x_s)/(mu kappa4)
+    report::Curve z;             ///< over the static displacement
+    report::Curve phi;           ///< over mu kappa3 kappa4
+    report::Curve force;         ///< f_s/(mu kappa4), in the prism over sqrt(2)
 };
 
-MotionSeries motion_series(const Machine& machine, std::span<const Snapshot> snapshots);
+MotionCurves motion_curves(const Machine& machine, std::span<const Snapshot> snapshots);
+
+/// A dashed line at a place of the first axis, from 0 to `top`.
+report::Curve upright(const std::string& name, double place, double top,
+                      std::optional<int> colour = {});
 
 /// The end of the run that figures show: whole periods of a limit cycle, some swings otherwise.
 std::span<const Snapshot> last_swings(const Walk& walk);

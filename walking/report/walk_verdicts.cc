@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 #include "report/format.h"
 #include "report/format_share.h"
@@ -178,13 +179,12 @@ std::string jump(const WalkReport& report) {
 std::string walking(const WalkReport& report) {
     const std::vector<SpotStatistics> spots = spot_statistics(report.walk);
     if (spots.empty() || spots.size() > most_spots) return {};
-    std::string correlations;
-    for (const SpotStatistics& spot : spots) {
+    const auto told = [](const SpotStatistics& spot) {
         const auto& [r, error] = spot.correlation;
-        correlations += fmt::format(
-            "{}r_{} = {}", correlations.empty() ? "" : ", ", spot.number,
+        return fmt::format(
+            "r_{} = {}", spot.number,
             std::isnan(error) ? report::significant(r, 3) : report::with_error(r, error));
-    }
+    };
     constexpr double strong = 0.5;
     // NaN, of a spot that never touches, is neither.
     const auto of_all = [&](auto holds) {
@@ -196,7 +196,7 @@ std::string walking(const WalkReport& report) {
         text = "Spots move where they press little, micro-walking; correlations ";
     else if (of_all([](double r) { return std::abs(r) <= strong; }))
         text = "How fast spots move depends little on how hard they press, correlations ";
-    return text + correlations + ".";
+    return fmt::format("{}{}.", text, fmt::join(spots | std::views::transform(told), ", "));
 }
 
 /// Chaos: nearby trajectories diverge.

@@ -1,7 +1,6 @@
 #include "walking/run/lyapunov.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "walking/machine/velocity_verlet.h"
 
@@ -52,9 +51,6 @@ Motion moved_to(const Machine& machine, const Motion& motion, const Motion& neig
 std::vector<double> separation_rates(const Machine& machine, const Motion& start,
                                      const Separation& separation) {
     const auto& [step, interval, alignment, duration, relative_distance] = separation;
-    if (!(step > 0 && interval >= step && alignment >= 0 && duration >= 2 * interval &&
-          relative_distance > 0))
-        throw std::invalid_argument("separation of nearby runs: times that are none");
     const double wanted = relative_distance * static_displacement(machine);
     const auto n_steps = std::lround(interval / step);
     const auto n_alignment = std::lround(alignment / interval),

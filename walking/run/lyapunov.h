@@ -13,7 +13,7 @@ struct Separation {
     double step = 1e-3;      ///< of velocity Verlet
     double interval = 5;     ///< after which the distance is brought back to what it was
     double alignment = 50;   ///< until the disturbance points in the direction of fastest growth
-    double duration = 1000;  ///< after that
+    double duration = 1000;  ///< after that; two intervals at least
     /// Distance over the static displacement: larger than the rounding of x after a million steps,
     /// smaller than what a spot moves in a step.
     double distance = 1e-6;
@@ -21,8 +21,7 @@ struct Separation {
 
 /// Rates [sqrt(k_x/m)] at which two nearby runs come apart, one per interval: the growth of the
 /// logarithm of their distance in displacements, velocities and deflections of sticking springs.
-/// Benettin, Galgani, Giorgilli, Strelcyn (1980), Meccanica 15. Throws std::invalid_argument if
-/// times are not positive or if there are fewer than two intervals.
+/// Benettin, Galgani, Giorgilli, Strelcyn (1980), Meccanica 15.
 std::vector<double> separation_rates(const Machine& machine, const Motion& start,
                                      const Separation& separation = {});
 

@@ -41,7 +41,7 @@ WalkSteps steps_of(const WalkCase& walk_case, const Recording& recording) {
             .window = window_steps(run, step),
             .snapshot = snapshot,
             .tail = tail,
-            .judged = std::min(count(judged_time()), run),
+            .judged = std::min(count(judged_time), run),
             .followed = std::min(tail + snapshot, run)};
 }
 

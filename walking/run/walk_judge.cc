@@ -219,10 +219,6 @@ void take_statistics(const Machine& machine, const StretchSums& sums, WalkResult
             {static_cast<double>(spot.sticking) / n, correlation(spot, sums.steps)});
 }
 
-double judged_time() {
-    return 200;
-}
-
 std::int64_t window_steps(std::int64_t n_steps, double step) {
     constexpr std::int64_t n_windows = 200;
     constexpr double shortest = 20;
@@ -233,8 +229,7 @@ std::int64_t window_steps(std::int64_t n_steps, double step) {
 bool may_repeat(const Machine& machine, std::span<const WalkWindow> windows) {
     if (first_steady(machine, windows)) return false;
     const double length = windows.front().end - windows.front().begin;
-    const auto half =
-        static_cast<std::size_t>(std::max(1., std::round(judged_time() / 2 / length)));
+    const auto half = static_cast<std::size_t>(std::max(1., std::round(judged_time / 2 / length)));
     if (windows.size() < 2 * half) return true;
     const auto end = windows.last(2 * half);
     return same_extremes(total(end.first(half)), total(end.last(half)));

@@ -86,12 +86,12 @@ DriftLimits drift_limits(const Machine& machine, double pull);
 struct WalkEvidence {
     double step = 0;                         ///< of the integration
     std::span<const WalkWindow> windows;     ///< of equal length, the whole run
-    std::span<const SectionReturn> returns;  ///< of its end, for judged_time() if it is that long
+    std::span<const SectionReturn> returns;  ///< of its end, for judged_time if it is that long
     std::optional<double> tilting_time;      ///< where it was stopped, if it tilted
 };
 
 /// Time at the end of a run in which the judge looks for a limit cycle: some 45 returns of set B.
-double judged_time();
+inline constexpr double judged_time = 200;
 
 /// Length of the windows, as a number of steps: 200 in a run, none shorter than five swings.
 std::int64_t window_steps(std::int64_t n_steps, double step);

@@ -57,12 +57,12 @@ TEST(WalkFigures, MotionIsOverItsOwnUnits) {
     const WalkReport report = ending(2, [](double) {
         return Motion{.base = 3e-3, .x = 3e-3 + 8e-5, .z = 5e-5, .phi = 4e-6, .x_velocity = 5e-4};
     });
-    const MotionSeries series = motion_series(machine(), report.walk.tail);
-    EXPECT_NEAR(series.time[1], 0.1, 1e-12);
-    EXPECT_NEAR(series.displacement[0], 2, 1e-12);
-    EXPECT_NEAR(series.z[0], 2, 1e-12);
-    EXPECT_NEAR(series.phi[0], 0.2, 1e-12);
-    EXPECT_NEAR(series.force[0], 2 * (-8e-5 + 1.18 * 4e-6) / load, 1e-12);
+    const MotionCurves curves = motion_curves(machine(), report.walk.tail);
+    EXPECT_NEAR(curves.z.x[1], 0.1, 1e-12);
+    EXPECT_NEAR(curves.displacement.y[0], 2, 1e-12);
+    EXPECT_NEAR(curves.z.y[0], 2, 1e-12);
+    EXPECT_NEAR(curves.phi.y[0], 0.2, 1e-12);
+    EXPECT_NEAR(curves.force.y[0], 2 * (-8e-5 + 1.18 * 4e-6) / load, 1e-12);
     const report::Curve orbit = figure(motion_section(report), "phase_plane").curves.back();
     EXPECT_NEAR(orbit.x[0], 2, 1e-12);
     EXPECT_NEAR(orbit.y[0], 2.5, 1e-12);  // 5e-4 over kappa6

@@ -93,14 +93,5 @@ TEST(Lyapunov, RatesOfAnIntervalAsShortAsAStepAreThoseOfTheMotion) {
     for (const double rate : rates) EXPECT_LT(std::abs(rate), 1000);
 }
 
-TEST(Lyapunov, RefusesTimesThatAreNone) {
-    const Machine machine{.kappas = set_a()};
-    const Motion start = motion_at_start(machine);
-    EXPECT_THROW(separation_rates(machine, start, {.step = 0}), std::invalid_argument);
-    EXPECT_THROW(separation_rates(machine, start, {.interval = 5, .duration = 9}),
-                 std::invalid_argument);
-    EXPECT_THROW(separation_rates(machine, start, {.distance = -1}), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace tricontact::walking::lyapunov_test
