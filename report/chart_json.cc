@@ -92,6 +92,7 @@ static void to_json(json& out, const Figure& figure) {
     const FigureStyles styles = styles_of(figure);
     out = {{"id", figure.id},
            {"title", chart_label(figure.title)},
+           {"description", description_of(figure)},
            {"x", figure.x},
            {"y", figure.y},
            {"curves", curves_json(figure.curves, styles)},

@@ -41,12 +41,18 @@ function note(text) {
     return {text, showarrow: false, xref: "paper", yref: "paper", x: 0.5, y: 0.5};
 }
 
-// `size`: {width, height} in px.
-async function save(traces, layout_there, size, name) {
+// `size`: {width, height} in px. `description`: its words in the file.
+async function save(traces, layout_there, size, name, description) {
     const uri = await Plotly.toImage({data: traces, layout: {...layout_there, ...size}},
                                      {format: "svg", ...size});
+    const drawing = new DOMParser().parseFromString(
+        decodeURIComponent(uri.slice(uri.indexOf(",") + 1)), "image/svg+xml");
+    const words = drawing.createElementNS("http://www.w3.org/2000/svg", "desc");
+    words.textContent = description;
+    drawing.documentElement.prepend(words);
     const link = document.createElement("a");
-    link.href = uri;
+    link.href = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(drawing)],
+                                             {type: "image/svg+xml"}));
     link.download = name + ".svg";
     link.click();
 }

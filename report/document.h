@@ -76,6 +76,9 @@ struct Document {
     std::string plots = {};
 };
 
+/// All figures; their provenance is the document's version and command.
+std::vector<Figure> figures_of(const Document& document);
+
 /// One HTML file that needs no network: verdicts, figures whose drawing (SVG) and data (CSV) can
 /// be downloaded, tables that sort; light and dark, for screen, phone and paper. Texts are plain;
 /// symbols of formulas in them ("f_T") are typeset. Same document, same bytes. Throws

@@ -191,7 +191,8 @@ function draw(theme, size) {
 function save_drawing(figure) {
     const layout = {...layout_of(figure, charts.paper), title: {text: figure.title},
                     margin: {l: 60, r: 16, t: 90, b: 48}};
-    return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id);
+    return charts.save(traces_of(figure, charts.paper), layout, drawing, figure.id,
+                       figure.description);
 }
 
 // Words come after numbers and undefined values last in either order.

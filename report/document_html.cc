@@ -162,9 +162,7 @@ data section(const DocumentSection& content, const std::string& plots) {
 
 /// The figures' data and the scripts that draw them.
 void set_scripts(const Document& document, data& page) {
-    std::vector<Figure> figures;
-    for (const DocumentSection& each : document.sections)
-        figures.insert(figures.end(), each.figures.begin(), each.figures.end());
+    const std::vector<Figure> figures = figures_of(document);
     page.set("has_figures", !figures.empty());
     page.set("figures", script_json(chart_json(figures)));
     page.set("library", std::string(figures.empty() ? "" : chart_library()));
@@ -190,6 +188,16 @@ void set_origin(const Document& document, data& page) {
 }
 
 }  // namespace
+
+std::vector<Figure> figures_of(const Document& document) {
+    std::vector<Figure> figures;
+    for (const DocumentSection& each : document.sections)
+        for (Figure figure : each.figures) {
+            figure.provenance = "tricontact " + document.version + ": " + document.command;
+            figures.push_back(std::move(figure));
+        }
+    return figures;
+}
 
 std::string document_html(const Document& document) {
     check_document(document);

@@ -49,6 +49,11 @@ FigureStyles styles_of(const Figure& figure) {
     return result;
 }
 
+std::string description_of(const Figure& figure) {
+    return figure.provenance.empty() ? figure.caption
+                                     : figure.caption + " (" + figure.provenance + ")";
+}
+
 std::vector<std::size_t> thinned(std::size_t size, std::size_t at_most) {
     const std::size_t stride = size <= at_most ? 1 : (size + at_most - 1) / at_most;
     std::vector<std::size_t> indices;

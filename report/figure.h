@@ -89,9 +89,10 @@ struct Panel {
 
 /// A figure as data: whoever draws it decides nothing about what it says.
 struct Figure {
-    std::string id = {};       ///< of its files: letters, digits, hyphens, underscores
-    std::string title = {};    ///< plain text
-    std::string caption = {};  ///< what is drawn, for which setting, and how to read it
+    std::string id = {};          ///< of its files: letters, digits, hyphens, underscores
+    std::string title = {};       ///< plain text
+    std::string caption = {};     ///< what is drawn, for which setting, and how to read it
+    std::string provenance = {};  ///< what made it: program, command
     FigureAxis x = {}, y = {};
     std::vector<Curve> curves = {};
     std::vector<Band> bands = {};
@@ -112,6 +113,9 @@ struct FigureStyles {
     std::vector<bool> named;  ///< curves that are the first of their name
 };
 FigureStyles styles_of(const Figure& figure);
+
+/// Caption and provenance: the words of a drawing that has left its page.
+std::string description_of(const Figure& figure);
 
 /// Every n-th index of `size` so that at most `at_most` remain, the last one included.
 std::vector<std::size_t> thinned(std::size_t size, std::size_t at_most);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <future>
+#include <kainjow/mustache.hpp>
 #include <system_error>
 #include <thread>
 
@@ -302,6 +303,16 @@ Picture panels_picture(const Figure& figure) {
     return {width, height, script + "unset multiplot\n"};
 }
 
+/// With the figure's title and description in the place of gnuplot's own.
+std::string with_words(std::string svg, const Figure& figure) {
+    const auto escaped = kainjow::mustache::html_escape<std::string>;
+    const std::size_t begin = svg.find("<title>"), end = svg.find("</desc>", begin);
+    if (end == std::string::npos) return svg;
+    return svg.replace(begin, end - begin,
+                       fmt::format("<title>{}</title>\n<desc>{}", escaped(figure.title),
+                                   escaped(description_of(figure))));
+}
+
 }  // namespace
 
 Picture picture_of(const Figure& figure) {
@@ -317,7 +328,8 @@ std::vector<Drawing> draw_all(const std::vector<Figure>& figures) {
         for (std::size_t job = next++; job < 2 * figures.size(); job = next++) {
             const Picture picture = picture_of(figures[job / 2]);
             if (job % 2 == 0)
-                drawings[job / 2].svg = draw(picture, ImageFormat::svg);
+                drawings[job / 2].svg =
+                    with_words(draw(picture, ImageFormat::svg), figures[job / 2]);
             else
                 drawings[job / 2].png = draw(picture, ImageFormat::png);
         }

@@ -147,9 +147,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
 }
 
 std::vector<ReportFile> report_files(const report::Document& document) {
-    std::vector<report::Figure> figures;
-    for (const DocumentSection& section : document.sections)
-        figures.insert(figures.end(), section.figures.begin(), section.figures.end());
+    const std::vector<report::Figure> figures = report::figures_of(document);
     std::vector<ReportFile> files{{"report.html", report::document_html(document)}};
     const std::vector<report::Drawing> drawings = report::draw_all(figures);
     for (std::size_t i = 0; i < figures.size(); ++i) {

@@ -200,7 +200,8 @@ function listen() {
     });
     for (const name of ["map", "motion"])
         part("save_" + name).addEventListener("click",
-            () => charts.save(...charts_of[name](charts.paper), drawing[name], name));
+            () => charts.save(...charts_of[name](charts.paper), drawing[name], name,
+                              document.title));
     new ResizeObserver(place_marker).observe(part("chart_map"));
 }
 

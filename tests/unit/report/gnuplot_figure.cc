@@ -64,6 +64,19 @@ TEST(GnuplotFigure, AllKindsAreDrawnInBothFormats) {
     EXPECT_TRUE(contains(drawings[2].svg, ">n\u00a0=\u00a00<"));
 }
 
+// A drawing that has left its page still says what it shows and what made it.
+TEST(GnuplotFigure, DrawingsSayWhatMadeThem) {
+    Figure figure = curves();
+    figure.title = "p < q";
+    figure.caption = "Two curves.";
+    figure.provenance = "tricontact 0.1.0: tricontact run a.toml";
+    const std::string svg = draw_all({figure}).front().svg;
+    EXPECT_TRUE(contains(svg, "<title>p &lt; q</title>"));
+    EXPECT_TRUE(
+        contains(svg, "<desc>Two curves. (tricontact 0.1.0: tricontact run a.toml)</desc>"));
+    EXPECT_FALSE(contains(svg, "Produced by GNUPLOT"));
+}
+
 TEST(GnuplotFigure, LabelsInGnuplotsNotation) {
     EXPECT_EQ(gnuplot_label("u_stat [1]"), "u_{stat} [1]");
     EXPECT_EQ(gnuplot_label("C(q) [m^4]"), "C(q) [m^{4}]");
