@@ -47,7 +47,7 @@ async function save(traces, layout_there, size, name, description) {
                                      {format: "svg", ...size});
     const drawing = new DOMParser().parseFromString(
         decodeURIComponent(uri.slice(uri.indexOf(",") + 1)), "image/svg+xml");
-    const words = drawing.createElementNS("http://www.w3.org/2000/svg", "desc");
+    const words = drawing.createElementNS(drawing.documentElement.namespaceURI, "desc");
     words.textContent = description;
     drawing.documentElement.prepend(words);
     const link = document.createElement("a");
