@@ -21,6 +21,12 @@ double tangential_ratio(const contact::History& history) {
     return history.friction_limit > 0 ? history.tangential_force / history.friction_limit : 0;
 }
 
+double tangential_ratio(const contact::Case& c, double normal_force) {
+    return c.load.tangential_ratio
+               ? *c.load.tangential_ratio
+               : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
+}
+
 double amplitude_ratio(const contact::History& history) {
     return history.amplitude / history.scales.contact_radius;
 }
@@ -59,10 +65,7 @@ Reference reference(const contact::Case& c) {
     r.hertz = contact::half_space_scales(c);
     r.is_nominal = contact::is_nominally_flat(c);
     r.static_shift_is_relaxed = static_shift_is_relaxed(c);
-    const double friction_limit = c.friction_coefficient * r.hertz.normal_force;
-    r.tangential_ratio = c.load.tangential_ratio
-                             ? *c.load.tangential_ratio
-                             : c.load.tangential_force.value_or(0) / friction_limit;
+    r.tangential_ratio = tangential_ratio(c, r.hertz.normal_force);
     if (c.rolling)
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;

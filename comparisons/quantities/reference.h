@@ -16,6 +16,8 @@ bool in_unit_range(double ratio);
 
 /// f_T = F_T/(mu F_N) of a history after loading; 0 without friction.
 double tangential_ratio(const contact::History& history);
+/// The same of a case's load, pressed by F_N [N].
+double tangential_ratio(const contact::Case& c, double normal_force);
 /// w = W/a over the model's own contact radius.
 double amplitude_ratio(const contact::History& history);
 

@@ -14,8 +14,8 @@ ThesisFigures::ThesisFigures(const StudyFit& fit, const std::string& group,
     : fit_(fit), group_(group), suffix_(suffix) {
     for (const RollingPoint& p : fit.points) {
         if (!group.empty() && p.group != group) continue;
-        points_.push_back(&p);
-        amplitudes_.insert(std::round(p.amplitude_ratio * resolution) / resolution);
+        points.push_back(&p);
+        amplitudes.insert(std::round(p.amplitude_ratio * resolution) / resolution);
     }
 }
 
@@ -44,7 +44,7 @@ report::Figure ThesisFigures::figure(const std::string& number, const std::strin
     if (!place) return figure;
     for (const std::string& model : models) {
         report::Curve& curve = figure.curves.emplace_back(model_points(fit_, model));
-        for (const RollingPoint* p : points_)
+        for (const RollingPoint* p : points)
             if (p->model == model)
                 if (const Placed at = place(*p)) add_with_bar(curve, at->first, at->second);
         drop_unknown_bars(curve);

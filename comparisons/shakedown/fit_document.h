@@ -81,14 +81,12 @@ class ThesisFigures {
                           const std::string& caption, const char* x, const char* y,
                           const std::vector<Form>& forms, const Place& place = {}) const;
 
-    const std::vector<const RollingPoint*>& points() const { return points_; }
-    const std::set<double>& amplitudes() const { return amplitudes_; }
+    std::vector<const RollingPoint*> points;
+    std::set<double> amplitudes;
 
   private:
     const StudyFit& fit_;
     std::string group_, suffix_;
-    std::vector<const RollingPoint*> points_;
-    std::set<double> amplitudes_;
 };
 
 // Places in the figures that round bodies and line contacts have alike.

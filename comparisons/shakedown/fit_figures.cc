@@ -13,8 +13,11 @@ namespace {
 
 constexpr const char* load_label = "f_T/f_T,lim";
 
-void add_once(std::vector<std::string>& names, const std::string& name) {
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+std::vector<std::string> names_of(const StudyFit& fit, std::string RollingPoint::*member) {
+    std::vector<std::string> names;
+    for (const RollingPoint& p : fit.points)
+        if (std::ranges::find(names, p.*member) == names.end()) names.push_back(p.*member);
+    return names;
 }
 
 std::string id_of(const std::string& what, std::size_t index) {
@@ -76,15 +79,11 @@ std::optional<report::ContourMap> map_of(const MappingGroup& group) {
 }  // namespace
 
 std::vector<std::string> group_names(const StudyFit& fit) {
-    std::vector<std::string> names;
-    for (const RollingPoint& p : fit.points) add_once(names, p.group);
-    return names;
+    return names_of(fit, &RollingPoint::group);
 }
 
 std::vector<std::string> model_names(const StudyFit& fit) {
-    std::vector<std::string> names;
-    for (const RollingPoint& p : fit.points) add_once(names, p.model);
-    return names;
+    return names_of(fit, &RollingPoint::model);
 }
 
 report::Curve model_points(const StudyFit& fit, const std::string& model) {

@@ -33,9 +33,11 @@ const MappingUse* use_named(const MappingGroup& group, const std::string& name) 
 std::string finding_of(const MappingGroup& group) {
     const OneMapping& one = group.one;
     const std::string claim = "one κ for all amplitudes and loads ";
+    const auto [least, most] =
+        std::ranges::minmax(group.points, {}, [](const MappingPoint& p) { return p.kappa.value; });
     const std::string points = fmt::format("that of single points lies between {} and {}",
-                                           report::significant(group.smallest(), 3),
-                                           report::significant(group.largest(), 3));
+                                           report::significant(least.kappa.value, 3),
+                                           report::significant(most.kappa.value, 3));
     if (one.is_negligible) return claim + "holds to 0.1 % of u_sd; " + points;
     if (one.finding == Standing::fails)
         return claim + "does not hold: " + points + ", further apart than their numerical errors";

@@ -7,7 +7,6 @@
 
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/root.h"
 #include "theory/layer/elastic_layer.h"
@@ -22,13 +21,6 @@ using contact::Case;
 const LimitRun* run_at(const ModelLimit& m, double value) {
     const auto it = std::ranges::find(m.runs, value, &LimitRun::value);
     return it == m.runs.end() ? nullptr : &*it;
-}
-
-/// Of the case's F_T and friction limit; on a layer pressed to a depth F_N is the layer's own.
-double load_ratio(const Case& c, double normal_force) {
-    return c.load.tangential_ratio
-               ? *c.load.tangential_ratio
-               : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
 }
 
 /// What the limits of an exact contact with a layer follow from.
@@ -76,20 +68,12 @@ std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
         const double w = contact::rolling_amplitude(*c.rolling, reference_radius) / radius;
         return in_unit_range(w) ? std::optional(layer->of_load(w)) : std::nullopt;
     }
-    const double f = load_ratio(c, layer->normal_force);
+    const double f = tangential_ratio(c, layer->normal_force);
     if (!in_unit_range(f)) return {};
     return layer->of_amplitude(f) * radius / reference_radius;
 }
 
 }  // namespace
-
-BracketedValue ModelLimit::limit() const {
-    return {bracket.centre(), bracket.last_shakedown, bracket.first_ratcheting};
-}
-
-double ModelLimit::resolution_error() const {
-    return exact ? std::abs(by_pressures - *exact) : 0;
-}
 
 std::optional<BracketedValue> ModelLimit::shift_ratio() const {
     const LimitRun* below = run_at(*this, bracket.last_shakedown);

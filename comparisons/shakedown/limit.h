@@ -50,10 +50,6 @@ struct ModelLimit {
     /// layer, that of the exact layer. Empty where no theory covers the case.
     std::optional<double> exact;
 
-    /// Middle and ends of the bracket.
-    BracketedValue limit() const;
-    /// What the resolution is known to do to the limit, as far as it is: |by_pressures - exact|.
-    double resolution_error() const;
     /// Final shift over U_max at the limit: low, after the last shakedown; value, where the first
     /// ratcheting was slowest; high, as far above it. Empty if either was not run.
     std::optional<BracketedValue> shift_ratio() const;

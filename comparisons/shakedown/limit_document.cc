@@ -18,9 +18,9 @@ namespace {
 using contact::State;
 using Standing = report::Verdict::Standing;
 
-/// Bisection and resolution together.
+/// Bisection and what the resolution is known to do to the limit, as far as it is.
 double error_of(const ModelLimit& m) {
-    return m.bracket.half_width() + m.resolution_error();
+    return m.bracket.half_width() + (m.exact ? std::abs(m.by_pressures - *m.exact) : 0);
 }
 
 /// "2.31 % above"
@@ -38,14 +38,14 @@ bool is_fold(const LimitStudy& study) {
 report::Verdict model_verdict(const ModelLimit& m, const char* symbol) {
     std::string text =
         fmt::format("{}: the limit by bisection is {} = {}", report::display_name(m.model), symbol,
-                    report::with_error(m.limit().value, m.bracket.half_width()));
+                    report::with_error(m.bracket.centre(), m.bracket.half_width()));
     if (!m.exact) return {Standing::finding, text + "."};
-    const double off = m.limit().value - *m.exact;
+    const double off = m.bracket.centre() - *m.exact;
     const std::string exact = fmt::format("{:.7g}", *m.exact);
     const bool within = std::abs(off) <= error_of(m);
     if (m.coupled) {
         const std::string where =
-            within ? "within the errors of" : apart(m.limit().value, *m.exact);
+            within ? "within the errors of" : apart(m.bracket.centre(), *m.exact);
         return {Standing::finding,
                 text + fmt::format("; the coupled contact has its limit {} the uncoupled {}.",
                                    where, exact)};
@@ -60,7 +60,7 @@ void add_differences(const LimitStudy& study, std::vector<report::Verdict>& verd
     const auto& models = study.models;
     for (std::size_t i = 0; i < models.size(); ++i)
         for (std::size_t k = i + 1; k < models.size(); ++k) {
-            const double a = models[i].limit().value, b = models[k].limit().value;
+            const double a = models[i].bracket.centre(), b = models[k].bracket.centre();
             if (std::abs(a - b) <= error_of(models[i]) + error_of(models[k])) continue;
             verdicts.push_back(
                 {Standing::finding, fmt::format("{} finds a limit {} that of {}.",
@@ -73,16 +73,16 @@ void add_thesis(const LimitStudy& study, const char* symbol,
                 std::vector<report::Verdict>& verdicts) {
     if (!study.thesis) return;
     const auto agrees = [&](const ModelLimit& m) {
-        return std::abs(m.limit().value - *study.thesis) <= error_of(m);
+        return std::abs(m.bracket.centre() - *study.thesis) <= error_of(m);
     };
     const auto& models = study.models;
     const bool any = std::ranges::any_of(models, agrees);
     std::string off;
     for (const ModelLimit& m : models)
         if (!agrees(m))
-            off +=
-                fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
-                            apart(*study.thesis, m.limit().value), report::display_name(m.model));
+            off += fmt::format("{}{} that of {}", off.empty() ? "" : ", ",
+                               apart(*study.thesis, m.bracket.centre()),
+                               report::display_name(m.model));
     verdicts.push_back({any ? Standing::holds : Standing::fails,
                         fmt::format("The thesis' limit {} = {:.4g}{}{}.", symbol, *study.thesis,
                                     off.empty() ? " agrees" : " lies ", off)});
@@ -104,8 +104,8 @@ report::DocumentTable limit_table(const LimitStudy& study) {
         const auto shift = m.shift_ratio();
         table.rows.push_back(
             {report::display_name(m.model),
-             report::WithError{m.limit().value, m.bracket.half_width()}, m.bracket.last_shakedown,
-             m.bracket.first_ratcheting, m.by_pressures,
+             report::WithError{m.bracket.centre(), m.bracket.half_width()},
+             m.bracket.last_shakedown, m.bracket.first_ratcheting, m.by_pressures,
              m.exact ? report::Cell{*m.exact} : report::Cell{"–"},
              shift ? report::Cell{report::WithError{shift->value, shift->value - shift->low}}
                    : report::Cell{"–"}});
@@ -177,7 +177,7 @@ report::Figure period_figure(const LimitStudy& study) {
                 .colour = static_cast<int>(2 * i + (state == State::shakedown ? 0 : 1))});
             for (const LimitRun& run : m.runs) {
                 // Nearer than the half width the distance is not known.
-                const double distance = std::abs(run.value - m.limit().value);
+                const double distance = std::abs(run.value - m.bracket.centre());
                 if (run.state == state && distance > m.bracket.half_width())
                     curve.add(distance, run.periods);
             }

@@ -25,7 +25,7 @@ json run_json(const LimitRun& run) {
 
 json to_json(const ModelLimit& m) {
     const auto shift = m.shift_ratio();
-    return {{"limit", m.limit().value},
+    return {{"limit", m.bracket.centre()},
             {"last_shakedown", m.bracket.last_shakedown},
             {"first_ratcheting", m.bracket.first_ratcheting},
             {"undecided", m.bracket.undecided},
@@ -58,9 +58,9 @@ std::string limit_csv(const LimitStudy& study) {
                                          "final_shift_ratio_low", "final_shift_ratio_high"});
     for (const ModelLimit& m : study.models) {
         const auto [value, low, high] = m.shift_ratio().value_or(BracketedValue{NAN, NAN, NAN});
-        text +=
-            report::csv_row(m.model, study.varied().key, m.limit().value, m.bracket.last_shakedown,
-                            m.bracket.first_ratcheting, m.by_pressures, m.exact, value, low, high);
+        text += report::csv_row(m.model, study.varied().key, m.bracket.centre(),
+                                m.bracket.last_shakedown, m.bracket.first_ratcheting,
+                                m.by_pressures, m.exact, value, low, high);
     }
     return text;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "comparisons/half_space/layer.h"
 #include "comparisons/shakedown/fit_document.h"
 #include "comparisons/shakedown/study_fit.h"
 #include "report/columns.h"
@@ -33,7 +32,7 @@ report::Figure stick_widths(const ThesisFigures& of) {
         const auto force_at = [=](double c) { return force(w, c); };
         forms.push_back({name, 0, widest, force_at, std::identity(), kind});
     };
-    for (const double w : of.amplitudes()) {
+    for (const double w : of.amplitudes) {
         add("exact, half-space", w, theory::line_stick_force, exact_line);
         add("thesis (3.5.24)", w, theory::thesis_line_stick_force, of_thesis_line);
     }
@@ -44,7 +43,7 @@ report::Figure stick_widths(const ThesisFigures& of) {
 }
 
 report::Figure settled(const ThesisFigures& of, double lambda) {
-    std::set<double> amplitudes = of.amplitudes();
+    std::set<double> amplitudes = of.amplitudes;
     amplitudes.insert(0);
     std::vector<Form> forms;
     for (const double w : amplitudes) {
@@ -92,7 +91,7 @@ report::Figure limit_shifts(const ThesisFigures& of, double lambda) {
 
 report::Figure increments(const ThesisFigures& of) {
     std::vector<Form> forms;
-    for (const double w : of.amplitudes())
+    for (const double w : of.amplitudes)
         forms.push_back({"thesis (3.5.30)", theory::line_shakedown_limit(w), 1, std::identity(),
                          [=](double load) { return theory::thesis_line_increment(w, load); },
                          of_thesis_line});

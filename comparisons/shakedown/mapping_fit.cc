@@ -133,19 +133,7 @@ OneMapping one_of(const MappingGroup& group) {
     return one;
 }
 
-double kappa_of(const MappingPoint& p) {
-    return p.kappa.value;
-}
-
 }  // namespace
-
-double MappingGroup::smallest() const {
-    return std::ranges::min(points, {}, kappa_of).kappa.value;
-}
-
-double MappingGroup::largest() const {
-    return std::ranges::max(points, {}, kappa_of).kappa.value;
-}
 
 std::vector<MappingGroup> mapping_fits(const std::vector<RollingPoint>& points, double confidence) {
     auto groups = groups_of<MappingGroup>(points);

@@ -56,8 +56,6 @@ struct MappingGroup {
     std::optional<FittedForm> plane;
     std::vector<MappingUse> uses;  ///< fitted, thesis' (where it has one), MDR's
     OneMapping one;
-
-    double smallest() const, largest() const;  ///< kappa of a point; points must not be empty
 };
 
 /// Groups in the order of the points. Fits are linear regressions through the origin of

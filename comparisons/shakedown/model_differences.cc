@@ -48,8 +48,7 @@ ModelDifference compared(const Quantity& quantity, const std::vector<const Rolli
         if (b == second.end()) continue;
         const Computed *value = a->find(quantity), *other = (*b)->find(quantity);
         if (!value || !other || other->value == 0) continue;
-        PointDifference point{.point = a->point,
-                              .amplitude_ratio = (*b)->amplitude_ratio,
+        PointDifference point{.amplitude_ratio = (*b)->amplitude_ratio,
                               .tangential_ratio = (*b)->tangential_ratio,
                               .first = *value,
                               .second = *other};
@@ -59,10 +58,6 @@ ModelDifference compared(const Quantity& quantity, const std::vector<const Rolli
 }
 
 }  // namespace
-
-double PointDifference::bar() const {
-    return (first.error + second.error) / std::abs(second.value);
-}
 
 double ModelDifference::median() const {
     std::vector<double> magnitudes;

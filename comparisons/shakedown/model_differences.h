@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,12 @@ namespace tricontact::comparisons {
 
 /// One quantity of one point by two models.
 struct PointDifference {
-    std::string point;
     double amplitude_ratio = 0, tangential_ratio = 0;  ///< w, f_T of the second model
     Computed first, second;
 
     double relative() const { return first.value / second.value - 1; }
     /// Half width of the bar of `relative`, both errors over the second value; NaN: not known.
-    double bar() const;
+    double bar() const { return (first.error + second.error) / std::abs(second.value); }
 };
 
 /// Two models side by side in one group: a quantity at the points where both have it.

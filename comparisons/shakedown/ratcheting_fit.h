@@ -55,9 +55,4 @@ struct RatchetingGroup {
 std::vector<RatchetingGroup> ratcheting_fits(const std::vector<RollingPoint>& points,
                                              double confidence);
 
-/// c of the thesis: 4.77 for MDR (3.3.2), sqrt(2) parallel (3.3.3), sqrt(5) perpendicular (3.4.15).
-inline constexpr double thesis_root_mdr = 4.77;
-inline constexpr double thesis_root_parallel = 1.41421356237309505;
-inline constexpr double thesis_root_perpendicular = 2.23606797749978970;
-
 }  // namespace tricontact::comparisons

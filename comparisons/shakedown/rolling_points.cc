@@ -68,7 +68,7 @@ RollingPoint point_of(const Runs& runs) {
                    .amplitude_ratio = *results.number(quantities::amplitude_ratio),
                    .tangential_ratio = *results.number(quantities::tangential_ratio),
                    .state = results.state().value_or(contact::State::undecided)};
-    for (const Quantity* q : point_quantities()) {
+    for (const Quantity* q : point_quantities) {
         const bool followed = !depends_on_steps(*q) || finest.steps_per_quarter > 1;
         if (results.told(*q) && followed) p.values[q] = over_levels(runs, *q);
     }
@@ -81,15 +81,6 @@ bool is_multiple_of_pi(double angle) {
 }
 
 }  // namespace
-
-const std::vector<const Quantity*>& point_quantities() {
-    using namespace quantities;
-    static const std::vector<const Quantity*> list{
-        &static_shift,           &static_shift_ratio,    &settled_shift,
-        &settled_shift_ratio,    &shift_increment,       &shift_increment_ratio,
-        &limit_tangential_ratio, &limit_amplitude_ratio, &stick_ratio};
-    return list;
-}
 
 bool is_parallel(double angle) {
     return is_multiple_of_pi(angle);

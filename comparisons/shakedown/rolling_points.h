@@ -31,7 +31,7 @@ struct RollingPoint {
     double amplitude_ratio = 0;   ///< w
     double tangential_ratio = 0;  ///< f_T
     contact::State state = contact::State::undecided;
-    /// Of point_quantities(), where the finest run tells them; the bar of a settled shift includes
+    /// Of point_quantities, where the finest run tells them; the bar of a settled shift includes
     /// what was still to come when the run ended. The shift per period, of ratcheting, needs steps
     /// finer than the turning points.
     ByQuantity<Computed> values = {};
@@ -43,7 +43,15 @@ struct RollingPoint {
 };
 
 /// What a point is asked for: shifts in metres and in U_max, limits, stick.
-const std::vector<const Quantity*>& point_quantities();
+inline constexpr std::array point_quantities{&quantities::static_shift,
+                                             &quantities::static_shift_ratio,
+                                             &quantities::settled_shift,
+                                             &quantities::settled_shift_ratio,
+                                             &quantities::shift_increment,
+                                             &quantities::shift_increment_ratio,
+                                             &quantities::limit_tangential_ratio,
+                                             &quantities::limit_amplitude_ratio,
+                                             &quantities::stick_ratio};
 
 /// What the runs of each model and point say together, in the order of their first runs. Runs
 /// without w and f_T in [0, 1] are left out. The state is that of the finest run; a coarser one in

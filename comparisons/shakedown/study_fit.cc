@@ -41,7 +41,7 @@ static void to_json(json& out, const RollingPoint& p) {
            {quantities::amplitude_ratio.key, p.amplitude_ratio},
            {quantities::tangential_ratio.key, p.tangential_ratio},
            {quantities::state.key, contact::name_of(p.state)}};
-    for (const Quantity* q : point_quantities()) out[q->key] = p.find(*q) ? json(p.at(*q)) : json();
+    for (const Quantity* q : point_quantities) out[q->key] = p.find(*q) ? json(p.at(*q)) : json();
 }
 
 static void to_json(json& out, const MappingUse& use) {
@@ -159,7 +159,7 @@ std::string fit_json(const StudyFit& fit) {
 std::string points_csv(const StudyFit& fit) {
     std::vector<std::string> heading{"model", "group", quantities::amplitude_ratio.key,
                                      quantities::tangential_ratio.key, quantities::state.key};
-    for (const Quantity* q : point_quantities())
+    for (const Quantity* q : point_quantities)
         heading.insert(heading.end(), {q->key, std::string(q->key) + "_error"});
     heading.emplace_back("caveat");
     std::string text = report::csv_line(heading);
@@ -168,7 +168,7 @@ std::string points_csv(const StudyFit& fit) {
                                      report::csv_field(p.amplitude_ratio),
                                      report::csv_field(p.tangential_ratio),
                                      contact::name_of(p.state)};
-        for (const Quantity* q : point_quantities()) {
+        for (const Quantity* q : point_quantities) {
             const Computed* value = p.find(*q);
             row.push_back(value ? report::csv_field(value->value) : "");
             row.push_back(value ? report::csv_field(value->error) : "");

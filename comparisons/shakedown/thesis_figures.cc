@@ -16,6 +16,11 @@ namespace {
 /// Loads from which a settled point counts as near its limit.
 constexpr double drawn_near_limit = 0.9;
 
+/// c of Δu = c u_stat^(1/2) (w − w_lim): 4.77 for MDR (3.3.2), sqrt(2) parallel (3.3.3), sqrt(5)
+/// perpendicular (3.4.15).
+constexpr double thesis_root_mdr = 4.77, thesis_root_parallel = 1.41421356237309505,
+                 thesis_root_perpendicular = 2.23606797749978970;
+
 constexpr int of_thesis = 0, exact_form = 1, exact_threshold = 2;  // kinds of forms
 
 /// The figures of one group, all its models in each.
@@ -23,7 +28,7 @@ class GroupFigures {
   public:
     GroupFigures(const StudyFit& fit, const std::string& group, const std::string& suffix)
         : fit_(fit), group_(group), of_(fit, group, suffix, 1e4) {
-        parallel_ = is_parallel(of_.points().front()->angle);
+        parallel_ = is_parallel(of_.points.front()->angle);
         kappa_ = parallel_ ? theory::thesis_mapping_parallel : theory::thesis_mapping_perpendicular;
     }
 
@@ -40,7 +45,7 @@ class GroupFigures {
     double thesis_limit(double w) const { return theory::shakedown_limit(w, kappa_); }
 
     report::Figure settled() const {
-        std::set<double> amplitudes = of_.amplitudes();
+        std::set<double> amplitudes = of_.amplitudes;
         amplitudes.insert(0);
         std::vector<Form> forms;
         for (const double w : amplitudes) {
@@ -117,7 +122,7 @@ class GroupFigures {
         const auto formula =
             parallel_ ? theory::thesis_increment_parallel : theory::thesis_increment_perpendicular;
         std::vector<Form> forms;
-        for (const double w : of_.amplitudes())
+        for (const double w : of_.amplitudes)
             forms.push_back({"thesis", thesis_limit(w), 1, std::identity(),
                              [=](double load) { return formula(w, load); }, of_thesis});
         return of_.figure(

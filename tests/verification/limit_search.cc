@@ -38,7 +38,7 @@ TEST(LimitSearch, MdrToOneMillionth) {
     for (const double w : {.24, .51, .8}) {
         const auto found = search(mdr_test::sphere_rig(w, .3, 10000, 6), "mdr");
         const double exact = theory::shakedown_limit(w);
-        EXPECT_NEAR(found.limit().value, exact, 1e-6) << w;
+        EXPECT_NEAR(found.bracket.centre(), exact, 1e-6) << w;
         expect_bracketed(found, exact, 1e-7);  // kinks between springs: dx^2/4 at dx = 2e-4 a
         EXPECT_NEAR(found.by_pressures, exact, 1e-7) << w;
         EXPECT_DOUBLE_EQ(found.exact.value(), exact);
@@ -54,7 +54,7 @@ TEST(LimitSearch, MdrInTheAmplitude) {
     question.variable = LimitVariable::amplitude;
     for (const double f : {.2, .56}) {
         const auto found = search(mdr_test::sphere_rig(.3, f, 10000, 6), "mdr", question);
-        EXPECT_NEAR(found.limit().value, theory::amplitude_limit(f), 1e-6) << f;
+        EXPECT_NEAR(found.bracket.centre(), theory::amplitude_limit(f), 1e-6) << f;
         EXPECT_NEAR(found.by_pressures, theory::amplitude_limit(f), 3e-7) << f;
     }
 }
@@ -68,7 +68,7 @@ TEST_P(BemLimitSearch, ToOneThousandth) {
     contact::Case c = bem::rig_case(GetParam().w, .3, 10);
     c.rolling->angle = GetParam().angle * std::numbers::pi / 180;
     const auto found = search(c, "bem");
-    EXPECT_NEAR(found.limit().value, theory::shakedown_limit(GetParam().w), 1e-3);
+    EXPECT_NEAR(found.bracket.centre(), theory::shakedown_limit(GetParam().w), 1e-3);
     // The discrete contact has its own exact limit: what the least pressures of its cells carry.
     expect_bracketed(found, found.by_pressures, 1e-6);
 }
@@ -84,7 +84,7 @@ TEST(LimitSearch, BemInTheAmplitude) {
     question.variable = LimitVariable::amplitude;
     question.tolerance = 4e-3;
     const auto found = search(c, "bem", question);
-    EXPECT_NEAR(found.limit().value, .51, 4e-3);
+    EXPECT_NEAR(found.bracket.centre(), .51, 4e-3);
 }
 
 }  // namespace
