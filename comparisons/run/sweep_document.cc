@@ -55,17 +55,15 @@ std::string state_of(const Sweep::Point& point) {
     return state ? contact::name_of(*state) : "";
 }
 
-/// The points that `wanted` wants, with their results or errors.
-template <class Wanted>
+/// All points with their results, or the first of those that failed with their errors.
 report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>& scales,
-                               bool failures, const Wanted& wanted) {
+                               bool failures) {
     const std::vector<const Quantity*> shown = shown_quantities(sweep);
     report::DocumentTable table{.id = failures ? "failed_points" : "points",
                                 .title = failures ? "Points that failed" : "Points",
                                 .columns = {{"model"}},
                                 .rows = {}};
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        table.columns.push_back({heading_of(sweep.axes[i], scales[i])});
+    for (const SweepScale& scale : scales) table.columns.push_back({scale.heading});
     table.columns.push_back({failures ? "error" : quantities::state.key});
     if (!failures)
         for (const Quantity* q : shown) table.columns.push_back({heading_of(*q)});
@@ -74,7 +72,7 @@ report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>
     });
     if (has_files) table.columns.push_back({"ParaView"});
     for (const Sweep::Point& point : sweep.points) {
-        if (!wanted(point)) continue;
+        if (failures && (!point.error || table.rows.size() == most_rows)) continue;
         std::vector<report::Cell>& row = table.rows.emplace_back();
         row.emplace_back(name_of(point, sweep));
         for (std::size_t i = 0; i < scales.size(); ++i)
@@ -90,13 +88,13 @@ report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>
     return table;
 }
 
-bool has_failed(const Sweep::Point& point) {
-    return point.error.has_value();
+std::size_t failures_of(const Sweep& sweep) {
+    return std::ranges::count_if(sweep.points, [](const auto& p) { return p.error.has_value(); });
 }
 
 std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
     const std::size_t n = sweep.points.size();
-    const auto n_failed = std::ranges::count_if(sweep.points, has_failed);
+    const std::size_t n_failed = failures_of(sweep);
     const std::string counted = fmt::format("{} {}", n, n == 1 ? "point" : "points");
     std::vector<report::Verdict> verdicts;
     if (n_failed == 0)
@@ -132,7 +130,7 @@ std::vector<report::Verdict> verdicts_of(const Sweep& sweep) {
 report::DocumentSection points_section(const Sweep& sweep, const std::vector<SweepScale>& scales) {
     report::DocumentSection section{.id = "points", .heading = "All points"};
     if (sweep.points.size() <= most_rows) {
-        section.tables.push_back(table_of(sweep, scales, false, [](const auto&) { return true; }));
+        section.tables.push_back(table_of(sweep, scales, false));
         section.tables.back().note =
             "Ratios are over each model's own U_max. What a point does not tell is left empty: a "
             "contact that ratchets has no settled shift.";
@@ -140,12 +138,11 @@ report::DocumentSection points_section(const Sweep& sweep, const std::vector<Swe
         section.paragraphs.push_back(fmt::format(
             "{} points are too many for a page: results.csv has them all.", sweep.points.size()));
     }
-    std::size_t n_failed = 0;
-    report::DocumentTable failed = table_of(sweep, scales, true, [&](const Sweep::Point& point) {
-        return has_failed(point) && ++n_failed <= most_rows;
-    });
-    if (n_failed > most_rows) failed.note = fmt::format("The first {} of {}.", most_rows, n_failed);
-    if (n_failed > 0) section.tables.push_back(std::move(failed));
+    const std::size_t n_failed = failures_of(sweep);
+    if (n_failed == 0) return section;
+    section.tables.push_back(table_of(sweep, scales, true));
+    if (n_failed > most_rows)
+        section.tables.back().note = fmt::format("The first {} of {}.", most_rows, n_failed);
     return section;
 }
 

@@ -26,20 +26,21 @@ std::string title_of(const Quantity& quantity) {
 }
 
 SweepScale scale_of(const Sweep& sweep, std::size_t axis) {
-    SweepScale scale;
+    const auto& [key, base, logarithmic] = sweep.axes[axis];
+    SweepScale scale{.heading = key};
     std::set<double> values;
     for (const Sweep::Point& point : sweep.points) {
         const auto* value = std::get_if<double>(&point.values[axis]);
-        if (!value) return {.is_number = false, .unit = {}, .values = {}};
+        if (!value) return {.heading = key, .is_number = false};
         values.insert(*value);
     }
     const double largest =
         values.empty() ? 0 : std::max(std::abs(*values.begin()), std::abs(*values.rbegin()));
-    const std::string& base = sweep.axes[axis].unit;
     if (base == "rad")
         scale.unit = {std::numbers::pi / 180, "°"};
     else if (!base.empty())
         scale.unit = report::fitting_unit(largest, base);
+    if (!scale.unit.symbol.empty()) scale.heading += " [" + scale.unit.symbol + "]";
     for (const double value : values) scale.values.insert(value / scale.unit.factor);
     return scale;
 }
@@ -106,7 +107,7 @@ std::vector<report::Figure> figures_of(const Sweep& sweep, const std::vector<Swe
         report::Figure& figure = figures.emplace_back();
         figure.id = fmt::format("{}_{}", quantity.key, axis + 1);
         figure.title = fmt::format("{} over {}", title_of(quantity), key);
-        figure.x = {heading_of(sweep.axes[axis], scale), sweep.axes[axis].logarithmic};
+        figure.x = {scale.heading, sweep.axes[axis].logarithmic};
         figure.y.label = heading_of(quantity);
         figure.curves = curves_over(sweep, axis, scale, quantity);
         figure.caption = caption_of(sweep, quantity, figure.curves);
@@ -120,11 +121,6 @@ std::vector<SweepScale> scales_of(const Sweep& sweep) {
     std::vector<SweepScale> scales;
     for (std::size_t i = 0; i < sweep.axes.size(); ++i) scales.push_back(scale_of(sweep, i));
     return scales;
-}
-
-std::string heading_of(const Sweep::Axis& axis, const SweepScale& scale) {
-    return scale.unit.symbol.empty() ? axis.key
-                                     : fmt::format("{} [{}]", axis.key, scale.unit.symbol);
 }
 
 std::string name_of(const Sweep::Point& point, const Sweep& sweep) {

@@ -11,16 +11,14 @@ namespace tricontact::comparisons {
 
 /// The values of an axis in a unit for people; words have none.
 struct SweepScale {
+    std::string heading;  ///< "substrate.thickness [mm]"
     bool is_number = true;
-    report::Unit unit;
-    std::set<double> values;  ///< in that unit
+    report::Unit unit = {};
+    std::set<double> values = {};  ///< in that unit
 };
 
 /// One per axis.
 std::vector<SweepScale> scales_of(const Sweep& sweep);
-
-/// "substrate.thickness [mm]".
-std::string heading_of(const Sweep::Axis& axis, const SweepScale& scale);
 
 /// Model, and level where the sweep has several.
 std::string name_of(const Sweep::Point& point, const Sweep& sweep);
