@@ -8,7 +8,7 @@
 
 #include "app/further_runs.h"
 #include "app/studies/point_key.h"
-#include "comparisons/half_space/layer.h"
+#include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/error.h"

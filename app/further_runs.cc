@@ -184,7 +184,7 @@ RunValues run_once(const Case& c, const std::string& model, int n_threads) {
 void run_twin(const Case& c, int n_threads, const Say& say, TwinComparison& comparison) {
     say(fmt::format("{}: once more on the relaxed, elastic substrate", comparison.model));
     try {
-        comparison.elastic = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
+        comparison.other = run_once(comparisons::elastic_twin(c), comparison.model, n_threads);
     } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
         comparison.why_none = error.what();
     }
@@ -197,12 +197,12 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads
         Case other = c;
         other.rolling->speed = speed;
         const auto found =
-            comparisons::twin_error(*known.elastic, run_once(other, known.model, n_threads));
+            comparisons::twin_error(*known.other, run_once(other, known.model, n_threads));
         return found ? std::optional(std::abs(*found)) : std::nullopt;
     };
     SpeedLimit limit = comparisons::find_speed_limit(*c.relaxation, known.drive->amplitude, error);
     limit.model = known.model;
-    limit.of_increment = comparisons::judged_by_increment(*known.elastic);
+    limit.of_increment = comparisons::judged_by_increment(*known.other);
     return limit;
 }
 
@@ -233,7 +233,7 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     TwinComparison comparison;
     comparison.model = history.model;
     comparison.drive = comparisons::drive_values(c, history.amplitude);
-    comparison.relaxing = run_values(history);
+    comparison.run = run_values(history);
     if (!options.studies)
         comparison.why_none = "skipped (--no-studies)";
     else if (std::abs(comparisons::tangential_ratio(history)) < no_load)
@@ -243,8 +243,8 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     else
         run_twin(c, options.threads, say, comparison);
     study.twins.push_back(comparison);
-    const bool comparable = comparison.drive && comparison.elastic &&
-                            comparisons::twin_error(*comparison.elastic, comparison.relaxing);
+    const bool comparable = comparison.drive && comparison.other &&
+                            comparisons::twin_error(*comparison.other, comparison.run);
     if (!comparable || study.limit) return;
     say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
                     history.model));

@@ -6,7 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/models.h"
-#include "comparisons/quantities/glossary.h"
+#include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
 #include "io/case/case_keys.h"

@@ -11,7 +11,6 @@
 #include "app/studies/point_key.h"
 #include "app/studies/refinement_levels.h"
 #include "comparisons/resolution/refined_values.h"
-#include "comparisons/resolution/refinement_report.h"
 #include "comparisons/run/report.h"
 #include "contact/case.h"
 #include "files/digest.h"

@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/special_values.h"
@@ -56,7 +52,7 @@ report::DocumentTable needed_table(const HalfSpaceDeviation& deviation) {
             "over D_c/b between computed layers and the half-space, interval in brackets.",
         .columns = report::columns("quantity", "base", "nu", "coupling", "1 %", "2 %", "5 %")};
     for (const ExactCurve& curve : deviation.curves)
-        for (const Quantity* q : exact_quantities())
+        for (const Quantity* q : exact_quantities)
             if (const auto* needed = found(curve.needed, q))
                 table.rows.push_back(with_needed(
                     {q->symbol, name_of(curve.base),
@@ -65,7 +61,7 @@ report::DocumentTable needed_table(const HalfSpaceDeviation& deviation) {
                      q == &quantities::coupled_tangential_stiffness ? "yes" : "no"},
                     needed, curve.thickness_ratios.front()));
     for (const RolledCurve& curve : deviation.rolled)
-        for (const Quantity* q : rolled_quantities())
+        for (const Quantity* q : rolled_quantities)
             if (const auto* needed = found(curve.needed, q))
                 table.rows.push_back(with_needed({std::string(q->symbol) + ", computed", "bonded",
                                                   curve.poisson, curve.coupled ? "yes" : "no"},
@@ -83,13 +79,13 @@ report::DocumentTable rolled_table(const HalfSpaceDeviation& deviation) {
             "numerical error. Empty: not defined, such as the settled shift of what ratchets. "
             "State: of the run that settles on the half-space.",
         .columns = report::columns("b/D_c:3", "nu", "coupling", quantities::state.key)};
-    for (const Quantity* q : rolled_quantities()) table.columns.push_back({q->symbol, 3});
+    for (const Quantity* q : rolled_quantities) table.columns.push_back({q->symbol, 3});
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points) {
             auto& row = table.rows.emplace_back(std::vector<report::Cell>{
                 point.body.thickness_ratio, curve.poisson, curve.coupled ? "yes" : "no",
                 point.state ? contact::name_of(*point.state) : ""});
-            for (const Quantity* q : rolled_quantities()) {
+            for (const Quantity* q : rolled_quantities) {
                 const RolledRatio* ratio = found(point.ratios, q);
                 row.push_back(ratio ? percent_cell(*ratio) : report::Cell(contact::undefined));
             }

@@ -14,11 +14,6 @@ using theory::LayerBase;
 
 const report::FigureAxis thickness_axis{"thickness over contact width b/D_c", true};
 
-std::string setting(const HalfSpaceDeviation& deviation) {
-    return fmt::format("nu = {}, {} base", report::as_given(deviation.c.substrate.poisson),
-                       name_of(deviation.base));
-}
-
 /// A quantity along a curve; `percent`: 100 |ratio - 1|.
 report::Curve exact_line(const ExactCurve& curve, const Quantity* q, const std::string& name,
                          bool percent) {
@@ -108,8 +103,9 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
     const ExactCurve& curve = deviation.curves.front();
     report::Figure ratios = over_thickness(
         "ratios", "Layer over half-space",
-        "Exact theory, same force, " + setting(deviation) +
-            ". What lies at 1 is that of a half-space; the dashed line is the case's layer.",
+        fmt::format("Exact theory, same force, nu = {}, {} base. What lies at 1 is that of a "
+                    "half-space; the dashed line is the case's layer.",
+                    report::as_given(deviation.c.substrate.poisson), name_of(deviation.base)),
         {"layer over half-space [-]", true});
     report::Figure percents = over_thickness(
         "deviations", "Deviation from the half-space",
@@ -121,7 +117,7 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
             ". Thick layers fall by the powers of theory: d, U_max and the stiffnesses as D_c/b, a "
             "and p0 as its third, the limits as its fifth.",
         {"deviation [%]", true});
-    for (const Quantity* q : exact_quantities()) {
+    for (const Quantity* q : exact_quantities) {
         if (!curve.ratios.front().contains(q)) continue;
         ratios.curves.push_back(exact_line(curve, q, q->symbol, false));
         percents.curves.push_back(exact_line(curve, q, q->symbol, true));
@@ -146,7 +142,7 @@ std::vector<report::Figure> thickness_figures(const HalfSpaceDeviation& deviatio
 
 std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
-    for (const Quantity* q : exact_quantities())
+    for (const Quantity* q : exact_quantities)
         if (deviation.map.ratios.front().contains(q)) figures.push_back(map_figure(deviation, q));
     for (const Quantity* q : {&quantities::indentation, &quantities::unit_shift})
         figures.push_back(material_figure(deviation, q));
@@ -155,7 +151,7 @@ std::vector<report::Figure> map_figures(const HalfSpaceDeviation& deviation) {
 
 std::vector<report::Figure> rolled_figures(const HalfSpaceDeviation& deviation) {
     std::vector<report::Figure> figures;
-    for (const Quantity* q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities) {
         const bool unrolled =
             q == &quantities::static_shift || q == &quantities::static_shift_ratio;
         const double w =

@@ -1,7 +1,5 @@
 #include "comparisons/half_space/deviation_output.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
@@ -19,7 +17,7 @@ using theory::LayerBase;
 std::string exact_rows(const char* part, LayerBase base, double poisson, double thickness_ratio,
                        const ExactRatios& ratios) {
     std::string text;
-    for (const Quantity* q : exact_quantities())
+    for (const Quantity* q : exact_quantities)
         if (const double* ratio = found(ratios, q))
             text += report::csv_row(part, name_of(base), poisson, "", thickness_ratio,
                                     ratio_key(*q), *ratio, 0.);
@@ -42,8 +40,7 @@ json needed_json(const NeededThicknesses& needed) {
 }
 
 /// Of the quantities, in their order.
-json needed_json(const std::vector<const Quantity*>& of,
-                 const ByQuantity<NeededThicknesses>& known) {
+json needed_json(std::span<const Quantity* const> of, const ByQuantity<NeededThicknesses>& known) {
     json result = json::object();
     for (const Quantity* q : of)
         if (const auto* needed = found(known, q)) result[ratio_key(*q)] = needed_json(*needed);
@@ -62,12 +59,12 @@ json exact_curve_json(const ExactCurve& curve) {
     return {{"part", "exact"},
             {"base", name_of(curve.base)},
             {"poisson", curve.poisson},
-            {"needed", needed_json(exact_quantities(), curve.needed)}};
+            {"needed", needed_json(exact_quantities, curve.needed)}};
 }
 
 json point_json(const RolledDeviation& point) {
     json ratios = json::object();
-    for (const Quantity* q : rolled_quantities())
+    for (const Quantity* q : rolled_quantities)
         ratios[ratio_key(*q)] = ratio_json(found(point.ratios, q));
     return {{"thickness_ratio", point.body.thickness_ratio},
             {quantities::state.key, point.state ? json(contact::name_of(*point.state)) : json()},
@@ -79,7 +76,7 @@ json rolled_curve_json(const RolledCurve& curve) {
             {"base", "bonded"},
             {"poisson", curve.poisson},
             {"coupled", curve.coupled},
-            {"needed", needed_json(rolled_quantities(), curve.needed)},
+            {"needed", needed_json(rolled_quantities, curve.needed)},
             {"points", report::list_of(curve.points, point_json)}};
 }
 
@@ -99,7 +96,7 @@ std::string deviation_csv(const HalfSpaceDeviation& deviation) {
                            map.thickness_ratios[i % map.thickness_ratios.size()], map.ratios[i]);
     for (const RolledCurve& curve : deviation.rolled)
         for (const RolledDeviation& point : curve.points)
-            for (const Quantity* q : rolled_quantities())
+            for (const Quantity* q : rolled_quantities)
                 if (const RolledRatio* ratio = found(point.ratios, q))
                     text += report::csv_row("computed", name_of(LayerBase::bonded), curve.poisson,
                                             curve.coupled ? "true" : "false",

@@ -16,6 +16,17 @@ using Standing = report::Verdict::Standing;
 /// Of a deviation from which on a half-space is said to fail.
 constexpr double tolerable = .05;
 
+/// The case's own layer among the computed ones; null without.
+const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation) {
+    for (const RolledCurve& curve : deviation.rolled)
+        for (const RolledDeviation& point : curve.points)
+            if (curve.poisson == deviation.c.substrate.poisson &&
+                curve.coupled == deviation.c.contact.coupling &&
+                point.body.thickness_ratio == deviation.thickness_ratio)
+                return &point;
+    return nullptr;
+}
+
 report::Verdict layer_verdict(const HalfSpaceDeviation& deviation) {
     const auto beside = [&](const Quantity& q) {
         return report::apart(deviation.here.at(&q), "above", "below");
@@ -70,7 +81,7 @@ std::optional<report::Verdict> rolled_verdict(const HalfSpaceDeviation& deviatio
     const RolledDeviation* point = rolled_here(deviation);
     if (!point) return {};
     std::vector<std::string> differs, same;
-    for (const Quantity* q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities) {
         const RolledRatio* ratio = found(point->ratios, q);
         if (!ratio) continue;
         const double size = std::abs(ratio->value - 1);
@@ -127,7 +138,7 @@ std::string deviation_text(const HalfSpaceDeviation& deviation) {
 std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation) {
     std::vector<DeviationRow> rows;
     const ExactCurve& exact = deviation.curves.front();
-    for (const Quantity* q : exact_quantities())
+    for (const Quantity* q : exact_quantities)
         if (const double* ratio = found(deviation.here, q))
             rows.push_back({q, false, RolledRatio{*ratio, 0}, found(exact.needed, q),
                             exact.thickness_ratios.front()});
@@ -137,7 +148,7 @@ std::vector<DeviationRow> rows_here(const HalfSpaceDeviation& deviation) {
     });
     const RolledDeviation* computed = rolled_here(deviation);
     if (!computed) return rows;
-    for (const Quantity* q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities) {
         const auto* ratio = found(computed->ratios, q);
         const auto* needed = found(curve->needed, q);
         if (ratio || needed)

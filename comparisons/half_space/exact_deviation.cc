@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/sticking_contact.h"
@@ -19,20 +18,6 @@ constexpr double half_space_thickness = 1e9;
 
 }  // namespace
 
-const std::vector<const Quantity*>& exact_quantities() {
-    using namespace quantities;
-    static const std::vector<const Quantity*> all{&contact_radius,
-                                                  &indentation,
-                                                  &peak_pressure,
-                                                  &unit_shift,
-                                                  &normal_stiffness,
-                                                  &tangential_stiffness,
-                                                  &coupled_tangential_stiffness,
-                                                  &limit_tangential_ratio,
-                                                  &limit_amplitude_ratio};
-    return all;
-}
-
 theory::ElasticLayer DeviationContact::layer(double thickness_ratio, double poisson,
                                              LayerBase base) const {
     return {{effective_modulus * (1 - poisson * poisson), poisson},
@@ -43,7 +28,7 @@ theory::ElasticLayer DeviationContact::layer(double thickness_ratio, double pois
 ExactDeviation::ExactDeviation(DeviationContact contact, double poisson, LayerBase base)
     : contact_(std::move(contact)), poisson_(poisson), base_(base) {
     const theory::LayerContact thick = contact_at(half_space_thickness);
-    for (const Quantity* q : exact_quantities())
+    for (const Quantity* q : exact_quantities)
         if (const auto known = value(q, half_space_thickness, thick)) half_space_[q] = *known;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
-#include <vector>
 
-#include "comparisons/quantities/quantity.h"
+#include "comparisons/quantities/quantities.h"
 #include "contact/bodies/indenter.h"
 #include "contact/case.h"
 #include "theory/layer/elastic_layer.h"
@@ -14,7 +14,15 @@ namespace tricontact::comparisons {
 /// What exact theory knows of a layer and of a half-space alike: a, d, p0, U_max, dF_N/dd, dF_T/dU
 /// uncoupled and coupled, f_T,lim at the same w = W/a, each of its own a, and w_lim at the same
 /// f_T.
-const std::vector<const Quantity*>& exact_quantities();
+inline constexpr std::array exact_quantities{&quantities::contact_radius,
+                                             &quantities::indentation,
+                                             &quantities::peak_pressure,
+                                             &quantities::unit_shift,
+                                             &quantities::normal_stiffness,
+                                             &quantities::tangential_stiffness,
+                                             &quantities::coupled_tangential_stiffness,
+                                             &quantities::limit_tangential_ratio,
+                                             &quantities::limit_amplitude_ratio};
 
 /// A contact whose deviation from the half-space is asked for: a rigid indenter under a given
 /// force. Thicknesses b are over D_c, the diameter of Hertz' contact; E* stays, whatever nu is, so

@@ -96,7 +96,7 @@ std::vector<RatioPoint> known_points(const RolledCurve& curve, const Quantity* q
 }
 
 void add_needed(RolledCurve& curve) {
-    for (const Quantity* q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities) {
         const auto points = known_points(curve, q);
         if (points.size() < 3) continue;
         std::ranges::transform(
@@ -118,9 +118,7 @@ DeviationContact deviation_contact(const Case& c) {
         .effective_modulus = modulus};
     contact.hertz_diameter =
         2 * std::cbrt(3 * contact.normal_force * c.indenter.radius / (4 * modulus));
-    const double limit = c.friction_coefficient * contact.normal_force;
-    contact.tangential_ratio = c.load.tangential_force ? *c.load.tangential_force / limit
-                                                       : c.load.tangential_ratio.value_or(0);
+    contact.tangential_ratio = tangential_ratio(c, contact.normal_force);
     if (!(contact.tangential_ratio < 1))
         throw contact::InputError(
             "load.tangential_force: reaches the friction limit mu F_N; reduce it");
@@ -198,16 +196,6 @@ void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& de
     for (RolledCurve& curve : deviation.rolled) add_needed(curve);
     deviation.n_failed_runs = static_cast<std::size_t>(
         std::ranges::count_if(results, [](const RolledResult& one) { return !one.values; }));
-}
-
-const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation) {
-    for (const RolledCurve& curve : deviation.rolled)
-        for (const RolledDeviation& point : curve.points)
-            if (curve.poisson == deviation.c.substrate.poisson &&
-                curve.coupled == deviation.c.contact.coupling &&
-                point.body.thickness_ratio == deviation.thickness_ratio)
-                return &point;
-    return nullptr;
 }
 
 }  // namespace tricontact::comparisons

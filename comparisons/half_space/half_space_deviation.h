@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "comparisons/half_space/exact_deviation.h"
@@ -73,8 +71,5 @@ std::vector<RolledBody> rolled_bodies(const HalfSpaceDeviation& deviation);
 
 /// Sorts the ratios of the runs into curves and finds the needed thicknesses.
 void add_rolled(const std::vector<RolledResult>& results, HalfSpaceDeviation& deviation);
-
-/// The case's own layer among the computed ones; null without.
-const RolledDeviation* rolled_here(const HalfSpaceDeviation& deviation);
 
 }  // namespace tricontact::comparisons

@@ -1,8 +1,5 @@
 #include "comparisons/half_space/layer.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

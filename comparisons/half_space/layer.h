@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "contact/case.h"
 #include "contact/history.h"
 #include "theory/layer/elastic_layer.h"
-#include "theory/layer/layer_compliance.h"
 #include "theory/line_contact.h"
 
 namespace tricontact::comparisons {
@@ -81,9 +79,6 @@ std::optional<theory::LayerContact> exact_layer_contact(const contact::Case& c);
 std::optional<LayerComparison> compare_with_layer(const contact::Case& c,
                                                   const std::vector<contact::History>& histories,
                                                   const LoadingStudy& study = {});
-
-/// Section "layer" of summary.json: SI units; "over" another value: their ratio minus 1.
-nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison& layer);
 
 /// The exact frictionless plane contact of a cylinder with its layer; empty where there is no layer
 /// or why_no_exact_theory() has a reason. Throws contact::InputError out of the theory's range,

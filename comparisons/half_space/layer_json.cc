@@ -1,6 +1,6 @@
 // The layer's section of summary.json.
 
-#include "comparisons/half_space/layer.h"
+#include "comparisons/half_space/layer_report.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {

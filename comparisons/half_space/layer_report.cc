@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "contact/case.h"
 #include "report/format.h"
@@ -129,9 +128,11 @@ std::vector<std::string> layer_sentences(const Case& c, const LayerComparison& l
     return result;
 }
 
-report::DocumentTable layer_table(const LayerComparison& layer) {
-    report::DocumentTable table{
-        .id = "layer", .title = "Pressed contact on the layer", .columns = quantity_columns()};
+report::DocumentTable layer_table(const Case& c, const LayerComparison& layer) {
+    report::DocumentTable table{.id = "layer",
+                                .title = "Pressed contact on the layer",
+                                .note = layer_note(c),
+                                .columns = quantity_columns()};
     const auto name_of = [](const auto& model) { return report::display_name(model.name); };
     if (layer.exact) table.columns.push_back({"exact layer"});
     table.columns.push_back({"half-space"});

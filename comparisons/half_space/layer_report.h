@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,11 @@ namespace tricontact::comparisons {
 std::vector<std::string> layer_sentences(const contact::Case& c, const LayerComparison& layer);
 
 /// Exact layer, half-space and models, with differences to the first of these that is there.
-report::DocumentTable layer_table(const LayerComparison& layer);
+report::DocumentTable layer_table(const contact::Case& c, const LayerComparison& layer);
+/// How its columns were got.
+std::string layer_note(const contact::Case& c);
+
+/// Section "layer" of summary.json: SI units; "over" another value: their ratio minus 1.
+nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison& layer);
 
 }  // namespace tricontact::comparisons

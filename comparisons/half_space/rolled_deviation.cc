@@ -13,7 +13,7 @@ using Kind = RolledRun::Kind;
 /// Of a run that is to settle or to ratchet, whatever it does: static shift and, with rolling,
 /// limit come from the former, what ratcheting tells from the latter.
 void add(const Results& results, bool settling, ByQuantity<double>& values) {
-    for (const Quantity* q : rolled_quantities()) {
+    for (const Quantity* q : rolled_quantities) {
         const bool unrolled = q == &quantities::limit_tangential_ratio && results.periods() == 0;
         if (is_of_ratcheting(q) == settling || unrolled) continue;
         if (const auto value = results.told(*q)) values[q] = *value;
@@ -88,14 +88,6 @@ contact::Case::Rolling rolling(const contact::Case& base, double w, Kind kind) {
 
 }  // namespace
 
-const std::vector<const Quantity*>& rolled_quantities() {
-    using namespace quantities;
-    static const std::vector<const Quantity*> all{
-        &static_shift,    &static_shift_ratio,    &settled_shift, &settled_shift_ratio,   &kappa,
-        &shift_increment, &shift_increment_ratio, &eta,           &limit_tangential_ratio};
-    return all;
-}
-
 bool is_of_ratcheting(const Quantity* q) {
     using namespace quantities;
     return q == &shift_increment || q == &shift_increment_ratio || q == &eta;
@@ -114,11 +106,11 @@ std::vector<RolledDeviation> rolled_deviations(const std::vector<RolledResult>& 
         const RolledBody reference{.poisson = layer.body.poisson, .coupled = layer.body.coupled};
         const auto half_space =
             std::ranges::find_if(bodies, [&](const BodyValues& b) { return b.body == reference; });
-        RolledDeviation& deviation = deviations.emplace_back(
-            RolledDeviation{layer.body, RolledRatios{}, layer.state, std::nullopt});
+        RolledDeviation& deviation =
+            deviations.emplace_back(RolledDeviation{layer.body, {}, layer.state});
         if (half_space == bodies.end()) continue;
         deviation.half_space_state = half_space->state;
-        for (const Quantity* q : rolled_quantities())
+        for (const Quantity* q : rolled_quantities)
             if (const auto ratio = ratio_of(q, layer, *half_space)) deviation.ratios[q] = *ratio;
     }
     return deviations;

@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "comparisons/half_space/exact_deviation.h"
@@ -14,7 +13,15 @@ namespace tricontact::comparisons {
 /// What boundary elements know of a rolled contact on a layer and on a half-space alike: U_stat and
 /// U_sd, DU per period of ratcheting, in metres and each over its own U_max, kappa, eta with w_lim
 /// each of its own pressure, and f_T,lim from the computed pressures.
-const std::vector<const Quantity*>& rolled_quantities();
+inline constexpr std::array rolled_quantities{&quantities::static_shift,
+                                              &quantities::static_shift_ratio,
+                                              &quantities::settled_shift,
+                                              &quantities::settled_shift_ratio,
+                                              &quantities::kappa,
+                                              &quantities::shift_increment,
+                                              &quantities::shift_increment_ratio,
+                                              &quantities::eta,
+                                              &quantities::limit_tangential_ratio};
 /// Those that runs which ratchet tell.
 bool is_of_ratcheting(const Quantity* q);
 
@@ -67,12 +74,11 @@ struct RolledRatio {
     double value = 1;
     double error = 0;  ///< half width: spread of the levels, of ratcheting also the step's error
 };
-/// Undefined where it is on one of them: what ratchets has no settled shift.
-using RolledRatios = ByQuantity<RolledRatio>;
 
 struct RolledDeviation {
     RolledBody body;
-    RolledRatios ratios;
+    /// Undefined where it is on one of them: what ratchets has no settled shift.
+    ByQuantity<RolledRatio> ratios;
     /// Of the settling run on the finest level; empty without rolling.
     std::optional<contact::State> state = {};
     std::optional<contact::State> half_space_state = {};  ///< the same of the half-space

@@ -38,7 +38,7 @@ Numbers work_ratios(const Subject& s) {
     return list;
 }
 
-QuantityValue last_of(const std::vector<double>& per_period) {
+QuantityValue last_of(const auto& per_period) {
     return per_period.empty() ? QuantityValue() : finite(per_period.back());
 }
 
@@ -67,10 +67,7 @@ constinit const Quantity dissipation_ratio{
         "with the model's own F_N, a and f_T.",
     .defined = where_known,
     .source = of_w0,
-    .of = [](const Subject& s) -> QuantityValue {
-        const Numbers list = work_ratios(s);
-        return list.empty() ? QuantityValue() : finite(list.back());
-    },
+    .of = [](const Subject& s) { return last_of(work_ratios(s)); },
     .part = Part::cost};
 
 constinit const Quantity dissipation_ratio_per_period{

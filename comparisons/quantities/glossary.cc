@@ -1,5 +1,3 @@
-#include "comparisons/quantities/glossary.h"
-
 #include <fmt/format.h>
 
 #include "comparisons/quantities/quantities.h"

@@ -1,6 +1,5 @@
 #include "comparisons/quantities/quantities.h"
 #include "comparisons/quantities/reference.h"
-#include "comparisons/quantities/surface_fields.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

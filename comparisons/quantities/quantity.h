@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -78,5 +77,10 @@ std::string unit_of(const Quantity& q);
 std::string ratio_key(const Quantity& q);
 /// Symbol and unit: "u_stat [U_max]", "kappa [1]".
 std::string heading_of(const Quantity& q);
+
+/// docs/quantities.md's tables, Markdown: a section per file of declarations, a row per quantity.
+std::string glossary();
+/// README's table, Markdown: keys of summary.json and their meaning.
+std::string summary_keys();
 
 }  // namespace tricontact::comparisons

@@ -25,10 +25,9 @@ constexpr double first_deborah = 0.01, least_deborah = 1e-4, largest_deborah = 1
 constexpr double step = 10;
 constexpr double least_error = 1e-12;  // the logarithm of rounding errors has no meaning
 
-std::optional<double> relative_error(std::optional<double> elastic,
-                                     std::optional<double> relaxing) {
-    if (!elastic || !relaxing || *relaxing == 0) return {};
-    return *elastic / *relaxing - 1;
+std::optional<double> relative_error(std::optional<double> other, std::optional<double> run) {
+    if (!other || !run || *run == 0) return {};
+    return *other / *run - 1;
 }
 
 /// Speed at which De = 2 pi f tau has this value, f = v/(4 W).
@@ -118,23 +117,22 @@ std::optional<double> twin_error(const RunValues& elastic, const RunValues& rela
                                         : relative_error(elastic.final_shift, relaxing.final_shift);
 }
 
-std::optional<double> TwinComparison::error_of(std::optional<double> RunValues::*value) const {
-    return elastic ? relative_error((*elastic).*value, relaxing.*value) : std::nullopt;
+std::optional<double> RunComparison::error_of(std::optional<double> RunValues::*value) const {
+    return other ? relative_error((*other).*value, run.*value) : std::nullopt;
 }
 
-std::optional<double> TwinComparison::static_error() const {
-    return elastic ? relative_error(elastic->static_shift, relaxing.static_shift) : std::nullopt;
+std::optional<double> RunComparison::static_error() const {
+    return other ? relative_error(other->static_shift, run.static_shift) : std::nullopt;
 }
 
-std::optional<double> TwinComparison::settled_error() const {
-    const bool both = elastic && elastic->state && relaxing.state &&
-                      contact::settles(*elastic->state) && contact::settles(*relaxing.state);
+std::optional<double> RunComparison::settled_error() const {
+    const bool both = other && other->state && run.state && contact::settles(*other->state) &&
+                      contact::settles(*run.state);
     return both ? final_error() : std::nullopt;
 }
 
-std::optional<double> TwinComparison::increment_error() const {
-    const bool both =
-        elastic && elastic->state == State::ratcheting && relaxing.state == State::ratcheting;
+std::optional<double> RunComparison::increment_error() const {
+    const bool both = other && other->state == State::ratcheting && run.state == State::ratcheting;
     return both ? error_of(&RunValues::increment) : std::nullopt;
 }
 

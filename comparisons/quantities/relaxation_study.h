@@ -45,14 +45,13 @@ bool judged_by_increment(const RunValues& elastic);
 /// Its error, whatever the verdict of the relaxing run: elastic over relaxing, minus 1.
 std::optional<double> twin_error(const RunValues& elastic, const RunValues& relaxing);
 
-/// A relaxing case beside its elastic reference run, by one model. Errors are those of that run:
-/// elastic over relaxing, minus 1; empty where there is nothing to be compared.
-struct TwinComparison {
-    std::string model;
-    std::optional<DriveValues> drive;
-    RunValues relaxing;
-    std::optional<RunValues> elastic;  ///< empty: not computed
-    std::string why_none;              ///< then: why
+/// A run beside another by the same model with something changed. Errors are those of the other
+/// run: over the first, minus 1; empty where there is nothing to be compared.
+struct RunComparison {
+    std::string model;               ///< as in its history
+    RunValues run;                   ///< as the case has it
+    std::optional<RunValues> other;  ///< empty: not computed, or not converged
+    std::string why_none;            ///< then: why
 
     std::optional<double> static_error() const;
     /// Of the shift after the last period of each, whatever the verdicts.
@@ -66,6 +65,11 @@ struct TwinComparison {
 
   private:
     std::optional<double> error_of(std::optional<double> RunValues::*value) const;
+};
+
+/// A relaxing case beside its elastic reference run.
+struct TwinComparison : RunComparison {
+    std::optional<DriveValues> drive = {};
 };
 
 /// The slowest drive at which the elastic reference run errs by more than `limit`.

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "comparisons/quantities/quantities.h"
-#include "comparisons/quantities/reference.h"
+#include "comparisons/quantities/relaxation_study.h"
 
 namespace tricontact::comparisons::quantities {
 
@@ -30,9 +30,7 @@ std::optional<double> settled_shift_of(const Subject& s) {
 }
 
 std::optional<double> increment_of(const Subject& s) {
-    const auto& shift = s.history.shift_per_period;
-    if (shift.empty()) return {};
-    return shift.back() - (shift.size() > 1 ? shift[shift.size() - 2] : s.history.static_shift);
+    return run_values(s.history).increment;
 }
 
 /// A length over the model's own U_max.

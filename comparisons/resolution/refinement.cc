@@ -18,10 +18,6 @@ double ratio_of_changes(std::span<const double, 3> h, double p) {
     return (a - 1) / (1 - b);
 }
 
-bool same_sign(double a, double b) {
-    return (a > 0) == (b > 0) && a != 0 && b != 0;
-}
-
 double spread(std::span<const double> values) {
     const auto [low, high] = std::ranges::minmax_element(values);
     return *high - *low;
@@ -37,21 +33,23 @@ double extrapolated(const std::pair<int, double>& a, const std::pair<int, double
     return b.second + (b.second - a.second) * a.first / static_cast<double>(b.first - a.first);
 }
 
+/// Order p with (h1^p - h2^p)/(h2^p - h3^p) = (v1 - v2)/(v2 - v3) for h1 > h2 > h3 > 0; empty where
+/// there is none in [0.01, 20].
+std::optional<double> observed_order(std::span<const double, 3> sizes,
+                                     std::span<const double, 3> values) {
+    const double first = values[0] - values[1], second = values[1] - values[2];
+    if (!(first * second > 0)) return {};
+    const double ratio = first / second;
+    const auto excess = [&](double p) { return ratio_of_changes(sizes, p) - ratio; };
+    if (!(excess(least_searched) < 0) || !(excess(largest_searched) > 0)) return {};
+    return contact::bracketed_root(excess, least_searched, largest_searched, 48);
+}
+
 }  // namespace
 
 const char* name_of(Convergence convergence) {
     constexpr const char* names[] = {"ordered", "unchanged", "oscillating", "irregular"};
     return names[static_cast<int>(convergence)];
-}
-
-std::optional<double> observed_order(std::span<const double, 3> sizes,
-                                     std::span<const double, 3> values) {
-    const double first = values[0] - values[1], second = values[1] - values[2];
-    if (!same_sign(first, second)) return {};
-    const double ratio = first / second;
-    const auto excess = [&](double p) { return ratio_of_changes(sizes, p) - ratio; };
-    if (!(excess(least_searched) < 0) || !(excess(largest_searched) > 0)) return {};
-    return contact::bracketed_root(excess, least_searched, largest_searched, 48);
 }
 
 LimitEstimate estimate_limit(std::span<const double> sizes, std::span<const double> values,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "comparisons/quantities/quantity.h"
+#include "report/document.h"
 
 namespace tricontact::comparisons {
 
@@ -34,11 +35,6 @@ inline constexpr double least_order = 0.5, largest_order = 4;
 inline constexpr double largest_trusted_order = 2;
 /// Between an extrapolated difference and the error that is stated.
 inline constexpr double safety_factor = 1.25;
-
-/// Order p with (h1^p - h2^p)/(h2^p - h3^p) = (v1 - v2)/(v2 - v3) for h1 > h2 > h3 > 0; empty where
-/// there is none in [0.01, 20].
-std::optional<double> observed_order(std::span<const double, 3> sizes,
-                                     std::span<const double, 3> values);
 
 /// From the finest three of at least three levels, sizes decreasing in any ratios. Richardson's
 /// extrapolation with the observed order; the error is Roache's grid convergence index (Roache
@@ -79,6 +75,13 @@ std::string refinement_json(const std::string& version, const Refinement& refine
 std::string refinement_csv(const Refinement& refinement);
 /// For a terminal: values per level, order, limit, error, theory, wide block.
 std::string refinement_text(const Refinement& refinement);
+
+/// What a refinement found, in plain sentences.
+std::vector<std::string> refinement_sentences(const Refinement& refinement);
+/// A row per quantity: values on all levels, order, limit, error, theory, wide block.
+report::DocumentTable refinement_table(const Refinement& refinement);
+/// An error in percent of a value; "-" of none.
+std::string relative(double error, double value);
 
 /// A computed value with its numerical error bar.
 struct Computed {

@@ -7,10 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/resolution/refinement.h"
-#include "comparisons/resolution/refinement_report.h"
 #include "report/csv.h"
 #include "report/format.h"
-#include "report/format_share.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {

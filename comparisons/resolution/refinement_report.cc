@@ -1,11 +1,11 @@
-#include "comparisons/resolution/refinement_report.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comparisons/resolution/refinement.h"
+#include "comparisons/run/report_tables.h"
 #include "report/format.h"
 #include "report/format_share.h"
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
-#include "comparisons/run/loading_report.h"
+#include "comparisons/run/loading_study.h"
+#include "contact/special_values.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -16,24 +16,17 @@ namespace {
 using contact::Case;
 using contact::State;
 
-/// "151.6 µm instead of 150.6 µm (+0.64 %)"
-std::string instead(std::optional<double> changed, std::optional<double> chosen,
-                    std::optional<double> ratio) {
-    return fmt::format("{} instead of {} ({})", report::quantity(changed.value_or(0), "m"),
-                       report::quantity(chosen.value_or(0), "m"), report::percent(ratio));
-}
-
 /// What the change does after rolling; empty where nothing was rolled.
 std::string rolled_text(const LoadingVariant& v) {
     if (!v.run.state || !v.other->state) return {};
-    if (!v.rolled_ratio())
+    if (!v.rolled_error())
         return fmt::format(", and the verdict {} instead of {}", contact::name_of(*v.other->state),
                            contact::name_of(*v.run.state));
     if (*v.run.state == State::ratcheting)
         return ", and the shift per period " +
-               instead(v.other->increment, v.run.increment, v.rolled_ratio());
+               instead(v.other->increment, v.run.increment, v.rolled_error());
     return fmt::format(", and the shift after rolling {}",
-                       instead(v.other->final_shift, v.run.final_shift, v.rolled_ratio()));
+                       instead(v.other->final_shift, v.run.final_shift, v.rolled_error()));
 }
 
 /// What another choice would do; empty where it was not computed.
@@ -45,7 +38,7 @@ std::string change_text(const std::vector<LoadingVariant>& variants, const std::
         return fmt::format(" With {} = {} there is no number: {}.", key, v->changed, v->why_none);
     return fmt::format(" With {} = {} the static shift of {} would be {}{}.", key, v->changed,
                        report::display_name(v->model),
-                       instead(v->other->static_shift, v->run.static_shift, v->static_ratio()),
+                       instead(v->other->static_shift, v->run.static_shift, v->static_error()),
                        rolled_text(*v));
 }
 
@@ -118,6 +111,13 @@ std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& 
 }
 
 }  // namespace
+
+std::string instead(std::optional<double> changed, std::optional<double> chosen,
+                    std::optional<double> error) {
+    return fmt::format("{} instead of {} ({})", report::quantity(changed.value_or(0), "m"),
+                       report::quantity(chosen.value_or(0), "m"),
+                       report::percent(error.value_or(contact::undefined) + 1));
+}
 
 std::vector<std::string> treatment_sentences(const Case& c, const std::vector<std::string>& models,
                                              const std::vector<LoadingVariant>& variants) {

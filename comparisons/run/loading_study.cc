@@ -1,7 +1,5 @@
 #include "comparisons/run/loading_study.h"
 
-#include <cmath>
-
 #include "comparisons/quantities/quantities.h"
 #include "report/json_number.h"
 
@@ -11,15 +9,6 @@ namespace {
 
 using contact::State;
 using json = nlohmann::ordered_json;
-
-std::optional<double> ratio(std::optional<double> changed, std::optional<double> chosen) {
-    const double value = changed.value_or(0) / chosen.value_or(0);
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-json change_json(std::optional<double> ratio) {
-    return ratio ? json(*ratio - 1) : json();
-}
 
 json outcome_json(const RunValues& outcome) {
     return {
@@ -36,23 +25,18 @@ json variant_json(const LoadingVariant& v) {
             {"changed", v.changed},
             {"run", outcome_json(v.run)},
             {"other", v.other ? outcome_json(*v.other) : json()},
-            {"static_change", change_json(v.static_ratio())},
-            {"rolled_change", change_json(v.rolled_ratio())},
+            {"static_change", v.static_error()},
+            {"rolled_change", v.rolled_error()},
             {"why_none", v.other ? json() : json(v.why_none)}};
 }
 
 }  // namespace
 
-std::optional<double> LoadingVariant::static_ratio() const {
-    return other ? ratio(other->static_shift, run.static_shift) : std::nullopt;
-}
-
-std::optional<double> LoadingVariant::rolled_ratio() const {
-    if (!other || !other->state || !run.state) return {};
-    const bool ratchets = *run.state == State::ratcheting;
-    if (ratchets != (*other->state == State::ratcheting)) return {};
-    return ratchets ? ratio(other->increment, run.increment)
-                    : ratio(other->final_shift, run.final_shift);
+std::optional<double> LoadingVariant::rolled_error() const {
+    const bool ratchets = run.state == State::ratcheting;
+    if (!other || !other->state || !run.state || ratchets != (other->state == State::ratcheting))
+        return {};
+    return ratchets ? increment_error() : final_error();
 }
 
 json loading_json(const std::vector<LoadingVariant>& variants) {

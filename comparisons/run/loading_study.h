@@ -7,23 +7,18 @@
 #include <vector>
 
 #include "comparisons/quantities/relaxation_study.h"
+#include "report/document.h"
 
 namespace tricontact::comparisons {
 
 /// One model loaded once more with one key of the case changed, everything else being the same.
-struct LoadingVariant {
-    std::string model;               ///< as in its history
-    std::string key;                 ///< such as "contact.coupling" or "load.press"
-    std::string chosen, changed;     ///< values of the key in the run and here, as in a case
-    RunValues run;                   ///< as the case has it, rolled like `other`
-    std::optional<RunValues> other;  ///< with the changed key; empty: did not converge
-    std::string why_none;            ///< then: what the model said
+struct LoadingVariant : RunComparison {
+    std::string key;              ///< such as "contact.coupling" or "load.press"
+    std::string chosen, changed;  ///< values of the key in the run and here, as in a case
 
-    /// What the change does to the static shift: changed over chosen; empty where undefined.
-    std::optional<double> static_ratio() const;
-    /// The same of what rolling leaves: the last period's increment where both ratchet, the final
-    /// shift where neither does; empty where their verdicts differ so.
-    std::optional<double> rolled_ratio() const;
+    /// Of what rolling leaves: the last period's increment where both ratchet, the final shift
+    /// where neither does; empty where their verdicts differ so.
+    std::optional<double> rolled_error() const;
 };
 
 /// What models found by loading more than once.
@@ -34,5 +29,21 @@ struct LoadingStudy {
 
 /// Section "loading_variants" of summary.json; SI units, changes as ratio minus 1.
 nlohmann::ordered_json loading_json(const std::vector<LoadingVariant>& variants);
+
+/// How the models treat coupling, displaced surface and pressing, and what other choices would
+/// change, in plain sentences. `models`: those of the case.
+std::vector<std::string> treatment_sentences(const contact::Case& c,
+                                             const std::vector<std::string>& models,
+                                             const std::vector<LoadingVariant>& variants);
+
+/// Shifts after loading and, where it was computed, after rolling with one choice changed.
+report::DocumentTable variants_table(const contact::Case& c,
+                                     const std::vector<LoadingVariant>& variants);
+/// What its rows are.
+std::string variants_note(const contact::Case& c);
+
+/// "151.6 µm instead of 150.6 µm (+0.64 %)": shifts [m], the error that of the changed one.
+std::string instead(std::optional<double> changed, std::optional<double> chosen,
+                    std::optional<double> error);
 
 }  // namespace tricontact::comparisons

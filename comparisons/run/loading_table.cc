@@ -1,4 +1,5 @@
-#include "comparisons/run/loading_report.h"
+#include "comparisons/run/loading_study.h"
+#include "contact/special_values.h"
 #include "contact/verdict.h"
 #include "report/columns.h"
 #include "report/format.h"
@@ -12,7 +13,7 @@ using report::Cell;
 
 /// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.
 std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
-                      std::optional<double> changed, std::optional<double> ratio,
+                      std::optional<double> changed, std::optional<double> error,
                       const std::string& other_verdict = "") {
     const report::Unit unit = report::fitting_unit(chosen, "m");
     return {report::display_name(v.model) + ": " + what,
@@ -20,7 +21,7 @@ std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double c
             unit.symbol,
             chosen / unit.factor,
             other_verdict.empty() ? report::number_cell(changed, unit.factor) : other_verdict,
-            change_cell(ratio, 1)};
+            100 * error.value_or(contact::undefined)};
 }
 
 std::string rolled_title(const LoadingVariant& v) {
@@ -32,23 +33,25 @@ std::string rolled_title(const LoadingVariant& v) {
 std::vector<Cell> rolled_row(const LoadingVariant& v) {
     const auto shift =
         *v.run.state == State::ratcheting ? &RunValues::increment : &RunValues::final_shift;
-    const bool differs = !v.rolled_ratio() && v.other && v.other->state;
+    const bool differs = !v.rolled_error() && v.other && v.other->state;
     return row(v, rolled_title(v), *(v.run.*shift), v.other ? (*v.other).*shift : std::nullopt,
-               v.rolled_ratio(), differs ? contact::name_of(*v.other->state) : "");
+               v.rolled_error(), differs ? contact::name_of(*v.other->state) : "");
 }
 
 }  // namespace
 
-report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants) {
+report::DocumentTable variants_table(const contact::Case& c,
+                                     const std::vector<LoadingVariant>& variants) {
     report::DocumentTable table{
         .id = "variants",
         .title = "Shift with one choice changed",
+        .note = variants_note(c),
         .columns = report::columns("quantity", "changed key", "unit", "this run", "changed")};
     table.columns.push_back({.heading = "difference [%]", .change = true});
     for (const LoadingVariant& v : variants) {
         table.rows.push_back(row(v, "static shift", v.run.static_shift,
                                  v.other ? std::optional(v.other->static_shift) : std::nullopt,
-                                 v.static_ratio()));
+                                 v.static_error()));
         if (v.run.state) table.rows.push_back(rolled_row(v));
     }
     return table;

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/case.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

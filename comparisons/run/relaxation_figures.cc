@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include "comparisons/run/relaxation_report.h"

@@ -34,8 +34,8 @@ json elastic_json(const std::optional<RunValues>& elastic) {
 
 json twin_json(const TwinComparison& twin) {
     return {{"drive", drive_json(twin.drive)},
-            {"elastic_twin", elastic_json(twin.elastic)},
-            {"why_no_twin", twin.elastic ? json() : json(twin.why_none)},
+            {"elastic_twin", elastic_json(twin.other)},
+            {"why_no_twin", twin.other ? json() : json(twin.why_none)},
             {"static_shift_error", twin.static_error()},
             {"final_shift_error", twin.final_error()},
             {"settled_shift_error", twin.settled_error()},

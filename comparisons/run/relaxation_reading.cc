@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
+#include "comparisons/run/loading_study.h"
 #include "comparisons/run/relaxation_report.h"
 #include "contact/verdict.h"
 #include "report/format.h"
@@ -46,21 +46,6 @@ std::string drive_sentence(const Case& c, const DriveValues& drive) {
         report::significant(drive.loss_tangent(), 3), deborah);
 }
 
-std::string verdicts(const TwinComparison& twin) {
-    if (*twin.relaxing.state == *twin.elastic->state)
-        return fmt::format("both: {}", contact::name_of(*twin.relaxing.state));
-    return fmt::format("relaxing: {}, elastic: {}", contact::name_of(*twin.relaxing.state),
-                       contact::name_of(*twin.elastic->state));
-}
-
-/// "0.2 mm instead of 0.25 mm (−20.0 %)".
-std::string change(std::optional<double> elastic, std::optional<double> relaxing,
-                   std::optional<double> error) {
-    return fmt::format("{} instead of {} ({})", report::quantity(elastic.value_or(0), "m"),
-                       report::quantity(relaxing.value_or(0), "m"),
-                       report::percent(error.value_or(NAN) + 1));
-}
-
 /// Before rolling: what F_T, which comes at once, and the wait leave.
 std::string static_sentence(const Case& c, const RelaxationStudy& study) {
     std::vector<std::string> errors;
@@ -97,25 +82,27 @@ std::string limit_sentence(const SpeedLimit& limit, const Case& c) {
 
 std::string twin_sentence(const TwinComparison& twin) {
     const std::string name = report::display_name(twin.model);
-    if (!twin.elastic) return fmt::format("{}: no elastic reference run: {}.", name, twin.why_none);
-    if (!twin.elastic->state || !twin.final_error()) return {};
+    if (!twin.other) return fmt::format("{}: no elastic reference run: {}.", name, twin.why_none);
+    if (!twin.other->state || !twin.final_error()) return {};
     if (const auto error = twin.increment_error())
         return fmt::format("{}: taken as elastic, it would ratchet by {} per period.", name,
-                           change(twin.elastic->increment, twin.relaxing.increment, error));
-    const State state = *twin.relaxing.state, elastic = *twin.elastic->state;
+                           instead(twin.other->increment, twin.run.increment, error));
+    const State state = *twin.run.state, elastic = *twin.other->state;
     const bool decided = state != State::undecided && elastic != State::undecided;
     if (decided && contact::settles(state) != contact::settles(elastic))
         return fmt::format(
             "{}: taken as elastic, it would {}, but it {}: f_T,lim = {} instead of {}.", name,
             contact::settles(elastic) ? "settle" : "ratchet",
             contact::settles(state) ? "settles" : "ratchets",
-            report::significant(twin.elastic->limit), report::significant(twin.relaxing.limit));
+            report::significant(twin.other->limit), report::significant(twin.run.limit));
     const bool settled = twin.settled_error().has_value();
     std::string text = fmt::format(
         "{}: taken as elastic, the {} would be {}; {}.", name,
         settled ? "settled shift" : "shift after the last period",
-        change(twin.elastic->final_shift, twin.relaxing.final_shift, twin.final_error()),
-        verdicts(twin));
+        instead(twin.other->final_shift, twin.run.final_shift, twin.final_error()),
+        state == elastic ? fmt::format("both: {}", contact::name_of(state))
+                         : fmt::format("relaxing: {}, elastic: {}", contact::name_of(state),
+                                       contact::name_of(elastic)));
     if (!settled)
         text += " Whether settled shifts differ as much, this does not tell: run more periods.";
     return text;
@@ -162,7 +149,7 @@ report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& stu
     if (!study.twins.empty() && study.twins.front().drive) {
         const DriveValues& d = *study.twins.front().drive;
         const auto drive = [&](const std::string& label, const report::Unit& unit,
-                               const std::function<double(const DriveValues&)>& get) {
+                               const auto& get) {
             row("drive: " + label, unit.symbol,
                 [&](const TwinComparison& twin) { return get(*twin.drive) / unit.factor; });
         };
@@ -184,15 +171,12 @@ report::DocumentTable relaxation_table(const Case& c, const RelaxationStudy& stu
     error("settled shift", &TwinComparison::settled_error);
     error("ratcheting increment", &TwinComparison::increment_error);
     error("limit f_T,lim", &TwinComparison::limit_error);
-    const auto state = [&](const std::string& label, auto get) {
-        row(label, "", [get](const TwinComparison& twin) -> std::string {
-            const std::optional<State> value = get(twin);
-            return value ? contact::name_of(*value) : "–";
-        });
+    const auto name = [](const RunValues& run) -> std::string {
+        return run.state ? contact::name_of(*run.state) : "–";
     };
-    state("verdict", [](const TwinComparison& t) { return t.relaxing.state; });
-    state("verdict of the elastic one",
-          [](const TwinComparison& t) { return t.elastic ? t.elastic->state : std::nullopt; });
+    row("verdict", "", [&](const TwinComparison& twin) { return name(twin.run); });
+    row("verdict of the elastic one", "",
+        [&](const TwinComparison& twin) { return name(twin.other.value_or(RunValues{})); });
     return table;
 }
 

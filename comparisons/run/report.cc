@@ -1,17 +1,13 @@
 #include "comparisons/run/report.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
-#include "comparisons/resolution/refinement_report.h"
 #include "comparisons/run/figures.h"
-#include "comparisons/run/loading_report.h"
+#include "comparisons/run/loading_study.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
-#include "comparisons/run/report_notes.h"
 #include "comparisons/run/report_tables.h"
 #include "report/document_csv.h"
 #include "report/format.h"
@@ -24,6 +20,15 @@ namespace {
 using contact::State;
 using report::DocumentSection;
 using report::Verdict;
+
+constexpr const char* audit_paragraph =
+    "Every step of every model was checked; the table shows the worst violation of the whole run, "
+    "dimensionless. A run with a failed check does not end normally.";
+
+constexpr const char* sources =
+    "R. Wetter, The Interplay of System Dynamics and Dry Friction: Shakedown, Ratcheting and "
+    "Micro-Walking (thesis, TU Berlin) · Mindlin and Deresiewicz (1953), J. Appl. Mech. 20 · "
+    "Johnson (1985), Contact Mechanics";
 
 /// The number that answers the case: "settled shift 55.9 µm (0.4755 U_max)".
 std::string headline(const Results& s) {
@@ -51,18 +56,9 @@ Verdict verdict_of(const Results& s) {
             s.state() ? contact::name_of(*s.state()) : "static"};
 }
 
-report::DocumentTable with_note(report::DocumentTable table, const std::string& note) {
-    table.note = note;
-    return table;
-}
-
 DocumentSection results_section(const contact::Case& c, const std::vector<Results>& results) {
     DocumentSection section{
         .id = "results", .heading = "Results", .tables = results_tables(c, results)};
-    section.tables.front().note = results_note(c, results.size() > 1);
-    if (!c.rolling) return section;
-    const auto rolled = std::ranges::find(section.tables, "rolled", &report::DocumentTable::id);
-    rolled->note = rolling_note(c);
     if (std::ranges::any_of(results, [](const Results& s) { return s.periods() > 0; }))
         section.tables.push_back(period_table(results));
     return section;
@@ -79,14 +75,12 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
         sections.push_back({id, heading, sentences, {}, tables});
     };
     if (const auto layer = compare_with_layer(c, histories, extras.study))
-        add("layer", "The layer", layer_sentences(c, *layer),
-            {with_note(layer_table(*layer), layer_note(c))});
+        add("layer", "The layer", layer_sentences(c, *layer), {layer_table(c, *layer)});
     const auto& variants = extras.study.variants;
     if (c.layer.thickness || !variants.empty())
         add("loading", "Coupling, displaced surface, pressing",
             treatment_sentences(c, c.models, variants),
-            variants.empty() ? Tables()
-                             : Tables{with_note(variants_table(variants), variants_note(c))});
+            variants.empty() ? Tables() : Tables{variants_table(c, variants)});
     if (c.relaxation)
         add("relaxation", "Relaxation", relaxation_sentences(c, extras.relaxation),
             extras.relaxation.twins.empty() ? Tables()
@@ -136,11 +130,7 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
         for (report::Figure& figure : modulus_figures(c, extras.relaxation))
             figures.push_back(std::move(figure));
     document.sections.push_back({"plots", "Figures", {}, figures});
-    document.sections.push_back({"derived_values",
-                                 "Derived values",
-                                 {},
-                                 {},
-                                 {with_note(derived_table(c), derived_note(c))}});
+    document.sections.push_back({"derived_values", "Derived values", {}, {}, {derived_table(c)}});
     document.sections.push_back({"audit", "Audit", {audit_paragraph}, {}, {audit_table(results)}});
     document.sections.push_back({"sources", "Sources", {sources}});
     return document;

@@ -1,4 +1,6 @@
-#include "comparisons/run/report_notes.h"
+#include "comparisons/half_space/layer_report.h"
+#include "comparisons/run/loading_study.h"
+#include "comparisons/run/report_tables.h"
 
 namespace tricontact::comparisons {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
 #include "report/format.h"
 
@@ -26,8 +25,9 @@ class RowMaker {
           theory_(c.layer.thickness ? "half-space theory" : "theory") {}
 
     /// The quantities of a part.
-    DocumentTable table(const std::string& id, const std::string& title, Part part) const {
-        DocumentTable table{.id = id, .title = title, .columns = columns()};
+    DocumentTable table(const std::string& id, const std::string& title, Part part,
+                        const std::string& note = "") const {
+        DocumentTable table{.id = id, .title = title, .note = note, .columns = columns()};
         // Counts and times are not known to four digits.
         if (part == Part::cost)
             for (auto& column : table.columns) column.digits = 3;
@@ -127,9 +127,11 @@ Cell change_cell(Value value, Value base) {
 std::vector<DocumentTable> results_tables(const contact::Case& c,
                                           const std::vector<Results>& results) {
     const RowMaker make(c, results);
-    std::vector<DocumentTable> tables{make.table("pressed", "Pressed and loaded", Part::pressed)};
+    std::vector<DocumentTable> tables{make.table("pressed", "Pressed and loaded", Part::pressed,
+                                                 results_note(c, results.size() > 1))};
     if (c.rolling)
-        tables.push_back(make.table("rolled", "After rolling, indenter upright", Part::rolled));
+        tables.push_back(
+            make.table("rolled", "After rolling, indenter upright", Part::rolled, rolling_note(c)));
     tables.push_back(make.table("ends", "Ends of the roller", Part::ends));
     tables.push_back(make.table("inside", "Inside the substrate", Part::inside));
     tables.push_back(make.table("cost", "Work and cost", Part::cost));

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <numbers>
 
 #include "comparisons/quantities/reference.h"
@@ -13,9 +11,8 @@ namespace {
 using contact::Case;
 
 /// Names and values, in the order of the report.
-class Settings {
-  public:
-    void add(const std::string& name, const std::string& text) { list_.emplace_back(name, text); }
+struct Settings {
+    void add(const std::string& name, const std::string& text) { list.emplace_back(name, text); }
     void add(const std::string& name, double value, const char* base = "") {
         add(name, *base ? report::given_quantity(value, base) : report::as_given(value));
     }
@@ -29,10 +26,8 @@ class Settings {
     void add_angle(const std::string& name, double radians) {
         add(name, report::as_given(radians * 180 / std::numbers::pi) + "°");
     }
-    std::vector<std::pair<std::string, std::string>> take() { return std::move(list_); }
 
-  private:
-    std::vector<std::pair<std::string, std::string>> list_;
+    std::vector<std::pair<std::string, std::string>> list;
 };
 
 void add_layer(const Case& c, Settings& settings) {
@@ -188,7 +183,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Case& c) {
     Settings settings;
     add_bodies(c, settings);
     add_load(c, settings);
-    return settings.take();
+    return settings.list;
 }
 
 report::DocumentTable derived_table(const Case& c) {
@@ -198,6 +193,7 @@ report::DocumentTable derived_table(const Case& c) {
                                 .title = contact::is_hertz_round(c) ? "Derived (Hertz)"
                                          : r.is_nominal             ? "Derived (nominal)"
                                                                     : "Derived (half-space)",
+                                .note = derived_note(c),
                                 .columns = {{"quantity"}, {"unit"}, {"value"}}};
     const auto add = [&](const std::string& name, double value, const char* base = "") {
         const report::Unit unit = *base ? report::fitting_unit(value, base) : report::Unit{};

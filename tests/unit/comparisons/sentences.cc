@@ -8,7 +8,7 @@
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/figures.h"
-#include "comparisons/run/loading_report.h"
+#include "comparisons/run/loading_study.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/report_tables.h"
 #include "comparisons/shakedown/limit.h"
@@ -182,7 +182,8 @@ TEST(TreatmentSentences, MdrOnTheLayerLeavesTheCouplingOut) {
 
 TEST(TreatmentSentences, OnlyCoupledContactRemembersPressing) {
     const std::string remembers = "remembers the way of pressing";
-    const LoadingVariant kinematics{"bem", "contact.kinematics", "linear", "deformed", {}, {}, ""};
+    const LoadingVariant kinematics{
+        {"bem", {}, {}, ""}, "contact.kinematics", "linear", "deformed"};
     EXPECT_FALSE(says(joined(treatment_sentences(uncoupled(), {"bem"}, {kinematics})), remembers));
     EXPECT_TRUE(says(joined(treatment_sentences(coupled(), {"bem"}, {kinematics})), remembers));
     Case displaced = uncoupled();

@@ -184,7 +184,7 @@ TEST(Layer, ModelsStandBesideTheExactLayer) {
     // 2 E* a of Hertz' own radius.
     EXPECT_NEAR(*layer.models[0].values.normal_stiffness, *layer.half_space.normal_stiffness, 1e-6);
 
-    const report::DocumentTable table = layer_table(layer);
+    const report::DocumentTable table = layer_table(c, layer);
     EXPECT_EQ(headings(table),
               (std::vector<std::string>{"quantity", "unit", "exact layer", "half-space", "MDR",
                                         "FEM", "half-space vs exact [%]", "MDR vs exact [%]",
@@ -200,7 +200,7 @@ TEST(Layer, TableWithoutTheoryHasNoDifferences) {
     Case c = rig();
     const auto histories = histories_of(c);
     c.layer.lower = {{2e-3, {1e7, 0.4}}};
-    const report::DocumentTable table = layer_table(compare_with_layer(c, histories).value());
+    const report::DocumentTable table = layer_table(c, compare_with_layer(c, histories).value());
     EXPECT_EQ(headings(table),
               (std::vector<std::string>{"quantity", "unit", "half-space", "MDR", "FEM"}));
     EXPECT_TRUE(std::isnan(std::get<double>(table.rows.back().back())));  // nobody measured it

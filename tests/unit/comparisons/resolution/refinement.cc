@@ -8,7 +8,6 @@
 #include <sstream>
 
 #include "comparisons/resolution/refined_values.h"
-#include "comparisons/resolution/refinement_report.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::refinement_test {

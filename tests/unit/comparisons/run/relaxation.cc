@@ -98,27 +98,27 @@ RunValues shifts(State state, double static_shift, double final_shift, double in
 
 TEST(RelaxationStudy, ComparesOnlyWhatIsAlike) {
     TwinComparison twin;
-    twin.relaxing = shifts(State::shakedown, 0.4, 0.8, 0.001);
+    twin.run = shifts(State::shakedown, 0.4, 0.8, 0.001);
     EXPECT_FALSE(twin.static_error());
     EXPECT_FALSE(twin.final_error());
-    twin.elastic = shifts(State::shakedown, 0.5, 0.6, 0.002);
+    twin.other = shifts(State::shakedown, 0.5, 0.6, 0.002);
     EXPECT_DOUBLE_EQ(*twin.static_error(), 0.25);
     EXPECT_DOUBLE_EQ(*twin.final_error(), 0.6 / 0.8 - 1);
     EXPECT_DOUBLE_EQ(*twin.settled_error(), 0.6 / 0.8 - 1);
     EXPECT_FALSE(twin.increment_error());
-    EXPECT_FALSE(judged_by_increment(*twin.elastic));
+    EXPECT_FALSE(judged_by_increment(*twin.other));
 
-    twin.relaxing.state = State::undecided;
+    twin.run.state = State::undecided;
     EXPECT_TRUE(twin.final_error());
     EXPECT_FALSE(twin.settled_error());
 
-    twin.relaxing.state = twin.elastic->state = State::ratcheting;
+    twin.run.state = twin.other->state = State::ratcheting;
     EXPECT_FALSE(twin.settled_error());
     EXPECT_DOUBLE_EQ(*twin.increment_error(), 1);
-    EXPECT_TRUE(judged_by_increment(*twin.elastic));
-    EXPECT_DOUBLE_EQ(*twin_error(*twin.elastic, twin.relaxing), 1);
+    EXPECT_TRUE(judged_by_increment(*twin.other));
+    EXPECT_DOUBLE_EQ(*twin_error(*twin.other, twin.run), 1);
 
-    twin.relaxing.increment = 0;  // nothing to be relative to
+    twin.run.increment = 0;  // nothing to be relative to
     EXPECT_FALSE(twin.increment_error());
 }
 
@@ -205,10 +205,10 @@ RelaxationStudy study(const Case& c) {
         TwinComparison twin;
         twin.model = model;
         twin.drive = drive_values(c, 0.24);
-        twin.relaxing = shifts(State::shakedown, 0.4, 0.8, 1e-8);
+        twin.run = shifts(State::shakedown, 0.4, 0.8, 1e-8);
         result.twins.push_back(twin);
     }
-    result.twins[0].elastic = shifts(State::shakedown, 0.4, 0.6, 1e-8);
+    result.twins[0].other = shifts(State::shakedown, 0.4, 0.6, 1e-8);
     result.twins[1].why_none = "no end";
     result.limit = SpeedLimit{"mdr", false, 0.03, 0.03125, 0.001, 0.1, 4, ""};
     return result;
@@ -233,7 +233,7 @@ TEST(RelaxationReport, SaysWhetherTheSubstrateMayBeTakenAsElastic) {
     EXPECT_EQ(text.find("dma"), std::string::npos);
 
     RelaxationStudy other = study(c);
-    other.twins[0].elastic->state = State::undecided;
+    other.twins[0].other->state = State::undecided;
     other.limit->speed.reset();
     other.limit->why_none = "it stays less";
     const std::string unsure = joined(relaxation_sentences(c, other));
@@ -244,8 +244,8 @@ TEST(RelaxationReport, SaysWhetherTheSubstrateMayBeTakenAsElastic) {
 TEST(RelaxationReport, AnotherVerdictIsWhatCounts) {
     const Case c = relaxing_case();
     RelaxationStudy other = study(c);
-    other.twins[0].relaxing.state = State::ratcheting;
-    other.twins[0].relaxing.limit = 0.55;
+    other.twins[0].run.state = State::ratcheting;
+    other.twins[0].run.limit = 0.55;
     const std::string text = twin_sentence(other.twins[0]);
     EXPECT_EQ(text,
               "MDR: taken as elastic, it would settle, but it ratchets: f_T,lim = 0.6000 instead "

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "comparisons/quantities/glossary.h"
+#include "comparisons/quantities/quantity.h"
 #include "io/case/case_keys.h"
 #include "io/keys/key_reference.h"
 #include "walking/input/walk_keys.h"
