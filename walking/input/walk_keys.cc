@@ -12,12 +12,7 @@ using Keys = std::vector<WalkKey>;
 
 constexpr double large = 1e9;
 
-/// Place of a number of a dimensional machine, and of one whose stiffnesses are its own.
-template <double DimensionalMachine::*member>
-io::Field dimension(WalkCase& c) {
-    return io::in(c.dimensional, member);
-}
-
+/// Place of a stiffness of a dimensional machine that is its own.
 template <double DimensionalMachine::*member>
 io::Field own_stiffness(WalkCase& c) {
     return c.input.contact ? io::Field() : io::in(c.dimensional, member);
@@ -87,22 +82,22 @@ Keys kappa_keys() {
 Keys dimension_keys() {
     using enum io::Dimension;
     using D = DimensionalMachine;
+    constexpr auto si = &WalkCase::dimensional;
     const auto key = [](std::string_view path, io::Dimension of, std::string_view example,
                         std::string_view text) {
         return io::quantity_key(path, of, io::above_zero(large), example, text, {.required = true});
     };
     return {
-        {key("machine.mass", mass, R"("490 g")", "mass m"), dimension<&D::mass>},
+        {key("machine.mass", mass, R"("490 g")", "mass m"), at<si, &D::mass>},
         {key("machine.half_height", length, R"("21.2 mm")", "half height a"),
-         dimension<&D::half_height>},
-        {key("machine.half_width", length, R"("14 mm")", "half width b"),
-         dimension<&D::half_width>},
+         at<si, &D::half_height>},
+        {key("machine.half_width", length, R"("14 mm")", "half width b"), at<si, &D::half_width>},
         {key("machine.moment_of_inertia", moment_of_inertia, R"("1.7e-4 kg m2")",
              "moment of inertia Theta about the centre of gravity"),
-         dimension<&D::moment_of_inertia>},
+         at<si, &D::moment_of_inertia>},
         {key("machine.spring_stiffness", io::Dimension::stiffness, R"("4.34e6 N/m")",
              "stiffness k_s of the spring that drags"),
-         dimension<&D::spring_stiffness>},
+         at<si, &D::spring_stiffness>},
         {io::quantity_key("machine.tangential_stiffness", io::Dimension::stiffness,
                           io::above_zero(1e15), R"("2.2e6 N/m")", "k_x of one contact spot",
                           {.alternative = spot_stiffness}),
@@ -113,16 +108,14 @@ Keys dimension_keys() {
          own_stiffness<&D::normal_stiffness>},
         {io::number_key("machine.friction_coefficient", io::from_zero(100), "0.75",
                         "Coulomb's coefficient of friction mu", {.required = true}),
-         dimension<&D::friction_coefficient>},
+         at<si, &D::friction_coefficient>},
         {io::quantity_key("machine.base_velocity", velocity, io::from_zero(1e6), R"("40 mm/s")",
                           "velocity v_0 of the spring's base", {.required = true}),
-         dimension<&D::base_velocity>},
+         at<si, &D::base_velocity>},
         {io::quantity_key("machine.lever_arm", length, {-1e6, 1e6}, R"("-10 mm")",
                           "height h of the spring above the centre of gravity",
                           {.alternative = lever_arm}),
-         [](WalkCase& c) {
-             return c.input.height_ratio ? io::Field() : dimension<&D::lever_arm>(c);
-         }},
+         [](WalkCase& c) { return c.input.height_ratio ? io::Field() : at<si, &D::lever_arm>(c); }},
         {io::number_key("machine.height_ratio", {-1000, 1000}, "-0.47",
                         "h/a, the same over the half height", {.alternative = lever_arm}),
          [](WalkCase& c) {
@@ -130,7 +123,7 @@ Keys dimension_keys() {
          }},
         {io::quantity_key("machine.gravity", acceleration, io::above_zero(1e6), R"("9.81 m/s2")",
                           "acceleration g of gravity", {.default_value = R"("9.81 m/s2")"}),
-         dimension<&D::gravity>}};
+         at<si, &D::gravity>}};
 }
 
 Keys contact_keys() {

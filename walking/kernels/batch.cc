@@ -16,15 +16,6 @@ constexpr std::int64_t steps_of_a_block = 1024;
 // After so many steps the machines that have tilted make room in the vectors.
 constexpr std::int64_t steps_of_a_round = 1 << 16;
 
-LaneFunctions functions_of(Kernel kernel) {
-#ifdef __x86_64__
-    if (kernel == Kernel::sse2) return sse2_lanes();
-    if (kernel == Kernel::avx2) return avx2_lanes();
-    if (kernel == Kernel::avx512) return avx512_lanes();
-#endif
-    return plain_lanes();
-}
-
 /// Advances lanes of one model in one go, at most functions.n_lanes.
 void advance_group(const LaneFunctions& functions, std::span<Lane* const> lanes,
                    std::int64_t n_steps) {

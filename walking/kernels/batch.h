@@ -65,9 +65,9 @@ class Lane {
   private:
     void set_constants();
     void set_start(const Motion& start);
-    double bound_per_height() const;  // c_n
 
     Machine machine_;
+    double c_, reach_;  // c_n, kappa3^2
     double step_;
     double start_time_, start_base_;
     std::int64_t n_steps_ = 0, n_summed_ = 0;

@@ -18,4 +18,17 @@ Kernel best_kernel() {
     return available_kernels().back();
 }
 
+namespace kernels {
+
+LaneFunctions functions_of(Kernel kernel) {
+#ifdef __x86_64__
+    if (kernel == Kernel::sse2) return sse2_lanes();
+    if (kernel == Kernel::avx2) return avx2_lanes();
+    if (kernel == Kernel::avx512) return avx512_lanes();
+#endif
+    return plain_lanes();
+}
+
+}  // namespace kernels
+
 }  // namespace tricontact::walking

@@ -99,5 +99,6 @@ LaneFunctions plain_lanes();
 LaneFunctions sse2_lanes();
 LaneFunctions avx2_lanes();
 LaneFunctions avx512_lanes();
+LaneFunctions functions_of(Kernel kernel);
 
 }  // namespace tricontact::walking::kernels

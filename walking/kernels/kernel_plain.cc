@@ -5,6 +5,9 @@ namespace {
 
 struct Plain {
     using Register = double;
+    static double fmadd(double a, double b, double c) { return a * b + c; }
+    static double fmsub(double a, double b, double c) { return a * b - c; }
+    static double fnmadd(double a, double b, double c) { return c - a * b; }
     static double min(double a, double b) { return a < b ? a : b; }
     static double max(double a, double b) { return a > b ? a : b; }
     static double sqrt(double a) { return __builtin_sqrt(a); }

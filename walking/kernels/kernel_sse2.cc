@@ -7,6 +7,9 @@ namespace {
 
 struct Sse2 {
     using Register = __m128d;
+    static Register fmadd(Register a, Register b, Register c) { return a * b + c; }
+    static Register fmsub(Register a, Register b, Register c) { return a * b - c; }
+    static Register fnmadd(Register a, Register b, Register c) { return c - a * b; }
     static Register min(Register a, Register b) { return _mm_min_pd(a, b); }
     static Register max(Register a, Register b) { return _mm_max_pd(a, b); }
     static Register sqrt(Register a) { return _mm_sqrt_pd(a); }

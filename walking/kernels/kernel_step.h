@@ -234,7 +234,6 @@ template <class Instructions>
 struct Pack {
     using Register = typename Instructions::Register;
     static constexpr int size = sizeof(Register) / sizeof(double);
-    static constexpr bool fused = requires(Register a) { Instructions::fmadd(a, a, a); };
 
     Register v;
 
@@ -247,22 +246,13 @@ struct Pack {
     Pack operator*(Pack b) const { return {v * b.v}; }
     Pack operator/(Pack b) const { return {v / b.v}; }
     friend Pack multiply_add(Pack a, Pack b, Pack c) {
-        if constexpr (fused)
-            return {Instructions::fmadd(a.v, b.v, c.v)};
-        else
-            return a * b + c;
+        return {Instructions::fmadd(a.v, b.v, c.v)};
     }
     friend Pack multiply_subtract(Pack a, Pack b, Pack c) {
-        if constexpr (fused)
-            return {Instructions::fmsub(a.v, b.v, c.v)};
-        else
-            return a * b - c;
+        return {Instructions::fmsub(a.v, b.v, c.v)};
     }
     friend Pack negative_multiply_add(Pack a, Pack b, Pack c) {
-        if constexpr (fused)
-            return {Instructions::fnmadd(a.v, b.v, c.v)};
-        else
-            return c - a * b;
+        return {Instructions::fnmadd(a.v, b.v, c.v)};
     }
     friend Pack min(Pack a, Pack b) { return {Instructions::min(a.v, b.v)}; }
     friend Pack max(Pack a, Pack b) { return {Instructions::max(a.v, b.v)}; }

@@ -38,6 +38,11 @@ constexpr std::array<double, n_sums> no_sums = [] {
     return sums;
 }();
 
+double bound_per_height(const Machine& machine) {
+    const double c = machine.kappas.kappa5 * machine.kappas.kappa2;
+    return machine.model == Model::prism ? slope * c : c;
+}
+
 }  // namespace
 
 bool fits_lane(const Machine& machine) {
@@ -46,6 +51,8 @@ bool fits_lane(const Machine& machine) {
 
 Lane::Lane(const Machine& machine, const Motion& start, double step)
     : machine_(machine),
+      c_(bound_per_height(machine)),
+      reach_(machine.kappas.kappa3 * machine.kappas.kappa3),
       step_(step),
       start_time_(start.time),
       start_base_(start.base),
@@ -57,21 +64,16 @@ Lane::Lane(const Machine& machine, const Motion& start, double step)
     set_start(start);
 }
 
-double Lane::bound_per_height() const {
-    const double c = machine_.kappas.kappa5 * machine_.kappas.kappa2;
-    return machine_.model == Model::prism ? slope * c : c;
-}
-
 void Lane::set_constants() {
     const auto& [kappa1, kappa2, kappa3, kappa4, mu, kappa6, kappa7, kappa8] = machine_.kappas;
-    const double c = bound_per_height(), dt2 = step_ * step_, reach = kappa3 * kappa3;
-    fields_[lever] = c * kappa3;
+    const double dt2 = step_ * step_;
+    fields_[lever] = c_ * kappa3;
     fields_[spring] = kappa1;
-    fields_[spring_lever] = kappa1 * kappa8 * reach;
+    fields_[spring_lever] = kappa1 * kappa8 * reach_;
     fields_[base_increment] = kappa1 * kappa6 * step_;
-    fields_[rotation_reach] = reach;
-    fields_[weight] = machine_.mechanisms.vertical ? dt2 * c * kappa4 : 0;
-    fields_[lift] = machine_.mechanisms.vertical ? dt2 * c / mu : 0;
+    fields_[rotation_reach] = reach_;
+    fields_[weight] = machine_.mechanisms.vertical ? dt2 * c_ * kappa4 : 0;
+    fields_[lift] = machine_.mechanisms.vertical ? dt2 * c_ / mu : 0;
     fields_[pull] = dt2;
     fields_[turn] = machine_.mechanisms.rotation ? dt2 / kappa7 : 0;
     fields_[normal_moment] = 1 / (mu * kappa3);
@@ -83,12 +85,12 @@ void Lane::set_constants() {
 
 void Lane::set_start(const Motion& start) {
     const Kappas& k = machine_.kappas;
-    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3, half = step_ / 2;
+    const double half = step_ / 2;
     const auto [ax, az, aphi] = acceleration(machine_, spots_of(machine_), start);
-    fields_[rotation] = start.phi / reach;
-    fields_[rotation_increment] = step_ * (start.phi_velocity + half * aphi) / reach;
-    fields_[height] = c * start.z;
-    fields_[height_increment] = c * step_ * (start.z_velocity + half * az);
+    fields_[rotation] = start.phi / reach_;
+    fields_[rotation_increment] = step_ * (start.phi_velocity + half * aphi) / reach_;
+    fields_[height] = c_ * start.z;
+    fields_[height_increment] = c_ * step_ * (start.z_velocity + half * az);
     fields_[extension] = k.kappa1 * (start.base - start.x);
     fields_[x_increment] = step_ * (start.x_velocity + half * ax);
     for (int i = 0; i < 2; ++i) {
@@ -105,8 +107,7 @@ void Lane::load(double* fields, int stride) const {
 void Lane::store(const double* fields, int stride, std::int64_t n_steps) {
     if (tilted_) return;
     const auto at = [&](int field) { return fields[field * stride]; };
-    const double limit =
-        tilting_limit(machine_) / (machine_.kappas.kappa3 * machine_.kappas.kappa3);
+    const double limit = tilting_limit(machine_) / reach_;
     // Extremes may miss what is not a number; the state does not.
     tilted_ = !(at(max_rotation) <= limit && at(min_rotation) >= -limit &&
                 std::abs(at(rotation)) <= limit && std::isfinite(at(height)) &&
@@ -128,13 +129,13 @@ void Lane::store(const double* fields, int stride, std::int64_t n_steps) {
 
 Motion Lane::motion() const {
     const Kappas& k = machine_.kappas;
-    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3, half = step_ / 2;
+    const double half = step_ / 2;
     const double elapsed = step_ * static_cast<double>(n_steps_);
     Motion motion{.time = start_time_ + elapsed, .base = start_base_ + k.kappa6 * elapsed};
     motion.x = motion.base - fields_[extension] / k.kappa1;
-    motion.z = fields_[height] / c;
-    motion.phi = fields_[rotation] * reach;
-    const double scale = c / (k.kappa5 * k.kappa2);  // 1, or the slope of a flank
+    motion.z = fields_[height] / c_;
+    motion.phi = fields_[rotation] * reach_;
+    const double scale = c_ / (k.kappa5 * k.kappa2);  // 1, or the slope of a flank
     for (int i = 0; i < 2; ++i) {
         const double lifted = (i == 0 ? 1 : -1) * motion.phi / k.kappa3;
         motion.spots.push_back({.normal = std::max(0., scale * (motion.z + lifted)),
@@ -144,8 +145,8 @@ Motion Lane::motion() const {
     // Increments run half a step ahead.
     const auto [ax, az, aphi] = acceleration(machine_, spots_of(machine_), motion);
     motion.x_velocity = fields_[x_increment] / step_ - half * ax;
-    motion.z_velocity = fields_[height_increment] / (c * step_) - half * az;
-    motion.phi_velocity = fields_[rotation_increment] * reach / step_ - half * aphi;
+    motion.z_velocity = fields_[height_increment] / (c_ * step_) - half * az;
+    motion.phi_velocity = fields_[rotation_increment] * reach_ / step_ - half * aphi;
     return motion;
 }
 
@@ -153,17 +154,16 @@ StretchSums Lane::take_sums() {
     const auto sums = std::exchange(sums_, no_sums);
     const auto of = [&](int field) { return sums[static_cast<std::size_t>(field - end_of_state)]; };
     const Kappas& k = machine_.kappas;
-    const double c = bound_per_height(), reach = k.kappa3 * k.kappa3;
     StretchSums result{.steps = std::exchange(n_summed_, 0),
                        .spring_force = of(sum_force),
-                       .z_min = of(min_height) / c,
-                       .z_max = of(max_height) / c,
-                       .phi_min = of(min_rotation) * reach,
-                       .phi_max = of(max_rotation) * reach,
+                       .z_min = of(min_height) / c_,
+                       .z_max = of(max_height) / c_,
+                       .phi_min = of(min_rotation) * reach_,
+                       .phi_max = of(max_rotation) * reach_,
                        .spots = {}};
     // phi = kappa3^2 p: kappa7/kappa3^2 phi'^2 = kappa7 kappa3^2 p'^2
-    result.kinetic_energy = (of(sum_x_squared) + of(sum_height_squared) / (c * c) +
-                             k.kappa7 * reach * of(sum_rotation_squared)) /
+    result.kinetic_energy = (of(sum_x_squared) + of(sum_height_squared) / (c_ * c_) +
+                             k.kappa7 * reach_ * of(sum_rotation_squared)) /
                             (8 * step_ * step_);
     // Sums of squared increments are those of two steps. Sums of bounds are mu kappa2 times those
     // of the deflections, those of slip 2 dt times those of the velocity.

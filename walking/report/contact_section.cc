@@ -103,9 +103,9 @@ report::DocumentTable spot_table(const std::vector<SpotStatistics>& spots) {
     const auto cell = [](const report::WithError& r) {
         return std::isnan(r.error) ? report::Cell(r.value) : report::Cell(r);
     };
-    for (const SpotStatistics& spot : spots)
+    for (const auto& [stick_time, correlation] : spots)
         table.rows.push_back(
-            {static_cast<double>(spot.number), cell(spot.stick_time), cell(spot.correlation)});
+            {static_cast<double>(table.rows.size() + 1), cell(stick_time), cell(correlation)});
     return table;
 }
 

@@ -30,10 +30,9 @@ std::string name_of(const WalkSweep& sweep, const std::vector<std::size_t>& axes
 /// [sqrt(k_x/m)] of the disturbance of steady sliding that grows fastest; NaN: there is no steady
 /// sliding.
 double growth_rate(const Machine& machine) {
-    const auto eigenvalues = sliding_stability(machine);
-    constexpr double rounding = 1e-9;
+    const Eigenvalues eigenvalues = sliding_stability(machine);
     if (eigenvalues.empty()) return NAN;
-    return std::abs(eigenvalues.front().real()) < rounding ? 0 : eigenvalues.front().real();
+    return is_neutral(eigenvalues) ? 0 : eigenvalues.front().real();
 }
 
 /// What is drawn over each axis.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/special_values.h"
 #include "statistics/initial_sequence.h"
@@ -48,7 +47,7 @@ report::Curve upright(const std::string& name, double place, double top,
 }
 
 double sampling_interval(const Walk& walk) {
-    if (walk.tail.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+    if (walk.tail.size() < 2) return contact::undefined;
     return walk.tail[1].motion.time - walk.tail[0].motion.time;
 }
 
@@ -97,8 +96,7 @@ std::vector<SpotStatistics> spot_statistics(const Walk& walk) {
     std::vector<SpotStatistics> result;
     const std::vector<WalkResult::Spot>& spots = walk.result.spots;
     for (std::size_t i = 0; i < spots.size(); ++i)
-        result.push_back({static_cast<int>(i + 1),
-                          {spots[i].stick_time, error_of(walk, i, stick_time)},
+        result.push_back({{spots[i].stick_time, error_of(walk, i, stick_time)},
                           {spots[i].correlation, error_of(walk, i, correlation)}});
     return result;
 }

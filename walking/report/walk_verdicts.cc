@@ -179,10 +179,10 @@ std::string jump(const WalkReport& report) {
 std::string walking(const WalkReport& report) {
     const std::vector<SpotStatistics> spots = spot_statistics(report.walk);
     if (spots.empty() || spots.size() > most_spots) return {};
-    const auto told = [](const SpotStatistics& spot) {
+    const auto told = [&](const SpotStatistics& spot) {
         const auto& [r, error] = spot.correlation;
         return fmt::format(
-            "r_{} = {}", spot.number,
+            "r_{} = {}", &spot - spots.data() + 1,
             std::isnan(error) ? report::significant(r, 3) : report::with_error(r, error));
     };
     constexpr double strong = 0.5;
