@@ -16,15 +16,15 @@ namespace {
 /// Shift [m] of a rig's sphere, taken as a rigid paraboloid, on its layer: under F_N, pressed with
 /// friction in the usual steps, and experiments::coupling_tangential_ratio; 22 cells in the contact
 /// radius.
-double static_shift(const experiments::RollingRig& rig, bool coupled) {
+double static_shift(const experiments::Rig& rig, bool coupled) {
     constexpr const char* model_name = "bem-layer";
     contact::Case c;
     c.models = {model_name};
-    c.indenter.radius = rig.roller.radius.value;
-    c.substrate = {rig.substrate.young.value, rig.substrate.poisson.value};
-    c.layer.thickness = rig.substrate.thickness.value;
-    c.friction_coefficient = rig.friction_coefficient.value;
-    c.load.normal_force = rig.normal_force.value;
+    c.indenter.radius = rig["R"].value;
+    c.substrate = {rig["E_2"].value, rig["nu_2"].value};
+    c.layer.thickness = rig["b"].value;
+    c.friction_coefficient = rig["mu"].value;
+    c.load.normal_force = rig["F_N"].value;
     c.load.tangential_ratio = experiments::coupling_tangential_ratio;
     c.contact.coupling = coupled;
     c.bem.cells_per_radius = 22;
@@ -66,12 +66,7 @@ void check_assumptions(CommandOptions options) {
     const auto given = experiments::read_rig(options.file);
     experiments::RigReport report;
     options.fill({{"rig.json", "report.html"}}, [&] {
-        const auto* rolling = std::get_if<experiments::RollingRig>(&given);
-        using enum experiments::RollingRig::Shape;
-        report =
-            rolling && rolling->roller.shape != cylinder
-                ? experiments::check_rig(*rolling, static_shift)
-                : std::visit([](const auto& rig) { return experiments::check_rig(rig); }, given);
+        report = experiments::check_rig(given, static_shift);
         options.write("rig.json", experiments::rig_json(report));
         options.write_report(experiments::rig_document(report), "tricontact rig " + stem + ".toml");
     });

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/document.h"
 #include "statistics/error_propagation.h"
 
 namespace tricontact::experiments {
@@ -40,7 +41,7 @@ Values values_of(const std::vector<Given>& given);
 /// A formula of a rig.
 struct Formula {
     const char *name, *symbol, *formula, *source, *unit;  ///< as Calculation's
-    const char* given;  ///< keys of the rig's quantities, separated by spaces
+    const char* given;  ///< symbols of the rig's quantities, separated by spaces
     double (*function)(const Values&);
 
     constexpr Formula(const char* its_name, const char* its_symbol, const char* text,
@@ -55,37 +56,6 @@ struct Formula {
           function(of_values) {}
 };
 
-/// A quantity of a rig: data, or what follows from them.
-template <class Rig>
-struct RigQuantity {
-    const char* key;   ///< its symbol, with ' behind where another quantity has the same one
-    const char* unit;  ///< SI, "1" of pure numbers
-    Estimate (*of)(const Rig&);
-};
-
-/// Those of a table that the keys name. Throws std::out_of_range for other keys.
-template <class Rig>
-std::vector<Given> given_by(const std::vector<RigQuantity<Rig>>& table, std::string_view keys,
-                            const Rig& rig) {
-    std::vector<Given> given;
-    for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
-        end = keys.find(' ', begin);
-        const std::string_view key = keys.substr(begin, end - begin);
-        std::size_t i = 0;
-        while (table.at(i).key != key) ++i;
-        given.push_back(
-            {std::string(key.substr(0, key.find('\''))), table[i].of(rig), table[i].unit});
-    }
-    return given;
-}
-
-/// A formula with the numbers of a rig put in, see given() of each kind.
-template <class Rig>
-Calculation calculate(const Rig& rig, const Formula& f) {
-    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
-                     f.function);
-}
-
 /// A given quantity of a calculation that has the value `wanted` if only this quantity changes.
 struct Substitute {
     std::string symbol;
@@ -97,7 +67,7 @@ struct Substitute {
 /// One for each given quantity that can do it between 1e-6 and 1e6 times its value.
 std::vector<Substitute> substitutes(const Calculation& calculation, double wanted);
 
-enum class Standing { holds, fails, cannot_tell };
+using Standing = report::Verdict::Standing;  // but `finding`
 
 /// A number that decides, and what it is held against.
 struct Criterion {

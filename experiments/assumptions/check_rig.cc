@@ -9,54 +9,25 @@ namespace tricontact::experiments {
 
 namespace {
 
-ForceCurves force_curves(const RollingRig& rig) {
+ForceCurves force_curves(const Rig& rig) {
     constexpr int n_points = 31;
     ForceCurves curves;
-    curves.rig_force = rig.normal_force;
-    curves.measured_diameter = rig.measured_contact_size;
-    RollingRig loaded = rig;
+    curves.rig_force = rig["F_N"];
+    if (rig.has("D_c")) curves.measured_diameter = rig["D_c"];
+    Rig loaded = rig;
     for (int i = 0; i < n_points; ++i) {
-        const double force = rig.normal_force.value * 1.5 * (i + 1) / n_points;
-        loaded.normal_force = {force};
+        const double force = curves.rig_force.value * 1.5 * (i + 1) / n_points;
+        loaded.data["F_N"] = {force};
         const contact::HalfSpaceScales hertz = hertz_of(values_of(given(loaded, hertz_keys)));
         const theory::LayerContact layer = layer_of(values_of(given(loaded, layer_keys)));
         curves.force.push_back(force);
-        curves.hertz_diameter.push_back(2 * hertz.contact_radius);
-        curves.layer_diameter.push_back(2 * layer.contact_radius);
-        curves.hertz_indentation.push_back(hertz.indentation);
-        curves.layer_indentation.push_back(layer.indentation);
+        curves.diameter.hertz.push_back(2 * hertz.contact_radius);
+        curves.diameter.layer.push_back(2 * layer.contact_radius);
+        curves.indentation.hertz.push_back(hertz.indentation);
+        curves.indentation.layer.push_back(layer.indentation);
     }
     return curves;
 }
-
-}  // namespace
-
-RigReport check_rig(const RollingRig& rig, const StaticShift& static_shift) {
-    RigReport report{.title = rig.title};
-    const bool cylinder = rig.roller.shape == RollingRig::Shape::cylinder;
-    report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
-                          cylinder ? half_space_of_line(rig) : half_space(rig)};
-    if (cylinder) report.assumptions.push_back(long_cylinder(rig));
-    report.assumptions.push_back(elastic_substrate(rig));
-    report.assumptions.push_back(uncoupled(rig, static_shift));
-    if (!cylinder) {
-        report.assumptions.push_back(fitted_constants(rig));
-        if (roller_is_rigid(rig)) report.curves = force_curves(rig);
-    }
-    report.printed = check_printed(rig.printed, report.assumptions);
-    return report;
-}
-
-RigReport check_rig(const WalkingRig& rig) {
-    RigReport report{.title = rig.title,
-                     .assumptions = {contact_diameter(rig), known_stiffness(rig),
-                                     similar_stiffness(rig), rigid_sensor(rig), rod_as_spring(rig),
-                                     no_tilting(rig), sampled_often(rig)}};
-    report.printed = check_printed(rig.printed, report.assumptions);
-    return report;
-}
-
-namespace {
 
 using Agreement = PrintedCheck::Agreement;
 
@@ -99,6 +70,30 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
 }
 
 }  // namespace
+
+RigReport check_rig(const Rig& rig, const StaticShift& static_shift) {
+    RigReport report{.title = rig.title};
+    switch (rig.kind) {
+        case Rig::Kind::sphere:
+            report.assumptions = {
+                quasi_static_drive(rig), ideal_rolling(rig),           half_space(rig),
+                elastic_substrate(rig),  uncoupled(rig, static_shift), fitted_constants(rig)};
+            if (roller_is_rigid(rig)) report.curves = force_curves(rig);
+            break;
+        case Rig::Kind::cylinder:
+            report.assumptions = {quasi_static_drive(rig), ideal_rolling(rig),
+                                  half_space_of_line(rig), long_cylinder(rig),
+                                  elastic_substrate(rig),  uncoupled(rig, {})};
+            break;
+        case Rig::Kind::micro_walking:
+            report.assumptions = {contact_diameter(rig),  known_stiffness(rig),
+                                  similar_stiffness(rig), rigid_sensor(rig),
+                                  rod_as_spring(rig),     no_tilting(rig),
+                                  sampled_often(rig)};
+    }
+    report.printed = check_printed(rig.printed, report.assumptions);
+    return report;
+}
 
 std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,
                                         const std::vector<Assumption>& assumptions) {

@@ -13,11 +13,13 @@ namespace tricontact::experiments {
 /// The contact of a rig's sphere over the normal force, by both theories: what a measurement of
 /// either would have to tell apart. SI units.
 struct ForceCurves {
-    std::vector<double> force;  ///< up to one and a half times that of the rig [N]
-    std::vector<double> hertz_diameter, layer_diameter;        ///< 2 a [m]
-    std::vector<double> hertz_indentation, layer_indentation;  ///< d [m]
-    Estimate rig_force;                                        ///< F_N [N]
-    std::optional<Estimate> measured_diameter;                 ///< at that force [m]
+    struct ByTheory {
+        std::vector<double> hertz, layer;
+    };
+    std::vector<double> force;                  ///< up to one and a half times that of the rig [N]
+    ByTheory diameter, indentation;             ///< 2 a, d [m]
+    Estimate rig_force;                         ///< F_N [N]
+    std::optional<Estimate> measured_diameter;  ///< at that force [m]
 };
 
 /// A published number beside the same number computed from the rig's data.
@@ -52,16 +54,12 @@ inline constexpr double coupling_tangential_ratio = 0.56;
 
 /// Shift [m] of the rig's sphere on its layer under F_N and `coupling_tangential_ratio`, normal and
 /// tangential contact coupled or not: by a model that the caller has.
-using StaticShift = std::function<double(const RollingRig& rig, bool coupled)>;
+using StaticShift = std::function<double(const Rig& rig, bool coupled)>;
 
-/// What the evaluation of a rolling rig takes for granted, with verdicts. `static_shift` empty: the
-/// effect of coupling stays open. Throws contact::InputError for a rig out of the range of the
-/// layer's theory, contact::NotConverged.
-RigReport check_rig(const RollingRig& rig, const StaticShift& static_shift = {});
-
-/// What the evaluation of a micro-walking rig takes for granted, with verdicts. Throws
-/// contact::InputError for materials out of range.
-RigReport check_rig(const WalkingRig& rig);
+/// What the evaluation of a rig takes for granted, with verdicts. `static_shift` empty: the effect
+/// of coupling stays open. Throws contact::InputError for a rig out of the range of the layer's
+/// theory or materials out of range, contact::NotConverged.
+RigReport check_rig(const Rig& rig, const StaticShift& static_shift = {});
 
 /// Looks the printed quantities up by name among the calculations of the assumptions.
 std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,

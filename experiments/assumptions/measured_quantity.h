@@ -11,7 +11,7 @@ using statistics::Estimate;
 
 /// A number as somebody wrote it down, SI units.
 struct MeasuredQuantity {
-    Estimate quantity;
+    Estimate value;
     double half_digit = 0;        ///< half a unit of the last written digit
     double half_error_digit = 0;  ///< the same of the error; 0 without one
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include "contact/number_text.h"
 #include "experiments/assumptions/rig_report.h"
 #include "report/columns.h"
 
@@ -28,14 +27,11 @@ std::vector<std::string> remarks(const Assumption& assumption) {
 }
 
 Verdict verdict_on(const Assumption& assumption) {
-    constexpr Verdict::Standing standings[] = {Verdict::Standing::holds, Verdict::Standing::fails,
-                                               Verdict::Standing::cannot_tell};
-    const Standing standing = assumption.standing();
-    std::string text = finding_of(standing);
+    std::string text = finding_of(assumption.standing());
     text.front() = static_cast<char>(std::toupper(text.front()));
     text += ": " + assumption.claim + '.';
     for (const std::string& part : remarks(assumption)) text += ' ' + part;
-    return {standings[static_cast<int>(standing)], text};
+    return {assumption.standing(), text};
 }
 
 DocumentTable criteria_table(const Assumption& assumption) {
@@ -124,26 +120,26 @@ std::vector<double> in(double unit, std::vector<double> values) {
 
 // Hertz dashed, the layer, and what was measured.
 Figure force_figure(const ForceCurves& curves, const char* id, const char* title, const char* label,
-                    const std::vector<double>& hertz, const std::vector<double>& layer) {
+                    const ForceCurves::ByTheory& by) {
     constexpr double mm = 1e-3;
-    return {
-        .id = id,
-        .title = title,
-        .caption = fmt::format(
-            "Exact frictionless contact of the rig's sphere with its bonded layer, and Hertz' "
-            "contact with a half-space of the same E_2; the rig has F_N = {}.",
-            text_of(curves.rig_force, "N")),
-        .x = {"normal force F_N [N]"},
-        .y = {label},
-        .curves = {
-            {.name = "half-space (Hertz)", .x = curves.force, .y = in(mm, hertz), .theory = true},
-            {.name = "layer", .x = curves.force, .y = in(mm, layer)}}};
+    return {.id = id,
+            .title = title,
+            .caption = fmt::format(
+                "Exact frictionless contact of the rig's sphere with its bonded layer, and Hertz' "
+                "contact with a half-space of the same E_2; the rig has F_N = {}.",
+                text_of(curves.rig_force, "N")),
+            .x = {"normal force F_N [N]"},
+            .y = {label},
+            .curves = {{.name = "half-space (Hertz)",
+                        .x = curves.force,
+                        .y = in(mm, by.hertz),
+                        .theory = true},
+                       {.name = "layer", .x = curves.force, .y = in(mm, by.layer)}}};
 }
 
 void add_figures(DocumentSection& section, const ForceCurves& curves) {
-    Figure diameter =
-        force_figure(curves, "diameter", "Contact diameter", "contact diameter 2a [mm]",
-                     curves.hertz_diameter, curves.layer_diameter);
+    Figure diameter = force_figure(curves, "diameter", "Contact diameter",
+                                   "contact diameter 2a [mm]", curves.diameter);
     if (const auto& measured = curves.measured_diameter)
         diameter.curves.push_back({.name = "measured",
                                    .x = {curves.rig_force.value},
@@ -152,8 +148,7 @@ void add_figures(DocumentSection& section, const ForceCurves& curves) {
                                    .kind = report::Curve::Kind::points});
     section.figures.push_back(std::move(diameter));
     section.figures.push_back(force_figure(curves, "indentation", "Indentation",
-                                           "indentation d [mm]", curves.hertz_indentation,
-                                           curves.layer_indentation));
+                                           "indentation d [mm]", curves.indentation));
 }
 
 /// "contact radius 4.56 mm; indentation 0.52 mm": printed numbers that `flagged` picks.
@@ -170,43 +165,31 @@ std::string names_of(const std::vector<PrintedCheck>& printed, const Flagged& fl
 }
 
 /// How many of the printed numbers can be computed, and which of these disagree.
-struct PrintedSubject {
-    std::size_t n_printed = 0, n_computed = 0, n_differ = 0;
-    std::string differ, wrong_error;
-};
-
-PrintedSubject subject_of(const std::vector<PrintedCheck>& printed) {
+std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
     const auto differs = [](const auto& check) { return check.agreement == Agreement::differs; };
-    const auto computed = [](const auto& check) { return check.calculation.has_value(); };
-    return {printed.size(), static_cast<std::size_t>(std::ranges::count_if(printed, computed)),
-            static_cast<std::size_t>(std::ranges::count_if(printed, differs)),
-            names_of(printed, differs), names_of(printed, [&](const auto& check) {
-                return !check.error_agrees && !differs(check);
-            })};
+    const auto n_computed = std::ranges::count_if(
+        printed, [](const auto& check) { return check.calculation.has_value(); });
+    const auto n_differ = std::ranges::count_if(printed, differs);
+    const std::string wrong_error = names_of(
+        printed, [&](const auto& check) { return !check.error_agrees && !differs(check); });
+    std::vector<std::string> sentences;
+    if (n_computed < std::ssize(printed))
+        sentences.push_back(fmt::format("{} of {} printed numbers can be computed from the others.",
+                                        n_computed, printed.size()));
+    if (n_computed > 0 && n_differ == 0)
+        sentences.push_back(
+            fmt::format("All that can be computed ({}) follow from the others, rounded or within "
+                        "their errors.",
+                        n_computed));
+    if (n_differ > 0)
+        sentences.push_back(
+            fmt::format("{} of {} printed numbers do not follow from the others: {}.", n_differ,
+                        n_computed, names_of(printed, differs)));
+    if (!wrong_error.empty())
+        sentences.push_back(
+            fmt::format("Printed with an error that does not follow: {}.", wrong_error));
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
-
-constexpr contact::Sentence<PrintedSubject> printed_sentences[] = {
-    {[](const PrintedSubject& s) { return s.n_computed < s.n_printed; },
-     [](const PrintedSubject& s) {
-         return fmt::format("{} of {} printed numbers can be computed from the others.",
-                            s.n_computed, s.n_printed);
-     }},
-    {[](const PrintedSubject& s) { return s.n_computed > 0 && s.n_differ == 0; },
-     [](const PrintedSubject& s) {
-         return fmt::format(
-             "All that can be computed ({}) follow from the others, rounded or "
-             "within their errors.",
-             s.n_computed);
-     }},
-    {[](const PrintedSubject& s) { return s.n_differ > 0; },
-     [](const PrintedSubject& s) {
-         return fmt::format("{} of {} printed numbers do not follow from the others: {}.",
-                            s.n_differ, s.n_computed, s.differ);
-     }},
-    {[](const PrintedSubject& s) { return !s.wrong_error.empty(); },
-     [](const PrintedSubject& s) {
-         return fmt::format("Printed with an error that does not follow: {}.", s.wrong_error);
-     }}};
 
 }  // namespace
 
@@ -226,8 +209,7 @@ report::Document rig_document(const RigReport& report) {
             add_figures(document.sections.back(), *report.curves);
     }
     if (!report.printed.empty()) {
-        document.verdicts.push_back(
-            {.sentence = told(printed_sentences, subject_of(report.printed))});
+        document.verdicts.push_back({.sentence = printed_sentences(report.printed)});
         document.sections.push_back(printed_section(report.printed));
     }
     return document;

@@ -36,7 +36,7 @@ const ComparedQuantity quantities[] = {
      [](const Values& x) { return layer_of(x).normal_stiffness; }},
 };
 
-std::vector<Given> both_given(const RollingRig& rig) {
+std::vector<Given> both_given(const Rig& rig) {
     std::vector<Given> result = contact_given(rig, hertz_keys);
     result.push_back(given(rig, "b").front());
     return result;
@@ -49,14 +49,14 @@ double ratio(const ComparedQuantity& q, const Values& x) {
     return q.layer(layer) / q.half_space(x);
 }
 
-double ratio(const ComparedQuantity& q, const RollingRig& rig) {
+double ratio(const ComparedQuantity& q, const Rig& rig) {
     return ratio(q, values_of(both_given(rig)));
 }
 
-Formula thickness_formula(const RollingRig& rig) {
+Formula thickness_formula(const Rig& rig) {
     return {"thickness_ratio",
             "b/D_c",
-            rig.measured_contact_size ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz",
+            rig.has("D_c") ? "b/D_c, D_c as measured" : "b/D_c, D_c = 2 a of Hertz",
             "(5.1.13)",
             "1",
             "b D_c",
@@ -78,7 +78,7 @@ constexpr Formula modulus_factors[] = {
                        (1 - x[4] * x[4]) / x[3];
             })};
 
-std::string layer_sentence(const RollingRig& rig) {
+std::string layer_sentence(const Rig& rig) {
     const auto beside = [&](std::size_t i) { return beside_hertz(ratio(quantities[i], rig)); };
     return fmt::format(
         "Indentation is {}: E from force and indentation would be {} times the true one. The "
@@ -89,11 +89,10 @@ std::string layer_sentence(const RollingRig& rig) {
 }
 
 /// Both diameters [m] beside the measured one.
-std::string measured_sentence(const RollingRig& rig) {
+std::string measured_sentence(const Rig& rig) {
     const double hertz = 2 * given(rig, "a").front().value.value,
                  layer = hertz * ratio(quantities[0], rig);
-    const double size = rig.measured_contact_size->value,
-                 error = rig.measured_contact_size->standard_error;
+    const double size = rig["D_c"].value, error = rig["D_c"].standard_error;
     if (error == 0)
         return fmt::format(
             "The measured diameter of {}, whose error is not given, stands beside {} on the layer "
@@ -111,14 +110,13 @@ std::string measured_sentence(const RollingRig& rig) {
                        verdict, quantity(layer, "m", 3), quantity(hertz, "m", 3));
 }
 
-constexpr contact::Sentence<RollingRig> layer_sentences[] = {
-    {contact::always, layer_sentence},
-    {[](const RollingRig& rig) { return rig.measured_contact_size.has_value(); },
-     measured_sentence}};
+std::string layer_sentences(const Rig& rig) {
+    return layer_sentence(rig) + (rig.has("D_c") ? ' ' + measured_sentence(rig) : "");
+}
 
 }  // namespace
 
-Assumption half_space_assumption(const RollingRig& rig, Calculation thickness_ratio,
+Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
                                  std::span<const ComparedQuantity> compared,
                                  const LayerTheory& theory) {
     using enum Criterion::Relation;
@@ -152,11 +150,10 @@ Assumption half_space_assumption(const RollingRig& rig, Calculation thickness_ra
     return a;
 }
 
-Assumption half_space(const RollingRig& rig) {
-    Assumption a =
-        half_space_assumption(rig, calculate(rig, thickness_formula(rig)), quantities,
-                              {"Fredholm equation", "exact contact with a bonded layer",
-                               [](const RollingRig& one) { return told(layer_sentences, one); }});
+Assumption half_space(const Rig& rig) {
+    Assumption a = half_space_assumption(
+        rig, calculate(rig, thickness_formula(rig)), quantities,
+        {"Fredholm equation", "exact contact with a bonded layer", layer_sentences});
     if (roller_is_rigid(rig))
         for (const Formula& factor : modulus_factors)
             a.background.push_back(calculate(rig, factor));

@@ -53,7 +53,7 @@ constexpr Formula moved_load("end_load_share", "dF/F_N",
                              "(5.1.14)", "1", "nu_2 a L",
                              [](const Values& x) { return x[0] * x[0] * 4 * x[1] / x[2]; });
 
-std::string line_sentence(const RollingRig& rig) {
+std::string line_sentence(const Rig& rig) {
     const Values half_space = values_of(contact_given(rig, hertz_keys)),
                  layer = values_of(contact_given(rig, layer_keys));
     const auto beside = [&](const ComparedQuantity& q) {
@@ -67,57 +67,45 @@ std::string line_sentence(const RollingRig& rig) {
         quantity(indentation.half_space(half_space), "m", 3));
 }
 
-/// What the ends of a cylinder do to its pressure.
-struct EndsSubject {
-    const RollingRig& rig;
-    double lost = 1 - calculate(rig, end_pressure).result.value;
-    double moved = calculate(rig, moved_load).result.value;
-    double exponent = calculate(rig, edge_exponent).result.value;
-    double length_ratio = calculate(rig, experiments::length_ratio).result.value;
-};
-
 // A contact width at each end needs two; a cylinder shorter than four of them is all ends.
 constexpr double least_length_ratio = 8;
 // The edge of a body a thousand times stiffer: the exponent is -1/2 within so much.
 constexpr double rigid_edge = 2e-3;
 
-constexpr contact::Sentence<EndsSubject> ends_sentences[] = {
-    {[](const EndsSubject& s) { return s.lost > 0; },
-     [](const EndsSubject& s) {
-         return fmt::format(
-             "Flush ends lose {} of the pressure{}", percent_text(s.lost, 2),
-             s.length_ratio >= least_length_ratio
-                 ? fmt::format(
-                       " over about a contact width each, which moves {} of the load inwards.",
-                       percent_text(s.moved, 2))
-                 : "; the cylinder is too short for them to be apart.");
-     }},
-    {[](const EndsSubject& s) { return !(s.lost > 0); },
-     [](const EndsSubject&) { return std::string("Flush ends keep the pressure, as nu_2 = 0."); }},
-    {[](const EndsSubject& s) { return s.exponent < -rigid_edge; },
-     [](const EndsSubject& s) {
-         return fmt::format(
-             "A substrate that reaches past a sharp end has a pressure growing as y^{} there{}; "
-             "rounded ends raise it within about their radius.",
-             significant(s.exponent, 2),
-             s.exponent < rigid_edge - 0.5 ? ", as under the edge of a rigid body" : "");
-     }},
-    {[](const EndsSubject& s) { return is_thesis_rig(s.rig); },
-     [](const EndsSubject&) {
-         return std::string(
-             "The exponent -0.23 of section 5.1.5 belongs to two equal materials. The rig is "
-             "between flush and reaching past; its ends are not measured.");
-     }}};
+/// What the ends of a cylinder do to its pressure.
+std::string ends_sentences(const Rig& rig) {
+    const auto value = [&](const Formula& formula) { return calculate(rig, formula).result.value; };
+    std::string text = "Flush ends keep the pressure, as nu_2 = 0.";
+    if (const double lost = 1 - value(end_pressure); lost > 0)
+        text = fmt::format(
+            "Flush ends lose {} of the pressure{}", percent_text(lost, 2),
+            value(length_ratio) >= least_length_ratio
+                ? fmt::format(
+                      " over about a contact width each, which moves {} of the load inwards.",
+                      percent_text(value(moved_load), 2))
+                : "; the cylinder is too short for them to be apart.");
+    if (const double exponent = value(edge_exponent); exponent < -rigid_edge)
+        text += fmt::format(
+            " A substrate that reaches past a sharp end has a pressure growing as y^{} there{}; "
+            "rounded ends raise it within about their radius.",
+            significant(exponent, 2),
+            exponent < rigid_edge - 0.5 ? ", as under the edge of a rigid body" : "");
+    if (is_thesis_rig(rig))
+        text +=
+            " The exponent -0.23 of section 5.1.5 belongs to two equal materials. The rig is "
+            "between flush and reaching past; its ends are not measured.";
+    return text;
+}
 
 }  // namespace
 
-Assumption half_space_of_line(const RollingRig& rig) {
+Assumption half_space_of_line(const Rig& rig) {
     return half_space_assumption(
         rig, calculate(rig, line_thickness_ratio), line_quantities,
         {"singular integral equation", "exact plane contact with a bonded layer", line_sentence});
 }
 
-Assumption long_cylinder(const RollingRig& rig) {
+Assumption long_cylinder(const Rig& rig) {
     return {.name = "long_cylinder",
             .title = "Long cylinder",
             .claim = "Pressure does not vary along the cylinder",
@@ -126,7 +114,7 @@ Assumption long_cylinder(const RollingRig& rig) {
             .background = {calculate(rig, length_ratio), calculate(rig, end_pressure),
                            calculate(rig, edge_exponent)},
             .missing = {"how far the substrate reaches past the ends"},
-            .consequence = told(ends_sentences, EndsSubject{rig})};
+            .consequence = ends_sentences(rig)};
 }
 
 }  // namespace tricontact::experiments

@@ -43,22 +43,17 @@ constexpr Formula pivot_displacement("pivot_displacement", "DU", "Dh W/R, Dh as 
                                      [](const Values& x) { return x[0] * x[2] / x[1]; });
 
 // Of f_1/f_0.
-constexpr contact::Sentence<double> inertia_sentences[] = {
-    {[](const double& ratio) { return ratio > 1; },
-     [](const double& ratio) {
-         // x/(1 - x), x = (f_0/f_1)^2: an undamped oscillator driven at its base
-         return fmt::format(
-             "Without damping inertia of the rig changes the motion by {}: the fastest oscillation "
-             "is {} times slower than the lowest eigenfrequency.",
-             percent_text(1 / (ratio * ratio - 1), 2), significant(ratio, 3));
-     }},
-    {[](const double& ratio) { return !(ratio > 1); },
-     [](const double& ratio) {
-         return fmt::format(
-             "The fastest oscillation is {} times as fast as the lowest eigenfrequency: inertia of "
-             "the rig decides its motion.",
-             significant(1 / ratio, 3));
-     }}};
+std::string inertia_sentence(double ratio) {
+    if (ratio > 1)  // x/(1 - x), x = (f_0/f_1)^2: an undamped oscillator driven at its base
+        return fmt::format(
+            "Without damping inertia of the rig changes the motion by {}: the fastest oscillation "
+            "is {} times slower than the lowest eigenfrequency.",
+            percent_text(1 / (ratio * ratio - 1), 2), significant(ratio, 3));
+    return fmt::format(
+        "The fastest oscillation is {} times as fast as the lowest eigenfrequency: inertia of the "
+        "rig decides its motion.",
+        significant(1 / ratio, 3));
+}
 
 }  // namespace
 
@@ -70,43 +65,29 @@ constinit const Formula excitation_frequency("excitation_frequency", "f_0", "v/(
                                              "section 5.1.5", "Hz", "v W",
                                              [](const Values& x) { return x[0] / (4 * x[1]); });
 
-Assumption quasi_static_drive(const RollingRig& rig) {
+Assumption quasi_static_drive(const Rig& rig) {
     using enum Criterion::Relation;
     Assumption a{
         .name = "quasi_static_drive",
         .title = "Quasi-static drive",
         .claim = "The drive is quasi-static: inertia of the rig and elastic waves are negligible",
-        .background = {calculate(rig, smallest_amplitude), calculate(rig, excitation_frequency)}};
-    if (printed_of(rig, "excitation_frequency"))
-        a.background.push_back(calculate(rig, drive_speed));
-    if (rig.drive.eigenfrequency) {
-        a.criteria.push_back({calculate(rig, frequency_ratio), at_least, least_frequency_ratio,
-                              "inertia changes the motion by (f_0/f_1)^2: 1 % at 10"});
-        a.consequence = told(inertia_sentences, a.deciding_value());
-    } else {
-        a.missing.push_back("drive.eigenfrequency");
-    }
-    if (rig.substrate.density)
-        a.criteria.push_back({calculate(rig, wave_ratio), at_least, least_wave_ratio,
-                              "shear waves cross the contact a hundred times within a period"});
-    else
-        a.missing.push_back("substrate.density");
+        .background = known(rig, {&smallest_amplitude, &excitation_frequency, &drive_speed})};
+    if (decide(a, rig, frequency_ratio, at_least, least_frequency_ratio,
+               "inertia changes the motion by (f_0/f_1)^2: 1 % at 10"))
+        a.consequence = inertia_sentence(a.deciding_value());
+    decide(a, rig, wave_ratio, at_least, least_wave_ratio,
+           "shear waves cross the contact a hundred times within a period");
     return a;
 }
 
-Assumption ideal_rolling(const RollingRig& rig) {
+Assumption ideal_rolling(const Rig& rig) {
     Assumption a{
         "ideal_rolling", "Ideal rolling",
         "The lever's pivot is level with the contact: rolling alone does not move the substrate"};
-    if (!rig.pivot) {
-        a.missing = {"pivot.displacement"};
+    if (!decide(a, rig, wobble_ratio, Criterion::Relation::at_most, largest_wobble,
+                "measured shifts are of the order mu a^2/R"))
         return a;
-    }
-    a.criteria = {{calculate(rig, wobble_ratio), Criterion::Relation::at_most, largest_wobble,
-                   "measured shifts are of the order mu a^2/R"}};
-    a.background = {calculate(rig, pivot_amplitude), calculate(rig, pivot_height_error)};
-    if (printed_of(rig, "pivot_height_error"))
-        a.background.push_back(calculate(rig, pivot_displacement));
+    a.background = known(rig, {&pivot_amplitude, &pivot_height_error, &pivot_displacement});
     a.consequence = fmt::format(
         "Shifts wobble by {} of mu a^2/R within a period; read with the roller upright they are "
         "not touched.",

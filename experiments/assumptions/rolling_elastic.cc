@@ -11,7 +11,6 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::quantity;
-using contact::Sentence;
 using contact::significant;
 
 constexpr double largest_loss = 0.01;
@@ -61,47 +60,31 @@ constexpr Formula loss_modulus_as_printed(
         return t / (1 + t * t);
     });
 
-bool is_thesis_rig_with_maxwell_ratio(const RollingRig& rig) {
-    return is_thesis_rig(rig) && rig.substrate.maxwell_ratio;
-}
-
-constexpr Sentence<RollingRig> elastic_sentences[] = {
-    // G'' = omega eta/(1 + (omega tau)^2) <= omega eta, whatever G_2 is.
-    {contact::always,
-     [](const RollingRig& rig) {
-         return fmt::format(
-             "Viscous stresses are at most {} of the elastic ones; up to a drive speed of {} they "
-             "stay below {}.",
-             percent_text(calculate(rig, viscous_ratio).result.value, 2),
-             quantity(calculate(rig, elastic_speed).result.value, "m/s", 3),
-             percent_text(largest_loss, 1));
-     }},
-    {is_thesis_rig_with_maxwell_ratio, [](const RollingRig& rig) {
-         return fmt::format(
-             "The loss modulus as printed in (5.1.16) has a square too many: a slow dash-pot gives "
-             "G'' = omega eta, the print {} of that (with G_2 = {} G_1).",
-             percent_text(calculate(rig, loss_modulus_as_printed).result.value, 2),
-             significant(rig.substrate.maxwell_ratio->value, 2));
-     }}};
-
 }  // namespace
 
-Assumption elastic_substrate(const RollingRig& rig) {
+Assumption elastic_substrate(const Rig& rig) {
     Assumption a{.name = "elastic_substrate",
                  .title = "Elastic substrate",
                  .claim = "The substrate is elastic at the speed of the drive",
-                 .background = {calculate(rig, shear_modulus)}};
-    if (!rig.substrate.viscosity) {
-        a.missing = {"substrate.viscosity"};
+                 .background = known(rig, {&shear_modulus, &elastic_speed, &loss_modulus})};
+    if (!decide(a, rig, viscous_ratio, Criterion::Relation::at_most, largest_loss,
+                "bounds the loss angle of the standard solid"))
         return a;
+    // G'' = omega eta/(1 + (omega tau)^2) <= omega eta, whatever G_2 is.
+    a.consequence = fmt::format(
+        "Viscous stresses are at most {} of the elastic ones; up to a drive speed of {} they stay "
+        "below {}.",
+        percent_text(a.deciding_value(), 2),
+        quantity(calculate(rig, elastic_speed).result.value, "m/s", 3),
+        percent_text(largest_loss, 1));
+    if (is_thesis_rig(rig) && rig.has("G_2/G_1")) {
+        const Calculation& print =
+            a.background.emplace_back(calculate(rig, loss_modulus_as_printed));
+        a.consequence += fmt::format(
+            " The loss modulus as printed in (5.1.16) has a square too many: a slow dash-pot gives "
+            "G'' = omega eta, the print {} of that (with G_2 = {} G_1).",
+            percent_text(print.result.value, 2), significant(rig["G_2/G_1"].value, 2));
     }
-    a.criteria.push_back({calculate(rig, viscous_ratio), Criterion::Relation::at_most, largest_loss,
-                          "bounds the loss angle of the standard solid"});
-    a.background.push_back(calculate(rig, elastic_speed));
-    if (rig.substrate.maxwell_ratio) a.background.push_back(calculate(rig, loss_modulus));
-    if (is_thesis_rig_with_maxwell_ratio(rig))
-        a.background.push_back(calculate(rig, loss_modulus_as_printed));
-    a.consequence = told(elastic_sentences, rig);
     return a;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/bodies/half_space_scales.h"
@@ -9,7 +10,8 @@ namespace tricontact::experiments {
 
 namespace {
 
-using Rolling = const RollingRig&;
+using Rolling = const Rig&;
+using Known = std::optional<Estimate>;
 
 /// Half the size of Hertz' contact: radius of a sphere's, half width of a cylinder's [m].
 Estimate half_size(Rolling rig) {
@@ -17,42 +19,11 @@ Estimate half_size(Rolling rig) {
     return {x.size() > 6 ? line_half_width_of(x) : hertz_of(x).contact_radius};
 }
 
-const std::vector<RigQuantity<RollingRig>>& rolling_quantities() {
-    static const std::vector<RigQuantity<RollingRig>> table{
-        {"R", "m", [](Rolling r) { return r.roller.radius; }},
-        {"L", "m", [](Rolling r) { return *r.roller.length; }},
-        {"E_1", "Pa", [](Rolling r) { return r.roller.young; }},
-        {"nu_1", "1", [](Rolling r) { return r.roller.poisson; }},
-        {"b", "m", [](Rolling r) { return r.substrate.thickness; }},
-        {"E_2", "Pa", [](Rolling r) { return r.substrate.young; }},
-        {"nu_2", "1", [](Rolling r) { return r.substrate.poisson; }},
-        {"rho", "kg/m3", [](Rolling r) { return *r.substrate.density; }},
-        {"eta", "Pa s", [](Rolling r) { return *r.substrate.viscosity; }},
-        {"G_2/G_1", "1", [](Rolling r) { return *r.substrate.maxwell_ratio; }},
-        {"mu", "1", [](Rolling r) { return r.friction_coefficient; }},
-        {"F_N", "N", [](Rolling r) { return r.normal_force; }},
-        {"v", "m/s", [](Rolling r) { return r.drive.speed; }},
-        {"f_1", "Hz", [](Rolling r) { return *r.drive.eigenfrequency; }},
-        // Amplitudes: the least of the drive; ' that at which the pivot was measured.
-        {"w", "1", [](Rolling r) { return r.drive.smallest_amplitude_ratio; }},
-        {"w'", "1", [](Rolling r) { return r.pivot->amplitude_ratio; }},
-        {"DU", "m", [](Rolling r) { return r.pivot->displacement; }},
-        {"W", "m", [](Rolling r) { return calculate(r, smallest_amplitude).result; }},
-        {"W'", "m", [](Rolling r) { return calculate(r, pivot_amplitude).result; }},
-        {"f_0", "Hz", [](Rolling r) { return calculate(r, excitation_frequency).result; }},
-        // As printed.
-        {"f_0'", "Hz", [](Rolling r) { return printed_of(r, "excitation_frequency")->value; }},
-        {"Dh'", "m", [](Rolling r) { return printed_of(r, "pivot_height_error")->value; }},
-        {"a", "m", half_size},
-        // That which amplitude ratios refer to.
-        {"a'", "m",
-         [](Rolling r) {
-             return r.drive.reference_radius ? *r.drive.reference_radius : half_size(r);
-         }},
-        {"D_c", "m", [](Rolling r) {
-             return r.measured_contact_size.value_or(Estimate{2 * half_size(r).value});
-         }}};
-    return table;
+/// As printed.
+Known print(Rolling rig, std::string_view name) {
+    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
+    if (found == rig.printed.end()) return {};
+    return found->value;
 }
 
 theory::ElasticLayer layer_with(const Values& x) {
@@ -60,32 +31,36 @@ theory::ElasticLayer layer_with(const Values& x) {
 }
 
 struct ThesisRig {
-    RollingRig::Shape shape;
-    double radius, thickness, young, friction_coefficient, normal_force;  // SI
+    Rig::Kind kind;
+    std::array<double, 5> data;  ///< R, b, E_2, mu, F_N
 };
 
 constexpr ThesisRig thesis_rigs[] = {
-    {RollingRig::Shape::sphere, 40e-3, 8e-3, 5.2e6, 0.57, 21.1},     // table 5.1.1
-    {RollingRig::Shape::sphere, 40e-3, 8e-3, 4.35e6, 0.93, 21.19},   // table 5.1.2
-    {RollingRig::Shape::cylinder, 40e-3, 5e-3, 3.6e6, 0.79, 32.3}};  // table 5.1.3
+    {Rig::Kind::sphere, {40e-3, 8e-3, 5.2e6, 0.57, 21.1}},     // table 5.1.1
+    {Rig::Kind::sphere, {40e-3, 8e-3, 4.35e6, 0.93, 21.19}},   // table 5.1.2
+    {Rig::Kind::cylinder, {40e-3, 5e-3, 3.6e6, 0.79, 32.3}}};  // table 5.1.3
 
-bool same(const Estimate& given, double value) {
-    return std::abs(given.value / value - 1) < 1e-9;  // rounding of units
+bool same(const Given& given, double value) {
+    return std::abs(given.value.value / value - 1) < 1e-9;  // rounding of units
 }
 
 }  // namespace
 
-std::vector<Given> given(const RollingRig& rig, std::string_view keys) {
-    return given_by(rolling_quantities(), keys, rig);
+const std::vector<DerivedQuantity>& rolling_quantities() {
+    static const std::vector<DerivedQuantity> table{
+        {"W", "m", [](Rolling r) { return result_if_known(r, smallest_amplitude); }},
+        {"W'", "m", [](Rolling r) { return result_if_known(r, pivot_amplitude); }},
+        {"f_0", "Hz", [](Rolling r) { return result_if_known(r, excitation_frequency); }},
+        {"f_0'", "Hz", [](Rolling r) { return print(r, "excitation_frequency"); }},
+        {"Dh'", "m", [](Rolling r) { return print(r, "pivot_height_error"); }},
+        {"a", "m", [](Rolling r) -> Known { return half_size(r); }},
+        {"a'", "m", [](Rolling r) -> Known { return half_size(r); }},
+        {"D_c", "m", [](Rolling r) -> Known { return Estimate{2 * half_size(r).value}; }}};
+    return table;
 }
 
-const PrintedValue* printed_of(const RollingRig& rig, std::string_view name) {
-    const auto found = std::ranges::find(rig.printed, name, &PrintedValue::name);
-    return found == rig.printed.end() ? nullptr : &*found;
-}
-
-std::vector<Given> contact_given(const RollingRig& rig, const char* keys) {
-    const bool line = rig.roller.shape == RollingRig::Shape::cylinder;
+std::vector<Given> contact_given(const Rig& rig, const char* keys) {
+    const bool line = rig.kind == Rig::Kind::cylinder;
     return given(rig, line ? std::string(keys) + " L" : keys);
 }
 
@@ -117,9 +92,9 @@ theory::LineContact layer_line_of(const Values& x) {
                                       {theory::LineControl::Kind::load, x[1] / x[5]});
 }
 
-bool roller_is_rigid(const RollingRig& rig) {
+bool roller_is_rigid(const Rig& rig) {
     const contact::MaterialPair pair = materials_of(values_of(given(rig, hertz_keys)));
-    const contact::Material roller{rig.roller.young.value, rig.roller.poisson.value};
+    const contact::Material roller{rig["E_1"].value, rig["nu_1"].value};
     return roller.plane_compliance() * pair.effective_modulus() <= 0.01;
 }
 
@@ -131,13 +106,10 @@ std::string beside_hertz(double ratio) {
     return percent_text(std::abs(ratio - 1)) + (ratio < 1 ? " below Hertz" : " above Hertz");
 }
 
-bool is_thesis_rig(const RollingRig& rig) {
+bool is_thesis_rig(const Rig& rig) {
     return std::ranges::any_of(thesis_rigs, [&](const ThesisRig& one) {
-        return rig.roller.shape == one.shape && same(rig.roller.radius, one.radius) &&
-               same(rig.substrate.thickness, one.thickness) &&
-               same(rig.substrate.young, one.young) &&
-               same(rig.friction_coefficient, one.friction_coefficient) &&
-               same(rig.normal_force, one.normal_force);
+        return rig.kind == one.kind &&
+               std::ranges::equal(given(rig, "R b E_2 mu F_N"), one.data, same);
     });
 }
 

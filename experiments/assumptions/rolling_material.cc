@@ -15,7 +15,6 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::quantity;
-using contact::Sentence;
 using contact::significant;
 
 constexpr Formula dundurs_beta(
@@ -64,42 +63,26 @@ constexpr Formula fitted_modulus_error("fitted_modulus_error", "E_2/E_2,layer - 
                                            return x[4] / layer_modulus_of(x) - 1;
                                        });
 
-/// Whether normal and tangential contact couple, on half-spaces and on the layer.
-struct CouplingSubject {
-    double beta, layer;            ///< |beta|; |C_13| over the mean of C_11 and C_33
-    std::optional<double> effect;  ///< on the static shift, if it was computed
-};
-
 // What the solver's tolerance leaves of a shift.
 constexpr double least_effect = 1e-5;
 
-constexpr Sentence<CouplingSubject> coupling_sentences[] = {
-    {contact::always,
-     [](const CouplingSubject& s) {
-         return fmt::format("Two half-spaces of these materials would couple by |beta| = {}.",
-                            significant(s.beta, 2));
-     }},
-    {contact::always,
-     [](const CouplingSubject& s) {
-         return fmt::format(
-             "On the bonded layer the coupling compliance |C_13| is {} of sqrt(C_11 C_33) at the "
-             "wave number 1/a.",
-             percent_text(s.layer, 2));
-     }},
-    {[](const CouplingSubject& s) { return s.effect && *s.effect < least_effect; },
-     [](const CouplingSubject&) {
-         return fmt::format("Coupling changes the static shift by less than {}.",
+/// Of |beta|, of |C_13| over the mean of C_11 and C_33, and of the effect on the static shift.
+std::string coupling_sentences(double beta, double layer, std::optional<double> effect) {
+    std::string text = fmt::format(
+        "Two half-spaces of these materials would couple by |beta| = {}. On the bonded layer the "
+        "coupling compliance |C_13| is {} of sqrt(C_11 C_33) at the wave number 1/a.",
+        significant(beta, 2), percent_text(layer, 2));
+    if (effect && *effect < least_effect)
+        text += fmt::format(" Coupling changes the static shift by less than {}.",
                             percent_text(least_effect, 1));
-     }},
-    {[](const CouplingSubject& s) { return s.effect && *s.effect >= least_effect; },
-     [](const CouplingSubject& s) {
-         return fmt::format("Coupling changes the static shift by {}{}.",
-                            percent_text(*s.effect, 2),
-                            *s.effect <= accepted_difference ? " only" : "");
-     }}};
+    else if (effect)
+        text += fmt::format(" Coupling changes the static shift by {}{}.", percent_text(*effect, 2),
+                            *effect <= accepted_difference ? " only" : "");
+    return text;
+}
 
 /// The criterion where the model has a shift for both; empty where it has none.
-std::optional<double> effect_of_coupling(const RollingRig& rig, const StaticShift& static_shift,
+std::optional<double> effect_of_coupling(const Rig& rig, const StaticShift& static_shift,
                                          Assumption& a) {
     if (!static_shift || !roller_is_rigid(rig)) return {};
     try {
@@ -113,21 +96,20 @@ std::optional<double> effect_of_coupling(const RollingRig& rig, const StaticShif
 
 }  // namespace
 
-Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift) {
+Assumption uncoupled(const Rig& rig, const StaticShift& static_shift) {
     // The effect on the shift decides: |beta| tells of half-spaces, and only how large it may be.
     Assumption a{.name = "uncoupled",
                  .title = "Normal and tangential contact uncoupled",
                  .claim = "Normal and tangential contact do not couple",
-                 .background = {calculate(rig, dundurs_beta), calculate(rig, layer_coupling)}};
-    CouplingSubject subject{
-        a.background.front().result.value, a.background.back().result.value, {}};
-    subject.effect = effect_of_coupling(rig, static_shift, a);
-    if (!subject.effect) a.missing = {"the effect of the layer's coupling on the shift"};
-    a.consequence = told(coupling_sentences, subject);
+                 .background = known(rig, {&dundurs_beta, &layer_coupling})};
+    const auto effect = effect_of_coupling(rig, static_shift, a);
+    if (!effect) a.missing = {"the effect of the layer's coupling on the shift"};
+    a.consequence = coupling_sentences(a.background.front().result.value,
+                                       a.background.back().result.value, effect);
     return a;
 }
 
-Assumption fitted_constants(const RollingRig& rig) {
+Assumption fitted_constants(const Rig& rig) {
     Assumption a{
         .name = "fitted_constants",
         .title = "Fitted constants",
@@ -145,7 +127,7 @@ Assumption fitted_constants(const RollingRig& rig) {
     a.consequence = fmt::format(
         "From static shifts the half-space finds {} where the layer has {}: {} too {}. mu is not "
         "touched as far as the shift's curve keeps its shape over F_T/(mu F_N).",
-        quantity(rig.substrate.young.value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
+        quantity(rig["E_2"].value, "Pa", 3), quantity(modulus.result.value, "Pa", 3),
         percent_text(std::abs(error.result.value), 2), error.result.value > 0 ? "high" : "low");
     return a;
 }

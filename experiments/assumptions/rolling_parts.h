@@ -5,18 +5,14 @@
 #include <vector>
 
 #include "contact/case.h"
-#include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/check_rig.h"
+#include "experiments/assumptions/rig_quantities.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/line_contact.h"
 
 // The quantities of a rolling rig, its contact, and its assumptions, one function each.
 namespace tricontact::experiments {
 
-/// By the keys of rolling_formulas.cc.
-std::vector<Given> given(const RollingRig& rig, std::string_view keys);
-/// The printed value of this name; null: the rig has none.
-const PrintedValue* printed_of(const RollingRig& rig, std::string_view name);
 /// W [m], the least of the drive and that at which the pivot was measured; f_0 [Hz].
 extern const Formula smallest_amplitude, pivot_amplitude, excitation_frequency;
 
@@ -24,7 +20,7 @@ extern const Formula smallest_amplitude, pivot_amplitude, excitation_frequency;
 /// L behind.
 inline constexpr const char* hertz_keys = "R F_N E_1 nu_1 E_2 nu_2";
 inline constexpr const char* layer_keys = "R F_N b E_2 nu_2";
-std::vector<Given> contact_given(const RollingRig& rig, const char* keys);
+std::vector<Given> contact_given(const Rig& rig, const char* keys);
 
 /// Of values in the order of `hertz_keys`, at mu = 1.
 contact::HalfSpaceScales hertz_of(const Values& x);
@@ -37,7 +33,7 @@ theory::LineContact layer_line_of(const Values& x);
 
 /// The layer's theory takes the roller as rigid: that is so where the roller has less than 1 % of
 /// the compliance, a fifth of what counts as a difference here.
-bool roller_is_rigid(const RollingRig& rig);
+bool roller_is_rigid(const Rig& rig);
 inline constexpr const char* theory_of_elastic_roller =
     "a theory of the layer under a roller that is not rigid beside it";
 
@@ -60,24 +56,24 @@ struct ComparedQuantity {
 /// What a theory of the layer is called, and what the comparison says where the roller is rigid.
 struct LayerTheory {
     const char *formula, *source;
-    std::string (*consequence)(const RollingRig&);
+    std::string (*consequence)(const Rig&);
 };
 /// Of both shapes: the thesis' rule for b/D_c, and both theories of all that is compared.
-Assumption half_space_assumption(const RollingRig& rig, Calculation thickness_ratio,
+Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
                                  std::span<const ComparedQuantity> compared,
                                  const LayerTheory& theory);
 
-Assumption quasi_static_drive(const RollingRig& rig);
-Assumption ideal_rolling(const RollingRig& rig);
-Assumption half_space(const RollingRig& rig);
-Assumption half_space_of_line(const RollingRig& rig);
-Assumption long_cylinder(const RollingRig& rig);
-Assumption elastic_substrate(const RollingRig& rig);
-Assumption uncoupled(const RollingRig& rig, const StaticShift& static_shift);
-Assumption fitted_constants(const RollingRig& rig);
+Assumption quasi_static_drive(const Rig& rig);
+Assumption ideal_rolling(const Rig& rig);
+Assumption half_space(const Rig& rig);
+Assumption half_space_of_line(const Rig& rig);
+Assumption long_cylinder(const Rig& rig);
+Assumption elastic_substrate(const Rig& rig);
+Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
+Assumption fitted_constants(const Rig& rig);
 
 /// Whether these are the data of one of the thesis' three rolling rigs (Wetter 2016, tables 5.1.1
 /// to 5.1.3): shape, R, b, E_2, mu and F_N. Remarks on the thesis' text are made of no other.
-bool is_thesis_rig(const RollingRig& rig);
+bool is_thesis_rig(const Rig& rig);
 
 }  // namespace tricontact::experiments

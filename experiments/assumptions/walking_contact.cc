@@ -76,91 +76,64 @@ Calculation relative_error(const Calculation& stiffness) {
                      [](const auto& x) { return x[1] / x[0]; });
 }
 
-std::string claim_of_diameter(const WalkingRig& rig) {
-    const int ways = 1 + (rig.contact.wear_diameter ? 1 : 0) + (rig.oscillation ? 1 : 0);
+std::string claim_of_diameter(const Rig& rig) {
+    const int ways = 1 + rig.has("D_wear") + rig.has("tau");
     if (ways == 1) return "Hertz' formula finds the contact diameter of the evaluation";
     return fmt::format("{} ways find the same contact diameter", ways == 2 ? "Two" : "Three");
 }
 
-/// D_c of Hertz over that of the evaluation, beside the rig.
-struct EdgeSubject {
-    const WalkingRig& rig;
-    double hertz, ratio;
-};
-
-constexpr contact::Sentence<EdgeSubject> edge_sentences[] = {
-    {contact::always,
-     [](const EdgeSubject& s) {
-         return fmt::format(
-             "A round edge of {} pressed for the first time has a contact of {} diameter, {} times "
-             "as stiff as one of D_c = {}.",
-             quantity(s.rig.specimen.edge_radius.value, "m", 3), quantity(s.hertz, "m", 2),
-             significant(s.ratio, 2), quantity(s.rig.contact.diameter.value, "m", 2));
-     }},
-    {[](const EdgeSubject& s) { return s.ratio < 1 / largest_factor; },
-     [](const EdgeSubject&) {
-         return std::string(
-             "The evaluation rests on contacts that are not fresh edges, as by wear.");
-     }}};
-
-/// The contact stiffness k_x, and its relative standard error; 0: not known.
-struct StiffnessSubject {
-    const WalkingRig& rig;
-    double error = 0;
-};
-
-constexpr contact::Sentence<StiffnessSubject> stiffness_sentences[] = {
-    {[](const StiffnessSubject& s) { return s.error > 0; },
-     [](const StiffnessSubject& s) {
-         return fmt::format("The contact stiffness is uncertain by {} %.",
-                            significant(100 * s.error, 2));
-     }},
-    {[](const StiffnessSubject& s) {
-         return s.rig.oscillation && s.rig.oscillation->time.standard_error > 0;
-     },
-     [](const StiffnessSubject& s) {
-         const auto& time = s.rig.oscillation->time;
-         return fmt::format("It goes with 1/tau^2, so that the {} % of tau count twice.",
-                            significant(100 * time.standard_error / time.value, 2));
-     }}};
+/// `hertz`: D_c of Hertz [m]; `ratio`: over that of the evaluation.
+std::string edge_sentences(const Rig& rig, double hertz, double ratio) {
+    std::string text = fmt::format(
+        "A round edge of {} pressed for the first time has a contact of {} diameter, {} times as "
+        "stiff as one of D_c = {}.",
+        quantity(rig["R_c"].value, "m", 3), quantity(hertz, "m", 2), significant(ratio, 2),
+        quantity(rig["D_c"].value, "m", 2));
+    if (ratio < 1 / largest_factor)
+        text += " The evaluation rests on contacts that are not fresh edges, as by wear.";
+    return text;
+}
 
 }  // namespace
 
-Assumption contact_diameter(const WalkingRig& rig) {
+Assumption contact_diameter(const Rig& rig) {
     using enum Criterion::Relation;
     Assumption a{
         .name = "contact_diameter",
         .title = "Contact diameter",
         .claim = claim_of_diameter(rig),
-        .criteria = {{calculate(rig, hertz_ratio), at_least, 1 / largest_factor, factor_reason}}};
-    for (const Formula* formula :
-         {&hertz_diameter, &normal_stiffness, &tangential_stiffness, &stiffness_ratio, &half_height,
-          &half_width, &slenderness, &weight_ratio})
-        a.background.push_back(calculate(rig, *formula));
-    a.consequence = told(edge_sentences,
-                         EdgeSubject{rig, a.background.front().result.value, a.deciding_value()});
-    if (rig.contact.wear_diameter)
+        .criteria = {{calculate(rig, hertz_ratio), at_least, 1 / largest_factor, factor_reason}},
+        .background = known(
+            rig, {&hertz_diameter, &normal_stiffness, &tangential_stiffness, &stiffness_ratio,
+                  &half_height, &half_width, &slenderness, &weight_ratio, &diameter_of_frequency})};
+    a.consequence = edge_sentences(rig, a.background.front().result.value, a.deciding_value());
+    if (rig.has("D_wear"))
         a.criteria.push_back({calculate(rig, wear_ratio), at_most, largest_factor, factor_reason});
-    if (rig.oscillation) a.background.push_back(calculate(rig, diameter_of_frequency));
     return a;
 }
 
-Assumption known_stiffness(const WalkingRig& rig) {
+Assumption known_stiffness(const Rig& rig) {
+    const bool oscillates = rig.has("tau");
     const Calculation stiffness =
-        calculate(rig, rig.oscillation ? stiffness_of_time : tangential_stiffness);
-    Assumption a{.name = "known_stiffness",
-                 .title = "Contact stiffness",
-                 .claim = "The contact stiffness is known well enough to tell kappa_1 and kappa_4",
-                 .criteria = {{relative_error(stiffness), Criterion::Relation::at_most,
-                               largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}}};
-    if (rig.oscillation)
-        a.background = {calculate(rig, characteristic_time), stiffness,
-                        calculate(rig, stiffness_of_means)};
+        calculate(rig, oscillates ? stiffness_of_time : tangential_stiffness);
+    Assumption a{
+        .name = "known_stiffness",
+        .title = "Contact stiffness",
+        .claim = "The contact stiffness is known well enough to tell kappa_1 and kappa_4",
+        .criteria = {{relative_error(stiffness), Criterion::Relation::at_most,
+                      largest_relative_error, "kappa_1, kappa_4 and kappa_6 inherit it"}},
+        .background = known(rig, {&characteristic_time, &stiffness_of_time, &stiffness_of_means})};
     const double error = a.deciding_value();
     if (!(error > 0))
-        a.missing = {rig.oscillation ? "standard errors of specimen.mass and oscillation.time"
-                                     : "standard errors of contact.diameter and of the materials"};
-    a.consequence = told(stiffness_sentences, StiffnessSubject{rig, error});
+        a.missing = {oscillates ? "standard errors of specimen.mass and oscillation.time"
+                                : "standard errors of contact.diameter and of the materials"};
+    else
+        a.consequence =
+            fmt::format("The contact stiffness is uncertain by {} %.", significant(100 * error, 2));
+    if (oscillates && rig["tau"].standard_error > 0)
+        a.consequence +=
+            fmt::format(" It goes with 1/tau^2, so that the {} % of tau count twice.",
+                        significant(100 * rig["tau"].standard_error / rig["tau"].value, 2));
     return a;
 }
 

@@ -44,12 +44,12 @@ constexpr Formula bending_moment_ratio("bending_moment_ratio", "M_b/M_c",
                                        "E_s I_s/(l_s k_z b^2) = 1/4 (r_s/b)^2 k/k_z", "(5.2.41)",
                                        "1", "k l_s E_s b k_z",
                                        [](const Values& x) { return over_width(x) * x[0] / x[4]; });
-constexpr Formula of_rod[] = {Formula("rod_radius", "r_s", "sqrt(k l_s/(pi E_s))", "(5.2.12)", "m",
-                                      "k l_s E_s", rod_radius_of),
-                              Formula("beam_force_ratio", "F_bZ/F_cZ, k_z = k", "3/4 (r_s/l_s)^2",
-                                      "(5.2.42)", "1", "k l_s E_s", slender),
-                              Formula("beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2",
-                                      "(5.2.42)", "1", "k l_s E_s b", over_width)};
+constexpr Formula rod_radius("rod_radius", "r_s", "sqrt(k l_s/(pi E_s))", "(5.2.12)", "m",
+                             "k l_s E_s", rod_radius_of);
+constexpr Formula beam_force_ratio("beam_force_ratio", "F_bZ/F_cZ, k_z = k", "3/4 (r_s/l_s)^2",
+                                   "(5.2.42)", "1", "k l_s E_s", slender);
+constexpr Formula beam_moment_ratio("beam_moment_ratio", "M_b/M_c, k_z = k", "1/4 (r_s/b)^2",
+                                    "(5.2.42)", "1", "k l_s E_s b", over_width);
 
 constexpr Formula tilting_ratio("tilting_ratio", "mu/mu_c", "mu kappa_3 (1 + kappa_8)", "(4.3.3)",
                                 "1", "mu a b kappa_8",
@@ -65,7 +65,7 @@ constexpr Formula nyquist_rate("nyquist_rate", "2 Omega_exp/(2 pi)", "2 Omega_ex
 
 }  // namespace
 
-Assumption similar_stiffness(const WalkingRig& rig) {
+Assumption similar_stiffness(const Rig& rig) {
     const Calculation kappa = calculate(rig, kappa1);
     const char* reason = "micro-walking was found for kappa_1 about 1 (5.2.8): within a decade";
     return {.name = "similar_stiffness",
@@ -81,23 +81,20 @@ Assumption similar_stiffness(const WalkingRig& rig) {
                     : significant(kappa.result.value, 3))};
 }
 
-Assumption rigid_sensor(const WalkingRig& rig) {
+Assumption rigid_sensor(const Rig& rig) {
     Assumption a{"rigid_sensor", "Force sensor", "The force sensor is rigid beside the spring"};
-    if (!rig.spring.sensor_stiffness) {
-        a.missing = {"spring.sensor_stiffness"};
+    if (!decide(a, rig, series_ratio, at_least, least_series_ratio,
+                "5 % of the spring's stiffness"))
         return a;
-    }
-    a.criteria = {{calculate(rig, series_ratio), at_least, least_series_ratio,
-                   "5 % of the spring's stiffness"}};
     a.consequence = fmt::format("With the sensor in series the spring is {} % softer than alone.",
                                 significant(100 * (1 - a.deciding_value()), 2));
     return a;
 }
 
-Assumption rod_as_spring(const WalkingRig& rig) {
+Assumption rod_as_spring(const Rig& rig) {
     Assumption a{"rod_as_spring", "Rod as a spring",
                  "The rod pulls only: its bending is negligible"};
-    if (!rig.spring.length || !rig.spring.young) {
+    if (!rig.has("l_s") || !rig.has("E_s")) {
         a.missing = {"spring.length and spring.young of a rod"};
         return a;
     }
@@ -105,34 +102,25 @@ Assumption rod_as_spring(const WalkingRig& rig) {
                    "1 % of the contact's force"},
                   {calculate(rig, bending_moment_ratio), at_most, largest_beam_ratio,
                    "1 % of the contact's moment"}};
-    for (const Formula& formula : of_rod) a.background.push_back(calculate(rig, formula));
+    a.background = known(rig, {&rod_radius, &beam_force_ratio, &beam_moment_ratio});
     a.consequence = fmt::format("Bending adds {} % to the contact's force and {} % to its moment.",
                                 significant(100 * a.deciding_value(), 2),
                                 significant(100 * a.criteria[1].calculation.result.value, 2));
     return a;
 }
 
-Assumption no_tilting(const WalkingRig& rig) {
+Assumption no_tilting(const Rig& rig) {
     Assumption a{"no_tilting", "No tilting", "Friction alone does not tilt the specimen"};
-    if (!rig.spring.height_ratio) {
-        a.missing = {"spring.height_ratio"};
-        return a;
-    }
-    a.criteria = {{calculate(rig, tilting_ratio), at_most, 1, "at mu_c one contact lifts off"}};
-    a.consequence =
-        fmt::format("The critical coefficient is {}.",
-                    significant(rig.friction_coefficient.value / a.deciding_value(), 3));
+    if (!decide(a, rig, tilting_ratio, at_most, 1, "at mu_c one contact lifts off")) return a;
+    a.consequence = fmt::format("The critical coefficient is {}.",
+                                significant(rig["mu"].value / a.deciding_value(), 3));
     return a;
 }
 
-Assumption sampled_often(const WalkingRig& rig) {
+Assumption sampled_often(const Rig& rig) {
     Assumption a{"sampled_often", "Sampling", "The force is sampled often enough"};
-    if (!rig.oscillation || !rig.oscillation->sampling_rate) {
-        a.missing = {"oscillation.sampling_rate"};
-        return a;
-    }
-    a.criteria = {{calculate(rig, sampling_ratio), at_least, 1, "Nyquist and Shannon"}};
-    a.background = {calculate(rig, nyquist_rate)};
+    if (!decide(a, rig, sampling_ratio, at_least, 1, "Nyquist and Shannon")) return a;
+    a.background = known(rig, {&nyquist_rate});
     a.consequence = fmt::format("The force is sampled at {} times the least rate.",
                                 significant(a.deciding_value(), 3));
     return a;

@@ -18,12 +18,7 @@ Calculation cube() {
 }
 
 experiments::PrintedValue printed(double value, double error, double half_digit) {
-    return {.name = "cube",
-            .text = "",
-            .value = {value, error},
-            .half_digit = half_digit,
-            .half_error_digit = half_digit,
-            .source = ""};
+    return {{{value, error}, half_digit, half_digit}, "cube", "", ""};
 }
 
 PrintedCheck check(const experiments::PrintedValue& value) {

@@ -44,20 +44,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 TEST(RigReader, ReadsQuantitiesWithTheirErrors) {
-    const auto rig = std::get<experiments::RollingRig>(experiments::parse_rig(rolling, "rig.toml"));
+    const auto rig = experiments::parse_rig(rolling, "rig.toml");
     EXPECT_EQ(rig.title, "a rig");
-    EXPECT_DOUBLE_EQ(rig.roller.radius.value, 40e-3);
-    EXPECT_DOUBLE_EQ(rig.roller.radius.standard_error, 0.1e-3);
-    EXPECT_DOUBLE_EQ(rig.substrate.poisson.standard_error, 0.01);
-    EXPECT_EQ(rig.normal_force.standard_error, 0);
-    EXPECT_FALSE(rig.pivot);
-    EXPECT_FALSE(rig.substrate.viscosity);
+    EXPECT_DOUBLE_EQ(rig["R"].value, 40e-3);
+    EXPECT_DOUBLE_EQ(rig["R"].standard_error, 0.1e-3);
+    EXPECT_DOUBLE_EQ(rig["nu_2"].standard_error, 0.01);
+    EXPECT_EQ(rig["F_N"].standard_error, 0);
+    EXPECT_FALSE(rig.has("DU"));
+    EXPECT_FALSE(rig.has("eta"));
 }
 
 TEST(RigReader, KeepsPrintedNumbersWithTheirLastDigit) {
-    const auto rig = std::get<experiments::RollingRig>(experiments::parse_rig(
+    const auto rig = experiments::parse_rig(
         rolling + "[printed]\ncontact_radius = {value = \"4.56 mm\", source = \"table 1\"}\n",
-        "rig.toml"));
+        "rig.toml");
     ASSERT_EQ(rig.printed.size(), 1U);
     EXPECT_EQ(rig.printed[0].name, "contact_radius");
     EXPECT_EQ(rig.printed[0].text, "4.56 mm");
@@ -126,8 +126,9 @@ TEST(RigReader, PrintedQuantitiesAreThoseThatTheProgramComputes) {
         }
     };
     known({report_of("sphere_parallel"), report_of("cylinder_parallel")},
-          experiments::printed_keys(experiments::RollingRig{}));
-    known({report_of("micro_walking_set_5")}, experiments::printed_keys(experiments::WalkingRig{}));
+          experiments::printed_keys(experiments::Rig::Kind::sphere));
+    known({report_of("micro_walking_set_5")},
+          experiments::printed_keys(experiments::Rig::Kind::micro_walking));
 }
 
 }  // namespace

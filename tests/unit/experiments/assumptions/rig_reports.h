@@ -15,7 +15,7 @@ inline experiments::Rig rig_file(const std::string& name) {
 }
 
 inline experiments::RigReport report_of(const std::string& name) {
-    return std::visit([](const auto& rig) { return experiments::check_rig(rig); }, rig_file(name));
+    return experiments::check_rig(rig_file(name));
 }
 
 inline const experiments::Assumption& assumption_of(const experiments::RigReport& report,

@@ -57,8 +57,8 @@ TEST(EnteredNumber, WholeOnlyWhereDoublesAre) {
 
 TEST(EnteredNumber, APlusStandsInTablesAndMeasuredValues) {
     const auto q = experiments::parse_measured_quantity("+1.55 ± +.13", Dimension::none);
-    EXPECT_EQ(q.quantity.value, 1.55);
-    EXPECT_EQ(q.quantity.standard_error, .13);
+    EXPECT_EQ(q.value.value, 1.55);
+    EXPECT_EQ(q.value.standard_error, .13);
     EXPECT_EQ(experiments::parse_measured_quantity("+.5 mm", Dimension::length).half_digit, .05e-3);
     const CsvTable table("a\n+1\n.24\n5.\n+2e-1\n", "table", {"table", "a", 10, "thin", 1});
     EXPECT_EQ(table.values("a", Dimension::none), (std::vector<double>{1, .24, 5, .2}));

@@ -1,0 +1,81 @@
+#include "experiments/assumptions/rig_quantities.h"
+
+#include <algorithm>
+#include <ranges>
+#include <string>
+
+namespace tricontact::experiments {
+
+namespace {
+
+std::vector<std::string> words_of(std::string_view symbols) {
+    std::vector<std::string> words;
+    for (const auto word : std::views::split(symbols, ' '))
+        words.emplace_back(word.begin(), word.end());
+    return words;
+}
+
+const RigKey* key_of(const Rig& rig, std::string_view symbol) {
+    const auto& keys = rig_keys(rig.kind);
+    const auto key = std::ranges::find(keys, symbol, &RigKey::symbol);
+    return key == keys.end() ? nullptr : &*key;
+}
+
+std::optional<Given> quantity_of(const Rig& rig, const std::string& symbol) {
+    const std::string shown = symbol.substr(0, symbol.find('\''));
+    if (rig.has(symbol))
+        return Given{shown, rig[symbol], std::string(io::si_unit(key_of(rig, symbol)->dimension))};
+    const auto& derived =
+        rig.kind == Rig::Kind::micro_walking ? walking_quantities() : rolling_quantities();
+    const auto quantity = std::ranges::find(derived, symbol, &DerivedQuantity::symbol);
+    if (quantity == derived.end()) return {};
+    if (const auto value = quantity->of(rig))
+        return Given{shown, *value, std::string(quantity->unit)};
+    return {};
+}
+
+bool is_known(const Rig& rig, const Formula& formula) {
+    return std::ranges::all_of(words_of(formula.given), [&](const std::string& symbol) {
+        return quantity_of(rig, symbol).has_value();
+    });
+}
+
+}  // namespace
+
+std::vector<Given> given(const Rig& rig, std::string_view symbols) {
+    std::vector<Given> result;
+    for (const std::string& symbol : words_of(symbols))
+        result.push_back(quantity_of(rig, symbol).value());
+    return result;
+}
+
+Calculation calculate(const Rig& rig, const Formula& f) {
+    return calculate(f.name, f.symbol, f.formula, f.source, f.unit, given(rig, f.given),
+                     f.function);
+}
+
+std::optional<Estimate> result_if_known(const Rig& rig, const Formula& formula) {
+    if (!is_known(rig, formula)) return {};
+    return calculate(rig, formula).result;
+}
+
+std::vector<Calculation> known(const Rig& rig, const std::vector<const Formula*>& formulas) {
+    std::vector<Calculation> result;
+    for (const Formula* formula : formulas)
+        if (is_known(rig, *formula)) result.push_back(calculate(rig, *formula));
+    return result;
+}
+
+bool decide(Assumption& assumption, const Rig& rig, const Formula& formula,
+            Criterion::Relation relation, double threshold, std::string reason) {
+    for (const std::string& symbol : words_of(formula.given))
+        if (const RigKey* key = key_of(rig, symbol); key && !quantity_of(rig, symbol)) {
+            assumption.missing.emplace_back(key->path);
+            return false;
+        }
+    assumption.criteria.push_back(
+        {calculate(rig, formula), relation, threshold, std::move(reason)});
+    return true;
+}
+
+}  // namespace tricontact::experiments
