@@ -115,14 +115,6 @@ struct Identifier {
     }
 };
 
-struct Labels {
-    experiments::QuantityOfAxis given, observed;
-};
-// In the order of Measurement.
-const Labels labels[] = {{{"tangential force F_T", "N"}, {"static shift U", "m"}},
-                         {{"indentation d", "m"}, {"normal force F_N", "N"}},
-                         {{"normal force F_N", "N"}, {"contact radius a", "m"}}};
-
 std::vector<std::pair<std::string, std::string>> settings_of(
     const experiments::IdentificationInput& input) {
     const contact::Case& rig = input.rig;
@@ -146,18 +138,11 @@ std::vector<std::pair<std::string, std::string>> settings_of(
 IdentificationStudy study_of(const experiments::IdentificationInput& input,
                              const CommandOptions& options) {
     IdentificationStudy study;
+    study.input = input;
     study.title =
         input.title.empty() ? std::filesystem::path(input.name).stem().string() : input.title;
-    study.measurement = experiments::name_of(input.measurement);
-    study.given = labels[static_cast<int>(input.measurement)].given;
-    study.observed = labels[static_cast<int>(input.measurement)].observed;
-    study.given_values = input.given;
-    study.observed_values = input.observed;
-    study.standard_errors = input.standard_errors;
-    study.has_input_errors = !input.rig_errors.empty();
     const double largest = std::ranges::max(input.given);
     study.curve_points = equal_steps(largest / n_curve_points, largest, n_curve_points);
-    if (input.friction_is_free) study.least_friction = largest / *input.rig.load.normal_force;
     study.settings = settings_of(input);
     study.command = "tricontact identify " + std::filesystem::path(input.name).filename().string();
     study.version = files::version;
@@ -187,7 +172,9 @@ void print(const IdentificationStudy& study) {
             found.goodness
                 ? fmt::format("chi^2 = {:.3g}, {} degrees of freedom", found.sum_of_squares,
                               found.degrees_of_freedom)
-                : report::quantity(found.residual_standard_deviation, study.observed.unit, 2));
+                : report::quantity(found.residual_standard_deviation,
+                                   std::string(columns_of(study.input.measurement).observed.unit),
+                                   2));
     }
     for (const auto& verdict : experiments::identification_verdicts(study))
         std::cout << verdict.sentence << '\n';

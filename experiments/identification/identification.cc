@@ -143,10 +143,10 @@ std::vector<double> half_widths(const IdentificationTask& task, const Properties
     return widths;
 }
 
-PropertyEstimate estimate_of(double value, const statistics::Estimate* linear) {
+statistics::Estimate estimate_of(double value, const statistics::Estimate* linear) {
     if (!linear || !(linear->standard_error > 0) || !std::isfinite(linear->standard_error))
-        return {value, contact::infinity, {-contact::infinity, contact::infinity}, {}};
-    return {value, linear->standard_error, {linear->low, linear->high}, {}};
+        return {value, contact::infinity, -contact::infinity, contact::infinity};
+    return {value, linear->standard_error, linear->low, linear->high};
 }
 
 void add_goodness(const IdentificationTask& task, const BestSumOfSquares& squares,
@@ -189,12 +189,11 @@ Identification identify(const IdentificationTask& task) {
     std::size_t k = 0;
     for (const Property property : free_properties(task)) {
         const double value = best.at[property];
-        auto& estimate = found[property];
-        estimate = estimate_of(value, fit ? &fit->parameters[k++] : nullptr);
         const auto edge_at = [&](bool upwards) {
             return edge(squares, task, property, value, found.level_of_interval[0], upwards);
         };
-        estimate->likelihood = {edge_at(false), edge_at(true)};
+        found[property] = {estimate_of(value, fit ? &fit->parameters[k++] : nullptr),
+                           {edge_at(false), edge_at(true)}};
     }
     const bool both_told = found.young && found.friction &&
                            std::isfinite(found.young->standard_error) &&

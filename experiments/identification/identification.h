@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "statistics/estimate.h"
+
 namespace tricontact::experiments {
 
 /// What an identification is after.
@@ -45,11 +47,9 @@ struct Interval {
 };
 
 /// One property found.
-struct PropertyEstimate {
-    double value = 0;
-    /// Of the linearised model; infinite if the observations do not tell.
-    double standard_error = 0;
-    Interval linearised;  ///< value and standard error, by Student's t (normal: known errors)
+/// Standard error and interval are those of the linearised model, by Student's t (normal: known
+/// errors); infinite if the observations do not tell.
+struct PropertyEstimate : statistics::Estimate {
     /// All values that the likelihood ratio does not reject, other properties at their best.
     Interval likelihood;
 };

@@ -21,22 +21,24 @@ namespace {
 struct Scaled {
     report::Unit unit;  // numbers without a unit stay as they are
 
-    Scaled(const std::vector<double>& values, const std::string& base) {
+    Scaled(const std::vector<double>& values, std::string_view base) {
         double largest = 0;
         for (const double value : values) largest = std::max(largest, std::abs(value));
-        if (!base.empty()) unit = report::fitting_unit(largest, base);
+        if (!base.empty()) unit = report::fitting_unit(largest, std::string(base));
     }
     std::vector<double> operator()(std::vector<double> values) const {
         for (double& value : values) value /= unit.factor;
         return values;
     }
-    std::string label(const std::string& name) const { return name + " [" + unit.symbol + ']'; }
+    std::string label(std::string_view name) const {
+        return fmt::format("{} [{}]", name, unit.symbol);
+    }
 };
 
 // Normal errors are known ones; half widths of the observed values' intervals.
 std::vector<double> error_bars(const IdentificationStudy& study) {
     std::vector<double> bars;
-    for (const double error : study.standard_errors)
+    for (const double error : study.input.standard_errors)
         bars.push_back(statistics::normal_quantile(study.models.front().found.confidence) * error);
     return bars;
 }
@@ -52,9 +54,10 @@ std::vector<double> ordered(const std::vector<double>& x, const std::vector<doub
 }
 
 report::Figure fit_figure(const IdentificationStudy& study) {
-    const Scaled given(study.given_values, study.given.unit),
-        observed(study.observed_values, study.observed.unit);
-    const auto& x = study.given_values;
+    const auto& columns = columns_of(study.input.measurement);
+    const auto& x = study.input.given;
+    const Scaled given(x, columns.given.unit),
+        observed(study.input.observed, columns.observed.unit);
     report::Figure figure{
         .id = "fit",
         .title = "What was measured, and the models at their best",
@@ -62,9 +65,9 @@ report::Figure fit_figure(const IdentificationStudy& study) {
             "Bands: where the fitted curves lie with a confidence of "
             "{:g} %{}.",
             100 * study.models.front().found.confidence,
-            study.standard_errors.empty() ? "" : "; bars: the same of the observed values"),
-        .x = {given.label(study.given.name)},
-        .y = {observed.label(study.observed.name)}};
+            study.input.standard_errors.empty() ? "" : "; bars: the same of the observed values"),
+        .x = {given.label(columns.given.axis)},
+        .y = {observed.label(columns.observed.axis)}};
     for (const IdentifiedModel& model : study.models) {
         const bool curved = !model.curve.empty();
         figure.curves.push_back(
@@ -85,7 +88,7 @@ report::Figure fit_figure(const IdentificationStudy& study) {
     }
     figure.curves.push_back({.name = "measured",
                              .x = given(x),
-                             .y = observed(study.observed_values),
+                             .y = observed(study.input.observed),
                              .y_error = observed(error_bars(study)),
                              .kind = report::Curve::Kind::points});
     return figure;
@@ -95,22 +98,23 @@ report::Figure residual_figure(const IdentificationStudy& study) {
     std::vector<double> all;
     for (const IdentifiedModel& model : study.models)
         all.insert(all.end(), model.found.residuals.begin(), model.found.residuals.end());
-    const Scaled given(study.given_values, study.given.unit), scale(all, study.observed.unit);
+    const auto& columns = columns_of(study.input.measurement);
+    const Scaled given(study.input.given, columns.given.unit), scale(all, columns.observed.unit);
     report::Figure figure{
         .id = "residuals",
         .title = "What the models leave unexplained",
         .caption =
             "Observed minus fitted. Without a pattern the rest is noise; a wave or "
             "a bend is a model that does not fit.",
-        .x = {given.label(study.given.name)},
+        .x = {given.label(columns.given.axis)},
         .y = {scale.label("residual")}};
     for (const IdentifiedModel& model : study.models)
         figure.curves.push_back({.name = model.name,
-                                 .x = given(study.given_values),
+                                 .x = given(study.input.given),
                                  .y = scale(model.found.residuals),
                                  .y_error = scale(error_bars(study)),
                                  .kind = report::Curve::Kind::points});
-    const auto [low, high] = std::ranges::minmax(given(study.given_values));
+    const auto [low, high] = std::ranges::minmax(given(study.input.given));
     figure.curves.push_back({.name = "", .x = {low, high}, .y = {0, 0}, .theory = true});
     return figure;
 }
@@ -204,7 +208,7 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
             "Inputs: what the standard errors of the rig's data change, added in squares; both: "
             "with the standard error of the fit, in squares (A.1.4).",
             100 * study.models.front().found.confidence,
-            study.has_input_errors ? "[standard_errors]" : "none is stated"),
+            study.input.rig_errors.empty() ? "none is stated" : "[standard_errors]"),
         .columns = report::columns("model", "property", "value", "low", "high", "low by the fit",
                                    "high by the fit", "half width, linearised",
                                    "standard error of the fit", "of the inputs", "both")};
@@ -220,7 +224,7 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
                                   open_or(full.high, factor),
                                   open_or(estimate->likelihood.low, factor),
                                   open_or(estimate->likelihood.high, factor),
-                                  open_or(estimate->linearised.high - estimate->value, factor),
+                                  open_or(estimate->high - estimate->value, factor),
                                   open_or(estimate->standard_error, factor),
                                   input_standard_error(model, property) / factor,
                                   open_or(combined_standard_error(model, property), factor)});
@@ -229,7 +233,7 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
 }
 
 report::DocumentTable goodness_table(const IdentificationStudy& study) {
-    const bool known = !study.standard_errors.empty();
+    const bool known = !study.input.standard_errors.empty();
     report::DocumentTable table{
         .id = "goodness",
         .title = "How well the models fit",

@@ -22,7 +22,7 @@ json estimate_json(const IdentifiedModel& model, Property property) {
     return {{"value", estimate->value},
             {"standard_error", estimate->standard_error},
             {"interval", interval_json(full_interval(model, property))},
-            {"linearised_interval", interval_json(estimate->linearised)},
+            {"linearised_interval", interval_json({estimate->low, estimate->high})},
             {"likelihood_interval", interval_json(estimate->likelihood)},
             {"change_by_standard_errors_of_inputs", inputs},
             {"combined_standard_error", combined_standard_error(model, property)}};
@@ -50,12 +50,12 @@ json identification_json(const IdentificationStudy& study) {
     result["version"] = study.version;
     result["command"] = study.command;
     result["title"] = study.title;
-    result["measurement"] = study.measurement;
+    result["measurement"] = name_of(study.input.measurement);
     result["confidence"] = study.models.front().found.confidence;
     for (const auto& [name, value] : study.settings) result["settings"][name] = value;
-    result["given"] = study.given_values;
-    result["observed"] = study.observed_values;
-    result["standard_errors"] = study.standard_errors;
+    result["given"] = study.input.given;
+    result["observed"] = study.input.observed;
+    result["standard_errors"] = study.input.standard_errors;
     const IdentifiedModel& reference = reference_model(study);
     result["reference"] = reference.name;
     result["thickness_over_contact_width"] = study.thickness_ratio;

@@ -27,20 +27,19 @@ const std::vector<io::PlacedKey<Input>>& own_keys() {
     using enum Input::Measurement;
     static const std::vector<io::PlacedKey<Input>> keys{
         {io::text_key("title", R"("Rig, static shift")", "what was measured"),
-         [](Input& i) -> io::Field { return &i.title; }},
+         io::at<&Input::title>},
         {io::choice_key("measurement",
                         {io::choice("static-shift", static_shift),
                          io::choice("force-indentation", force_indentation),
                          io::choice("contact-radius", contact_radius)},
                         R"("static-shift")", "what the table holds"),
-         [](Input& i) -> io::Field { return &i.measurement; }},
-        {io::text_key("data", R"("shift.csv")", "the table"),
-         [](Input& i) -> io::Field { return &i.data_file; }},
+         io::at<&Input::measurement>},
+        {io::text_key("data", R"("shift.csv")", "the table"), io::at<&Input::data_file>},
         {io::list_of(io::choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
                                     R"(["half-space", "layer"])", "models that explain it")),
-         [](Input& i) -> io::Field { return &i.models; }},
+         io::at<&Input::models>},
         {io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals"),
-         [](Input& i) -> io::Field { return &i.confidence; }}};
+         io::at<&Input::confidence>}};
     return keys;
 }
 
@@ -50,16 +49,11 @@ bool describes_rig(const io::Key& key) {
         "indenter", "substrate", "lower_layer", "ground", "friction", "contact", "bem", "fem"};
     constexpr std::array<std::string_view, 3> load{"load.normal_force", "load.press",
                                                    "load.press_steps"};
-    return std::find(sections.begin(), sections.end(), key.section()) != sections.end() ||
-           std::find(load.begin(), load.end(), key.path) != load.end();
+    return std::ranges::count(sections, key.section()) || std::ranges::count(load, key.path);
 }
 
 bool is_nested_in_measurement(std::string_view path) {
     return path.starts_with("standard_errors.");
-}
-
-bool is_error(const io::Entry& entry) {
-    return is_nested_in_measurement(entry.path);
 }
 
 /// Its own keys, and those that describe a rig.
@@ -103,7 +97,7 @@ std::vector<std::string> case_models(const Input& input) {
         if (model != "half-space")
             models.push_back(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
     if (models.empty()) models.emplace_back("mdr");
-    std::sort(models.begin(), models.end());
+    std::ranges::sort(models);
     models.erase(std::unique(models.begin(), models.end()), models.end());
     return models;
 }
@@ -125,8 +119,7 @@ void check_models(const Input& input, const io::Document& document) {
 /// E by Hertz' theory of an incompressible half-space from the row of the largest value [Pa]; mu
 /// infinite.
 double guessed_young(const Input& input, double radius, double normal_force) {
-    const auto row =
-        std::max_element(input.observed.begin(), input.observed.end()) - input.observed.begin();
+    const auto row = std::ranges::max_element(input.observed) - input.observed.begin();
     const double x = input.given[row], y = input.observed[row];
     constexpr double over_plane = 0.75;                  // E/E*
     constexpr double shear_over_plane = 2. / 3;          // G*/E*
@@ -146,11 +139,10 @@ double guessed_young(const Input& input, double radius, double normal_force) {
 void check_lengths(const Input& input, double radius, const io::Entry& data) {
     const bool deep = input.measurement == Measurement::force_indentation;
     const MeasuredColumns& columns = columns_of(input.measurement);
-    const auto& lengths = deep ? input.given : input.observed;
-    const double largest = *std::max_element(lengths.begin(), lengths.end());
+    const double largest = std::ranges::max(deep ? input.given : input.observed);
     if (largest >= radius)
         io::fail(data.place, data.subject(),
-                 std::string(deep ? columns.given : columns.observed) + " reaches " +
+                 std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
                      io::shortest(largest) + " m, the indenter's radius is " +
                      io::shortest(radius) + " m: small deformations are assumed",
                  "check the units of the table and of indenter.radius");
@@ -179,7 +171,7 @@ std::string in_words_of_the_file(std::string text) {
 contact::Case rig_of(const Input& input, const io::Document& document) {
     io::Document rig = document;
     std::erase_if(rig.entries, [](const io::Entry& entry) {
-        return io::section_of(entry.path).empty() || is_error(entry);
+        return io::section_of(entry.path).empty() || is_nested_in_measurement(entry.path);
     });
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
         return section.name == errors_section || is_nested_in_measurement(section.name);
@@ -199,9 +191,8 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
         if (const io::Entry* entry = document.find("load.normal_force"))
             io::fail(entry->place, entry->subject(), "the normal force is in the table",
                      "omit this key");
-        const auto& forces =
-            input.measurement == Measurement::contact_radius ? input.given : input.observed;
-        normal_force = *std::max_element(forces.begin(), forces.end());
+        const bool given = input.measurement == Measurement::contact_radius;
+        normal_force = std::ranges::max(given ? input.given : input.observed);
         guesses.push_back(
             io::overriding("load.normal_force", io::shortest(normal_force) + " N", place));
         // Frictionless contact knows no coupling.
@@ -215,7 +206,7 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
             "substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa",
             place));
     if (!document.find("friction.coefficient")) {
-        const double largest = *std::max_element(input.given.begin(), input.given.end());
+        const double largest = std::ranges::max(input.given);
         guesses.push_back(io::overriding("friction.coefficient",
                                          sheared ? 1.5 * largest / normal_force : 1., place));
     }
@@ -229,7 +220,7 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
 std::vector<Input::RigError> read_rig_errors(const io::Document& document) {
     std::vector<Input::RigError> errors;
     for (const io::Entry& entry : document.entries) {
-        if (!is_error(entry)) continue;
+        if (!is_nested_in_measurement(entry.path)) continue;
         const std::string path = entry.path.substr(errors_section.size() + 1);
         const io::CaseKey* key = io::find_key(path);
         if (!key || !describes_rig(*key) || key->section() == "bem" || key->section() == "fem" ||
@@ -253,7 +244,7 @@ std::vector<Input::RigError> read_rig_errors(const io::Document& document) {
 void check_friction(const Input& input, const io::Document& document) {
     const io::Entry* entry = document.find("friction.coefficient");
     if (input.measurement != Measurement::static_shift || !entry) return;
-    const double largest = *std::max_element(input.given.begin(), input.given.end());
+    const double largest = std::ranges::max(input.given);
     const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
     if (largest >= limit)
         io::fail(entry->place, entry->subject(),

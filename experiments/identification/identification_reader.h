@@ -37,10 +37,15 @@ struct IdentificationInput {
     std::vector<double> standard_errors;  ///< [SI] of the observed; empty: not stated
 };
 
-/// The two columns of a measurement.
+/// A column of a measurement.
+struct MeasuredColumn {
+    std::string_view name;  ///< "tangential_force"
+    std::string_view axis;  ///< its name for axes: "tangential force F_T"
+    io::Dimension dimension;
+    std::string_view unit = io::si_unit(dimension);
+};
 struct MeasuredColumns {
-    std::string_view given, observed;  ///< "tangential_force", "shift"
-    io::Dimension given_dimension, observed_dimension;
+    MeasuredColumn given, observed;
     std::string_view example;  ///< a header
 };
 const MeasuredColumns& columns_of(IdentificationInput::Measurement measurement);

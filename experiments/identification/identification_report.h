@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "experiments/identification/identification.h"
+#include "experiments/identification/identification_reader.h"
 #include "report/document.h"
 
 namespace tricontact::experiments {
@@ -48,20 +49,12 @@ double input_standard_error(const IdentifiedModel& model, Property property);
 /// errors of the inputs, which are normal and known. Open ends stay open.
 Interval full_interval(const IdentifiedModel& model, Property property);
 
-/// A measured quantity, its name for axes ("tangential force F_T") and its SI unit.
-struct QuantityOfAxis {
-    std::string name, unit;
-};
-
 /// A measurement, and what all models make of it.
 struct IdentificationStudy {
-    std::string title, measurement;
-    QuantityOfAxis given, observed;
-    std::vector<double> given_values, observed_values, standard_errors;  ///< [SI]
-    std::vector<double> curve_points;                                    ///< [SI], increasing
+    IdentificationInput input;
+    std::string title;
+    std::vector<double> curve_points;  ///< [SI], increasing
     std::vector<IdentifiedModel> models;
-    double least_friction = 0;
-    bool has_input_errors = false;  ///< standard errors of the rig's data are stated
     /// Layer's thickness over the width of Hertz' contact for the E of the reference model.
     std::optional<double> thickness_ratio;
     std::vector<std::pair<std::string, std::string>> settings;  ///< name, value with unit

@@ -13,6 +13,9 @@ namespace tricontact::experiments {
 
 namespace {
 
+using report::Verdict;
+using enum Verdict::Standing;
+
 // Chance exceeds the sum of squares so rarely that the model is to blame.
 constexpr double least_goodness = 0.01;
 // A property that moves by less than this is not called different.
@@ -25,14 +28,14 @@ std::string named(const std::string& name, const std::string& value) {
 
 /// What the interval holds beside the errors of the observed values.
 std::string what_else(const IdentificationStudy& study, const IdentifiedModel& model) {
-    if (!study.has_input_errors) return ", the rig's data taken as exact";
+    if (study.input.rig_errors.empty()) return ", the rig's data taken as exact";
     if (model.contributions.empty())
         return "; the errors of the rig's data are left out, since at the best mu the largest "
                "force slides";
     return " and the errors of the rig's data";
 }
 
-report::Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
+Verdict values_found(const IdentificationStudy& study, const IdentifiedModel& model) {
     const Identification& found = model.found;
     std::string sentence = model.name + ": ";
     if (found.young) sentence += named("E", shown(model, Property::young));
@@ -42,7 +45,7 @@ report::Verdict values_found(const IdentificationStudy& study, const IdentifiedM
                             what_else(study, model));
     if (&model == &reference_model(study) && study.models.size() > 1)
         sentence += " This is the most complete model.";
-    return {report::Verdict::Standing::finding, sentence};
+    return {finding, sentence};
 }
 
 /// What one standard error of an input does to a property, relative.
@@ -82,25 +85,24 @@ std::string off(double ratio) {
 }
 
 /// What the model that knows less makes of E.
-std::optional<report::Verdict> bias(const IdentificationStudy& study) {
+std::optional<Verdict> bias(const IdentificationStudy& study) {
     const IdentifiedModel& reference = reference_model(study);
     const auto half_space = std::ranges::find(study.models, "half-space", &IdentifiedModel::name);
     if (half_space == study.models.end() || &*half_space == &reference || !reference.found.young)
         return {};
     const double ratio = half_space->found.best.young / reference.found.best.young;
     if (std::abs(ratio - 1) < least_bias)
-        return report::Verdict{report::Verdict::Standing::holds,
-                               fmt::format("The half-space finds E within {:.1f} % of {}.",
-                                           100 * least_bias, reference.name)};
+        return Verdict{holds, fmt::format("The half-space finds E within {:.1f} % of {}.",
+                                          100 * least_bias, reference.name)};
     std::string sentence =
         fmt::format("The half-space finds E = {}, {} {}: ",
                     report::quantity(half_space->found.best.young, "Pa", 3), reference.name,
                     report::quantity(reference.found.best.young, "Pa", 3));
     if (overlap(*half_space, reference, Property::young))
-        return report::Verdict{report::Verdict::Standing::cannot_tell,
-                               sentence +
-                                   "their intervals overlap, the measurement does not tell how far "
-                                   "they are apart."};
+        return Verdict{cannot_tell,
+                       sentence +
+                           "their intervals overlap, the measurement does not tell how far "
+                           "they are apart."};
     sentence += off(ratio);
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
@@ -108,13 +110,13 @@ std::optional<report::Verdict> bias(const IdentificationStudy& study) {
     if (half_space->found.friction && !overlap(*half_space, reference, Property::friction))
         sentence +=
             "; its mu is " + off(half_space->found.best.friction / reference.found.best.friction);
-    return report::Verdict{report::Verdict::Standing::fails, sentence + "."};
+    return Verdict{fails, sentence + "."};
 }
 
-report::Verdict explains(const IdentifiedModel& model) {
+Verdict explains(const IdentifiedModel& model) {
     const Identification& found = model.found;
     const bool good = *found.goodness >= least_goodness;
-    return {good ? report::Verdict::Standing::holds : report::Verdict::Standing::fails,
+    return {good ? holds : fails,
             fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom, {} by "
                         "chance.",
                         model.name, good ? "explains" : "does not explain",
@@ -123,19 +125,17 @@ report::Verdict explains(const IdentifiedModel& model) {
 }
 
 /// A fit that looks good is no proof of the half-space.
-std::optional<report::Verdict> fit_tells_nothing(const IdentificationStudy& study) {
+std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
     const auto good = [](const IdentifiedModel& m) {
         return m.found.goodness && *m.found.goodness >= least_goodness;
     };
     const auto biased = bias(study);
-    if (study.models.size() < 2 || !biased ||
-        biased->standing != report::Verdict::Standing::fails ||
+    if (study.models.size() < 2 || !biased || biased->standing != fails ||
         !std::ranges::all_of(study.models, good))
         return {};
-    return report::Verdict{
-        report::Verdict::Standing::cannot_tell,
-        "The measurement alone does not show which model is right: all of them pass "
-        "through it. The thickness of the layer decides."};
+    return Verdict{cannot_tell,
+                   "The measurement alone does not show which model is right: all of them pass "
+                   "through it. The thickness of the layer decides."};
 }
 
 }  // namespace
@@ -182,8 +182,8 @@ Interval full_interval(const IdentifiedModel& model, Property property) {
             estimate.value + std::hypot(high - estimate.value, half)};
 }
 
-std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& study) {
-    std::vector<report::Verdict> verdicts;
+std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
+    std::vector<Verdict> verdicts;
     const IdentifiedModel& reference = reference_model(study);
     verdicts.push_back(values_found(study, reference));
     if (auto verdict = bias(study)) verdicts.push_back(std::move(*verdict));
@@ -191,7 +191,7 @@ std::vector<report::Verdict> identification_verdicts(const IdentificationStudy& 
         if (model.found.goodness) verdicts.push_back(explains(model));
         if (model.found.friction && std::isinf(model.found.friction->likelihood.high))
             verdicts.push_back(
-                {report::Verdict::Standing::cannot_tell,
+                {cannot_tell,
                  model.name + " cannot tell mu: all larger ones are as likely. Measure at larger "
                               "forces, closer to sliding."});
     }

@@ -86,7 +86,7 @@ TEST_P(Coverage, IsThatClaimed) {
         if (GetParam()) task.standard_errors.assign(task.observed.size(), noise);
         add_noise(task, noise, generator);
         const Identification found = identify(task);
-        young_linearised += covers(found.young->linearised, truth.young);
+        young_linearised += covers({found.young->low, found.young->high}, truth.young);
         young += covers(found.young->likelihood, truth.young);
         friction += covers(found.friction->likelihood, truth.friction);
         goodness += found.goodness.value_or(.5) / n;

@@ -18,8 +18,8 @@ IdentifiedModel model(const std::string& name, double young, Interval young_inte
     IdentifiedModel m;
     m.name = name;
     m.found.best = {young, friction};
-    m.found.young = PropertyEstimate{young, 0, {}, young_interval};
-    m.found.friction = PropertyEstimate{friction, 0, {}, friction_interval};
+    m.found.young = PropertyEstimate{{young}, young_interval};
+    m.found.friction = PropertyEstimate{{friction}, friction_interval};
     m.found.confidence = .95;
     return m;
 }
