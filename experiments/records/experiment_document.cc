@@ -101,10 +101,7 @@ report::Figure criterion_figure(const ExperimentEvaluation& e) {
         values.add(t, (stage.shift[n] - stage.shift.front()) / rise);
         walk.add(t, (stage.settling.fitted[n] - stage.shift.front()) / rise);
     }
-    const std::vector<double> ones(values.x.size(), 1.);
-    std::vector<double> squares;
-    for (const double t : values.x) squares.push_back(t * t);
-    const auto parabola = statistics::fit_linear({ones, values.x, squares}, values.y).fitted;
+    const auto parabola = fit_polynomial(values.x, values.y, 2).fitted;
     figure.curves = {
         values,
         walk,
@@ -206,7 +203,7 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
         .verdicts = experiment_verdicts(e),
         .settings = {{"runs", std::to_string(e.runs.size())},
                      {"periods", std::to_string(e.periods)},
-                     {"confidence", fmt::format("{:.4g} %", 100 * e.confidence)}}};
+                     {"confidence", level(e.confidence)}}};
     if (e.amplitude > 0)
         document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
                                      report::significant(mm * e.amplitude, 4) + " mm"});

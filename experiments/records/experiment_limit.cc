@@ -11,9 +11,9 @@ namespace tricontact::experiments {
 namespace {
 
 statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {
-    std::vector<double> ones(stage.time.size(), 1.), time = stage.time;
+    std::vector<double> time = stage.time;
     for (double& t : time) t -= origin;
-    return statistics::fit_linear({ones, time}, stage.shift, {.confidence = confidence});
+    return fit_polynomial(time, stage.shift, 1, confidence);
 }
 
 }  // namespace

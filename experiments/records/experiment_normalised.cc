@@ -15,49 +15,37 @@ double tangential_ratio(const Case& c) {
            (c.friction_coefficient * contact::half_space_scales(c).normal_force);
 }
 
-/// Functions of the case and of one measured value, errors of both propagated.
-class Propagation {
-  public:
-    Propagation(const Case& c, const std::vector<CaseQuantity>& quantities)
-        : case_(c), quantities_(quantities) {
-        Case copy = c;
-        for (const CaseQuantity& quantity : quantities)
-            inputs_.push_back({quantity.of_case(copy), quantity.standard_error});
-    }
+using OfCase = std::function<double(const Case&, double measured)>;
 
-    template <class Function>
-    Estimate operator()(Function f, const Estimate& measured) const {
-        std::vector<Estimate> inputs = inputs_;
-        inputs.push_back(measured);
-        const std::function<double(std::vector<double>)> of_numbers =
-            [&](const std::vector<double>& x) {
-                Case changed = case_;
-                for (std::size_t i = 0; i < quantities_.size(); ++i) {
-                    const double largest = quantities_[i].largest;
-                    if (x[i] > largest)
-                        return 2 * of_numbers(with(x, i, largest)) -
-                               of_numbers(with(x, i, 2 * largest - x[i]));
-                    quantities_[i].of_case(changed) = x[i];
-                }
-                return f(changed, x.back());
-            };
-        return statistics::propagate(of_numbers, inputs).result;
+/// f with these numbers of the case, and one measured value behind them. Beyond the largest value
+/// that a number can have f is mirrored there.
+double at_numbers(const OfCase& f, Case c, const std::vector<CaseQuantity>& quantities,
+                  std::vector<double> x) {
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        const double largest = quantities[i].largest, beyond = x[i];
+        if (beyond > largest) {
+            x[i] = largest;
+            const double at_end = at_numbers(f, c, quantities, x);
+            x[i] = 2 * largest - beyond;
+            return 2 * at_end - at_numbers(f, c, quantities, x);
+        }
+        quantities[i].of_case(c) = x[i];
     }
-    template <class Function>
-    Estimate operator()(Function f) const {
-        return (*this)([&](const Case& c, double) { return f(c); }, Estimate{});
-    }
+    return f(c, x.back());
+}
 
-  private:
-    static std::vector<double> with(std::vector<double> x, std::size_t i, double value) {
-        x[i] = value;
-        return x;
-    }
-
-    const Case& case_;
-    const std::vector<CaseQuantity>& quantities_;
-    std::vector<Estimate> inputs_;
-};
+/// Errors of the case's numbers and of one measured value propagated.
+Estimate propagated(const OfCase& f, Case c, const std::vector<CaseQuantity>& quantities,
+                    const Estimate& measured) {
+    std::vector<Estimate> inputs;
+    for (const CaseQuantity& quantity : quantities)
+        inputs.push_back({quantity.of_case(c), quantity.standard_error});
+    inputs.push_back(measured);
+    return statistics::propagate(
+               [&](const std::vector<double>& x) { return at_numbers(f, c, quantities, x); },
+               inputs)
+        .result;
+}
 
 }  // namespace
 
@@ -79,30 +67,32 @@ void normalise(ExperimentEvaluation& e, const Case& given,
     const double amplitude =
         given.rolling ? contact::rolling_amplitude(*given.rolling, hertz.contact_radius) : 0;
     const Case c = as_the_rig_sets(given, hertz.normal_force, amplitude);
-    const Propagation propagated(c, quantities);
+    const auto result = [&](const OfCase& f, const Estimate& measured = {}) {
+        return propagated(f, c, quantities, measured);
+    };
     const auto over_unit = [](const Case& k, double shift) {
         return shift / contact::half_space_scales(k).unit_shift;
     };
-    const auto over_radius = [](const Case& k, double amplitude) {
-        return amplitude / contact::half_space_scales(k).contact_radius;
+    const auto over_radius = [](const Case& k, double measured) {
+        return measured / contact::half_space_scales(k).contact_radius;
     };
     const bool limit = e.limit_amplitude.has_value();
     NormalisedResults r;
-    r.tangential_ratio = propagated(tangential_ratio);
-    r.amplitude_ratio = propagated(
-        over_radius, limit ? e.limit_amplitude->at_confidence : Estimate{e.amplitude, 0});
+    r.tangential_ratio = result([](const Case& k, double) { return tangential_ratio(k); });
+    r.amplitude_ratio =
+        result(over_radius, limit ? e.limit_amplitude->at_confidence : Estimate{e.amplitude, 0});
     r.unit_shift =
-        propagated([](const Case& k) { return contact::half_space_scales(k).unit_shift; });
-    r.static_ratio = propagated(over_unit, e.static_shift.at_confidence);
+        result([](const Case& k, double) { return contact::half_space_scales(k).unit_shift; });
+    r.static_ratio = result(over_unit, e.static_shift.at_confidence);
     Estimate last = e.final_shift.at_confidence;
     if (limit) last = e.limit_shift->at_confidence;
     if (!std::isfinite(last.standard_error)) last.standard_error = 0;  // lines nearly parallel
-    r.final_ratio = propagated(over_unit, last);
-    r.increment_ratio = propagated(over_unit, e.increment.at_confidence);
-    r.exact_limit = propagated([](const Case& k) {
+    r.final_ratio = result(over_unit, last);
+    r.increment_ratio = result(over_unit, e.increment.at_confidence);
+    r.exact_limit = result([](const Case& k, double) {
         return theory::amplitude_limit(std::clamp(tangential_ratio(k), 0., 1.));
     });
-    r.thesis_limit = propagated([](const Case& k) { return 1 - tangential_ratio(k); });
+    r.thesis_limit = result([](const Case& k, double) { return 1 - tangential_ratio(k); });
 
     r.radius = c.indenter.radius;
     e.normalised = r;

@@ -12,7 +12,8 @@ namespace tricontact::experiments {
 namespace {
 
 using contact::State;
-using Standing = report::Verdict::Standing;
+using report::Verdict;
+using enum Verdict::Standing;
 
 // "217.9 ± 0.3 um" with the half width of the interval.
 std::string shift(const Estimate& e) {
@@ -22,12 +23,8 @@ std::string shift(const Repeated& r) {
     return shift(r.at_confidence);
 }
 std::string between(const Estimate& e) {
-    return fmt::format("between {} and {}", report::significant(1e6 * e.low, 3),
-                       report::significant(1e6 * e.high, 3));
-}
-
-std::string level(double confidence) {
-    return fmt::format("{:.4g} %", 100 * confidence);
+    return fmt::format("between {} and {}", report::significant(um * e.low, 3),
+                       report::significant(um * e.high, 3));
 }
 
 std::string runs(const ExperimentEvaluation& e) {
@@ -57,21 +54,21 @@ std::string walk(const ExperimentEvaluation& e) {
         100 * added / std::abs(stage.shift.back()), stage.periods(), level(verdict_confidence));
 }
 
-report::Verdict state_verdict(const ExperimentEvaluation& e) {
+Verdict state_verdict(const ExperimentEvaluation& e) {
     const std::size_t n = e.runs.size();
     const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
     if (e.state == State::undecided)
-        return {Standing::cannot_tell,
+        return {cannot_tell,
                 fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
                             "{} settle and {} ratchet.",
                             e.periods, walk(e), runs(e), count(e, State::shakedown),
                             count(e, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
     const std::string where = n == 1 ? "" : fmt::format(" in {} of {} runs", count(e, e.state), n);
-    return {expected ? Standing::holds : Standing::fails, state + where + ": " + walk(e) + "."};
+    return {expected ? holds : fails, state + where + ": " + walk(e) + "."};
 }
 
-report::Verdict curvature_verdict(const ExperimentEvaluation& e) {
+Verdict curvature_verdict(const ExperimentEvaluation& e) {
     const Estimate& c = e.runs.front().stages.front().curvature;
     const State state = e.runs.front().stages.front().by_curvature;
     std::string sentence = fmt::format(
@@ -83,10 +80,10 @@ report::Verdict curvature_verdict(const ExperimentEvaluation& e) {
         sentence += " It sees the transient bend, not the walk behind it, which is straight.";
     if (e.state == State::ratcheting && state == State::undecided)
         sentence += " A contact that ratchets steadily has no curvature.";
-    return {Standing::finding, sentence};
+    return {finding, sentence};
 }
 
-report::Verdict values_verdict(const ExperimentEvaluation& e) {
+Verdict values_verdict(const ExperimentEvaluation& e) {
     const std::string scatter =
         e.runs.size() > 1 ? "by the scatter of " + runs(e) : "of one run, by noise and drift";
     std::string sentence = fmt::format("u_stat = {}, ", shift(e.static_shift));
@@ -97,26 +94,26 @@ report::Verdict values_verdict(const ExperimentEvaluation& e) {
         sentence += fmt::format("u_sd = {} after {} periods ({}, {}); extrapolated {}.",
                                 shift(e.final_shift), e.periods, level(e.confidence), scatter,
                                 shift(e.settled_shift));
-    return {Standing::finding, sentence};
+    return {finding, sentence};
 }
 
-report::Verdict limit_verdict(const ExperimentEvaluation& e) {
+Verdict limit_verdict(const ExperimentEvaluation& e) {
     if (!e.limit_amplitude)
         return {
-            Standing::cannot_tell,
+            cannot_tell,
             "No run has an amplitude that shakes down and a larger one that ratchets: the limit "
             "is not in the record."};
     const Estimate& w = e.limit_amplitude->at_confidence;
     const auto& first = **std::ranges::find_if(e.limits, [](const auto& l) { return bool(l); });
     const double ratio_limit = first.amplitude_low / w.value;
-    return {Standing::finding,
+    return {finding,
             fmt::format("W_lim = {} mm ({} of {}, {}): between the last amplitude that shakes down "
                         "and the first that ratchets. Read as the last that shakes down it would "
                         "be {} mm, half a step lower: {} from the middle. U_lim = {} where the "
                         "straight lines through both intervals meet (5.1.9, 5.1.10).",
                         report::with_error(1e3 * w.value, 1e3 * w.half_width(), 4),
                         e.limit_amplitude->runs, runs(e), level(e.confidence),
-                        report::significant(1e3 * e.last_shakedown->at_confidence.value, 4),
+                        report::significant(mm * e.last_shakedown->at_confidence.value, 4),
                         report::percent(ratio_limit), shift(*e.limit_shift))};
 }
 
@@ -130,7 +127,7 @@ std::string why_not_compared(const Deviation& d) {
     return fmt::format(
         "the intervals exclude each other, but not if the drift that was subtracted, {} µm, is "
         "creep of the substrate",
-        report::significant(1e6 * d.creep, 2));
+        report::significant(um * d.creep, 2));
 }
 
 /// Of what differs.
@@ -142,13 +139,11 @@ std::string difference_text(const Deviation& d, double confidence) {
                        level(confidence));
 }
 
-report::Verdict deviation_verdict(const Deviation& d, double confidence) {
+Verdict deviation_verdict(const Deviation& d, double confidence) {
     const auto differs = d.differs();
-    const Standing standing = !differs   ? Standing::cannot_tell
-                              : *differs ? Standing::fails
-                                         : Standing::holds;
+    const auto standing = !differs ? cannot_tell : *differs ? fails : holds;
     const std::string computed =
-        d.has_errors ? shift(d.predicted) : report::significant(1e6 * d.predicted.value) + " µm";
+        d.has_errors ? shift(d.predicted) : report::significant(um * d.predicted.value) + " µm";
     return {standing,
             fmt::format("{}: {} = {}, measured {} ({}); {}.", report::display_name(d.model),
                         d.quantity, computed, shift(d.measured), report::percent(d.ratio()),
@@ -158,15 +153,15 @@ report::Verdict deviation_verdict(const Deviation& d, double confidence) {
 }
 
 // Of a relaxing substrate.
-report::Verdict rest_verdict(const ExperimentEvaluation& e) {
+Verdict rest_verdict(const ExperimentEvaluation& e) {
     const std::string rest = report::given_quantity(*e.rolled_as.hold, "s");
     if (!e.rolled_as.hold_is_known)
-        return {Standing::cannot_tell,
+        return {cannot_tell,
                 fmt::format("The substrate relaxes, and the record does not say when F_T was "
                             "applied: the models rest under it for the {} that are recorded, the "
                             "rig rested longer. Give record.loading, or load.hold in the case.",
                             rest)};
-    return {Standing::finding,
+    return {finding,
             fmt::format("The substrate relaxes: the models rest under F_T for {} before they roll, "
                         "at {}, as {}.",
                         rest, report::quantity(*e.rolled_as.speed, "m/s", 3),
@@ -174,7 +169,7 @@ report::Verdict rest_verdict(const ExperimentEvaluation& e) {
 }
 
 // By the thesis' criterion, in the first run.
-report::Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
+Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
     const auto& limit = e.limits_by_curvature.front();
     const auto& stages = e.runs.front().stages;
     const auto ratchets =
@@ -185,13 +180,13 @@ report::Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
                             report::significant(mm * limit->amplitude_high, 4))
               : fmt::format("finds no limit: it says ratcheting of {} of {} amplitudes", ratchets,
                             stages.size());
-    return {Standing::finding,
+    return {finding,
             fmt::format("The thesis' criterion, the curvature of a parabola (5.1.5-5.1.8), {} in "
                         "the first run, at {}.",
                         found, level(verdict_confidence))};
 }
 
-report::Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit& limit) {
+Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit& limit) {
     const auto& stages = e.runs.front().stages;
     double low = 0, high = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < stages.size() && !std::isfinite(high); ++k) {
@@ -203,23 +198,22 @@ report::Verdict model_limit_verdict(const ExperimentEvaluation& e, const Predict
     if (low == 0) range = fmt::format("below {} mm", report::significant(mm * high, 4));
     if (!std::isfinite(high)) range = fmt::format("above {} mm", report::significant(mm * low, 4));
     if (low == 0 && !std::isfinite(high)) range = "not to be told at these amplitudes";
-    report::Verdict v{Standing::finding,
-                      fmt::format("{}: W_lim {}", report::display_name(limit.model), range)};
+    Verdict v{finding, fmt::format("{}: W_lim {}", report::display_name(limit.model), range)};
     if (e.limit_amplitude) {
         const Estimate& w = e.limit_amplitude->at_confidence;
         // Stages of runs agree to 1 %, so that neighbouring intervals only touch.
         const bool overlap = low < 0.99 * w.high && high > 1.01 * w.low;
-        v.standing = overlap ? Standing::holds : Standing::fails;
+        v.standing = overlap ? holds : fails;
         v.sentence += overlap ? ", as measured" : ", which the measurement excludes";
     }
     v.sentence += ".";
     return v;
 }
 
-report::Verdict drift_verdict(const ExperimentEvaluation& e) {
+Verdict drift_verdict(const ExperimentEvaluation& e) {
     const auto changes =
         std::ranges::count_if(e.runs, [](const RunEvaluation& run) { return run.drift_changes; });
-    return {Standing::cannot_tell,
+    return {cannot_tell,
             fmt::format("The drift before and after the rolling differs in {} of {} by more than "
                         "three standard errors: it is not linear, or the substrate still creeps; "
                         "the errors are widened by the difference.",
@@ -235,11 +229,11 @@ std::string pivot_text(const Estimate& height) {
     return fmt::format("the pivot sits {} too {}", size, height.value > 0 ? "high" : "low");
 }
 
-report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
+Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
     const Estimate height = pivot_height(e, p.wobble);
     const Estimate& slope = e.wobble->at_confidence;
     return {
-        Standing::finding,
+        finding,
         fmt::format("The shift follows the drive by {} µm/mm, of which {} has {} itself; by the "
                     "rest {} (5.1.11, one standard error).",
                     report::with_error(mm * slope.value, mm * slope.half_width(), 3),
@@ -249,12 +243,16 @@ report::Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPredict
 
 }  // namespace
 
+std::string level(double confidence) {
+    return fmt::format("{:.4g} %", 100 * confidence);
+}
+
 std::string word(contact::State state) {
     return state == contact::State::undecided ? "cannot tell" : contact::name_of(state);
 }
 
-std::vector<report::Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
-    std::vector<report::Verdict> verdicts;
+std::vector<Verdict> experiment_verdicts(const ExperimentEvaluation& e) {
+    std::vector<Verdict> verdicts;
     if (e.kind == Experiment::Kind::limit) {
         verdicts = {limit_verdict(e), curvature_limit_verdict(e)};
         for (const PredictedLimit& limit : e.model_limits)

@@ -23,6 +23,9 @@ report::Document experiment_document(const ExperimentEvaluation& e);
 /// "shakedown", or "cannot tell".
 std::string word(contact::State state);
 
+/// "68.3 %" of the level of an interval.
+std::string level(double confidence);
+
 /// From metres to the units in which people read shifts and amplitudes.
 inline constexpr double um = 1e6, nm = 1e9, mm = 1e3;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/error.h"
 #include "contact/verdict.h"
@@ -178,9 +179,9 @@ Estimate wobble_of(const DriveTimeline::Stage& stage, const Corrections& correct
     std::vector<double> slopes;
     for (std::size_t n = stage.upright.size() / 2; n + 1 < stage.upright.size(); ++n) {
         const Part part = corrections.rest(stage.upright[n], stage.upright[n + 1]);
-        const std::vector<double> ones(part.time.size(), 1.);
         std::vector<double> time = part.time;
         for (double& t : time) t -= stage.upright[n];
+        const std::vector<double> ones(time.size(), 1.);
         slopes.push_back(
             statistics::fit_linear({ones, time, part.offset}, part.shift).parameters[2].value);
     }
@@ -214,13 +215,10 @@ State judge_walk(const Estimate& increment, int periods, double last_shift) {
 
 Estimate late_increment(const std::vector<double>& shift, double confidence) {
     const std::size_t first = (shift.size() - 1) / 2;
-    std::vector<double> ones, count,
-        late(shift.begin() + static_cast<std::ptrdiff_t>(first), shift.end());
-    for (std::size_t n = 0; n < late.size(); ++n) {
-        ones.push_back(1);
-        count.push_back(static_cast<double>(n));
-    }
-    return statistics::fit_linear({ones, count}, late, {.confidence = confidence}).parameters[1];
+    const std::vector<double> late(shift.begin() + static_cast<std::ptrdiff_t>(first), shift.end());
+    std::vector<double> count(late.size());
+    std::iota(count.begin(), count.end(), 0.);
+    return fit_polynomial(count, late, 1, confidence).parameters[1];
 }
 
 RunEvaluation evaluate_run(const Record& record, const Experiment& experiment) {

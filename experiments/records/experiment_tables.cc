@@ -19,20 +19,13 @@ std::string interval(const Estimate& e, double factor) {
            report::significant(factor * e.high, 3);
 }
 
-// An error of 0 is one that was not stated.
-report::Cell with_stated_error(const Estimate& u, double factor) {
-    if (u.standard_error == 0) return factor * u.value;
-    return report::WithError{factor * u.value, factor * u.standard_error};
+report::WithError with_standard_error(const Estimate& e, double factor) {
+    return {factor * e.value, factor * e.standard_error};
 }
 
 std::string numbers_with_errors(const ExperimentEvaluation& e) {
-    std::string names;
-    for (const std::string& name : e.uncertain_numbers) names += (names.empty() ? "" : ", ") + name;
-    return names.empty() ? "none is stated ([errors])" : names;
-}
-
-std::string percents(double level) {
-    return fmt::format("{:.4g} %", 100 * level);
+    if (e.uncertain_numbers.empty()) return "none is stated ([errors])";
+    return fmt::format("{}", fmt::join(e.uncertain_numbers, ", "));
 }
 
 report::DocumentTable values_table(const ExperimentEvaluation& e) {
@@ -45,7 +38,7 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
             "the second half of the periods leads. Du: slope over the second "
             "half of the periods.",
         .columns =
-            report::columns("quantity", percents(e.confidence) + " [µm]", "95 % [µm]", "runs:1")};
+            report::columns("quantity", level(e.confidence) + " [µm]", "95 % [µm]", "runs:1")};
     const auto add = [&](const char* name, const Repeated& r) {
         table.rows.push_back({name, with_half_width(r.at_confidence, um),
                               with_half_width(r.at_95, um), double(r.runs)});
@@ -70,7 +63,10 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
             numbers_with_errors(e) + ".",
         .columns = report::columns("quantity", "value")};
     const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
-        table.rows.push_back({name, with_stated_error(u, factor)});
+        // An error of 0 is one that was not stated.
+        table.rows.push_back({name, u.standard_error == 0
+                                        ? report::Cell(factor * u.value)
+                                        : report::Cell(with_standard_error(u, factor))});
     };
     add("f_T = F_T/(μ F_N)", n.tangential_ratio);
     if (limit) {
@@ -91,7 +87,7 @@ report::DocumentTable deviations_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "deviations",
         .title = "Measured and computed",
-        .note = percents(e.confidence) +
+        .note = level(e.confidence) +
                 " intervals; of a model by the errors of the case's numbers: " +
                 numbers_with_errors(e) + ". They differ if the intervals exclude each other.",
         .columns = report::columns("model", "quantity", "measured [µm]", "computed [µm]",
@@ -112,7 +108,7 @@ report::DocumentTable stages_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "stages",
         .title = "Verdict per amplitude",
-        .note = "Walk and curvature: intervals at " + percents(verdict_confidence) + ".",
+        .note = "Walk and curvature: intervals at " + level(verdict_confidence) + ".",
         .columns = report::columns("run", "W [mm]", "periods", "walk Du [µm]",
                                    "verdict by the walk", "curvature", "verdict by it")};
     for (const RunEvaluation& run : e.runs)
@@ -132,13 +128,11 @@ report::DocumentTable limits_table(const ExperimentEvaluation& e) {
             report::columns("run", "last shakedown [mm]", "first ratcheting [mm]", "U_lim [µm]")};
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < e.runs.size(); ++i) {
-        const auto& limit = e.limits[i];
-        if (limit)
-            table.rows.push_back({e.runs[i].name, mm * limit->amplitude_low,
-                                  mm * limit->amplitude_high,
-                                  with_half_width(limit->lines.shift, um)});
-        else
-            table.rows.push_back({e.runs[i].name, nan, nan, nan});
+        table.rows.push_back({e.runs[i].name, nan, nan, nan});
+        if (const auto& limit = e.limits[i])
+            table.rows.back() = {e.runs[i].name, mm * limit->amplitude_low,
+                                 mm * limit->amplitude_high,
+                                 with_half_width(limit->lines.shift, um)};
     }
     return table;
 }
@@ -170,9 +164,7 @@ report::DocumentTable wobble_table(const ExperimentEvaluation& e) {
             "standard error behind ±.",
         .columns = report::columns("beside", "its own dU/dW [µm/mm]", "Dh of the rest [µm]")};
     const auto add = [&](const std::string& name, double own) {
-        const Estimate height = pivot_height(e, own);
-        table.rows.push_back({name, um / mm * own,
-                              report::WithError{um * height.value, um * height.standard_error}});
+        table.rows.push_back({name, um / mm * own, with_standard_error(pivot_height(e, own), um)});
     };
     add("nothing", 0);
     for (const ModelPrediction& p : e.predictions) add(report::display_name(p.model), p.wobble);
@@ -197,10 +189,9 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
     for (const RunEvaluation& run : e.runs) {
         const Estimate after = run.after.value_or(Estimate{nan, nan});
         table.rows.push_back(
-            {run.name, nm * run.noise.resolution(), nm * run.noise.standard_deviation(),
-             run.noise.correlated_samples(),
-             report::WithError{nm * run.before.value, nm * run.before.standard_error},
-             report::WithError{nm * after.value, nm * after.standard_error},
+            {run.name, nm * run.noise.resolution, nm * run.noise.standard_deviation,
+             run.noise.correlated_samples(), with_standard_error(run.before, nm),
+             with_standard_error(after, nm),
              run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm)) : report::Cell(nan)});
     }
     return table;
@@ -219,7 +210,7 @@ report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
     report::DocumentTable table{
         .id = "criteria_by_run",
         .title = "Both criteria",
-        .note = "Intervals at " + percents(verdict_confidence) +
+        .note = "Intervals at " + level(verdict_confidence) +
                 ". Residual: of the values upright about transient and walk; "
                 "noise: what their errors explain. Curvature of all samples: as "
                 "the thesis takes it, without an interval, since neighbours in the "

@@ -18,8 +18,7 @@ double inner(const std::vector<double>& p, const std::vector<double>& q) {
 
 }  // namespace
 
-RecordNoise::RecordNoise(const std::vector<double>& residuals, double resolution)
-    : resolution_(resolution) {
+RecordNoise::RecordNoise(const std::vector<double>& residuals, double step) : resolution(step) {
     const std::size_t n = residuals.size();
     if (n < 3) throw std::invalid_argument("noise needs at least three residuals");
     const auto covariance = [&](std::size_t lag) {
@@ -29,31 +28,31 @@ RecordNoise::RecordNoise(const std::vector<double>& residuals, double resolution
     };
     const double variance = covariance(0);
     // A line has taken two degrees of freedom.
-    standard_deviation_ = std::sqrt(variance * static_cast<double>(n) / static_cast<double>(n - 2));
+    standard_deviation = std::sqrt(variance * static_cast<double>(n) / static_cast<double>(n - 2));
     if (variance == 0) return;
     for (std::size_t lag = 1; lag < n / 4; ++lag) {
         const double rho = covariance(lag) / variance;
         if (rho <= 0) break;
-        autocorrelation_.push_back(rho);
+        autocorrelation.push_back(rho);
     }
 }
 
 double RecordNoise::standard_error(const std::vector<double>& weights) const {
     double sum = 0;
     for (std::size_t i = 0; i < weights.size(); ++i)
-        for (std::size_t lag = 0; lag < autocorrelation_.size() && lag <= i; ++lag)
-            sum += (lag == 0 ? 1 : 2) * weights[i] * weights[i - lag] * autocorrelation_[lag];
-    double variance = standard_deviation_ * standard_deviation_ * std::max(sum, 0.);
-    if (standard_deviation_ < resolution_ / 2) {
+        for (std::size_t lag = 0; lag < autocorrelation.size() && lag <= i; ++lag)
+            sum += (lag == 0 ? 1 : 2) * weights[i] * weights[i - lag] * autocorrelation[lag];
+    double variance = standard_deviation * standard_deviation * std::max(sum, 0.);
+    if (standard_deviation < resolution / 2) {
         double total = 0;
         for (const double weight : weights) total += std::abs(weight);
-        variance += total * total * resolution_ * resolution_ / 12;
+        variance += total * total * resolution * resolution / 12;
     }
     return std::sqrt(variance);
 }
 
 double RecordNoise::correlated_samples() const {
-    return 2 * std::accumulate(autocorrelation_.begin(), autocorrelation_.end(), 0.) - 1;
+    return 2 * std::accumulate(autocorrelation.begin(), autocorrelation.end(), 0.) - 1;
 }
 
 std::vector<double> weights_of_polynomial_at(double place, const std::vector<double>& x,

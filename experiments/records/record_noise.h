@@ -5,27 +5,22 @@
 namespace tricontact::experiments {
 
 /// Noise of evenly sampled values, as seen while nothing moves: neighbours may be correlated.
-class RecordNoise {
-  public:
+struct RecordNoise {
+    double standard_deviation = 0;
+    double resolution = 0;                    ///< step of the values
+    std::vector<double> autocorrelation{1.};  ///< by the lag
+
     RecordNoise() = default;
-    /// From residuals about a trend, of mean zero. `resolution`: step of the values, same unit.
-    /// Correlations count up to the first that is not positive, within a quarter of the values.
-    RecordNoise(const std::vector<double>& residuals, double resolution);
+    /// From residuals about a trend, of mean zero. Correlations count up to the first that is not
+    /// positive, within a quarter of the values.
+    RecordNoise(const std::vector<double>& residuals, double step);
 
     /// Standard error of sum_i weights[i] value[i] over successive samples:
     /// sigma^2 sum_ij k_i k_j rho(|i - j|). Noise below half a step does not average the steps out:
     /// then resolution^2/12 is added as if all were rounded alike.
     double standard_error(const std::vector<double>& weights) const;
-
-    double standard_deviation() const { return standard_deviation_; }
-    double resolution() const { return resolution_; }
     /// Samples that count as one independent: 1 + 2 sum rho, at least 1.
     double correlated_samples() const;
-
-  private:
-    double standard_deviation_ = 0;
-    double resolution_ = 0;
-    std::vector<double> autocorrelation_{1};
 };
 
 /// Weights of the values y(x) in the polynomial of least squares: its value at a place. Powers that

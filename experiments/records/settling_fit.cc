@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -84,18 +85,27 @@ SettlingFit fit_settling(const std::vector<double>& shift, double confidence) {
     return result;
 }
 
+statistics::Fit fit_polynomial(const std::vector<double>& x, const std::vector<double>& y,
+                               int degree, double confidence) {
+    std::vector<std::vector<double>> powers{std::vector<double>(x.size(), 1.)};
+    for (int power = 1; power <= degree; ++power) {
+        powers.push_back(powers.back());
+        std::ranges::transform(x, powers.back(), powers.back().begin(), std::multiplies());
+    }
+    return statistics::fit_linear(powers, y, {.confidence = confidence});
+}
+
 Estimate normalised_curvature(const std::vector<double>& time, const std::vector<double>& shift,
                               double confidence) {
     const double rise = shift.back() - shift.front(), duration = time.back() - time.front();
-    std::vector<double> ones(time.size(), 1.), t, tt, u;
+    std::vector<double> t, u;
     for (std::size_t i = 0; i < time.size(); ++i) {
         t.push_back((time[i] - time.front()) / duration);
-        tt.push_back(t.back() * t.back());
         u.push_back((shift[i] - shift.front()) / rise);
     }
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (rise == 0) return {nan, nan, nan, nan};
-    Estimate e = statistics::fit_linear({ones, t, tt}, u, {.confidence = confidence}).parameters[2];
+    Estimate e = fit_polynomial(t, u, 2, confidence).parameters[2];
     for (double* value : {&e.value, &e.standard_error, &e.low, &e.high}) *value *= 2;
     return e;
 }

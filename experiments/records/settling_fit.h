@@ -30,6 +30,10 @@ inline constexpr int fewest_periods = 5;
 /// `shift`: u_0 ... u_N [m]. Throws std::invalid_argument for fewer than 5 periods.
 SettlingFit fit_settling(const std::vector<double>& shift, double confidence);
 
+/// Polynomial of least squares, coefficients of ascending powers.
+statistics::Fit fit_polynomial(const std::vector<double>& x, const std::vector<double>& y,
+                               int degree, double confidence = 0.95);
+
 /// The thesis' criterion (5.1.5-5.1.8): second derivative of the parabola of least squares through
 /// shift and time, both normalised to run from 0 to 1 in the interval. Negative is taken for
 /// shakedown, positive for ratcheting. NaN if the shift is the same at both ends.

@@ -17,48 +17,41 @@ constexpr double refined_within = 0.5 / 20;  // of the first estimate
 constexpr const char* remedy = "record the drive, or give drive.period";
 
 /// Mean speeds on a regular grid, their mean subtracted.
-class Speeds {
-  public:
-    Speeds(const Record& record, double start, double step) : step_(step) {
-        std::vector<double> shift;
-        std::size_t k = 0;
-        for (double t = start; t <= record.time.back(); t += step) {
-            while (k + 2 < record.time.size() && record.time[k + 1] < t) ++k;
-            const double part = (t - record.time[k]) / (record.time[k + 1] - record.time[k]);
-            shift.push_back(record.shift[k] + part * (record.shift[k + 1] - record.shift[k]));
-        }
-        const auto over = static_cast<std::size_t>(samples_per_period * smoothing);
-        double mean = 0;
-        for (std::size_t i = over; i < shift.size(); ++i) {
-            speed_.push_back(shift[i] - shift[i - over]);
-            mean += speed_.back();
-        }
-        for (double& v : speed_) v -= mean / static_cast<double>(speed_.size());
+std::vector<double> speeds_of(const Record& record, double start, double step) {
+    std::vector<double> shift, speeds;
+    std::size_t k = 0;
+    for (double t = start; t <= record.time.back(); t += step) {
+        while (k + 2 < record.time.size() && record.time[k + 1] < t) ++k;
+        const double part = (t - record.time[k]) / (record.time[k + 1] - record.time[k]);
+        shift.push_back(record.shift[k] + part * (record.shift[k + 1] - record.shift[k]));
     }
-
-    std::size_t size() const { return speed_.size(); }
-
-    // Over the overlap, 1 for a periodic signal at its period.
-    double autocorrelation(std::size_t lag) const {
-        double product = 0, first = 0, second = 0;
-        for (std::size_t i = lag; i < speed_.size(); ++i) {
-            product += speed_[i] * speed_[i - lag];
-            first += speed_[i] * speed_[i];
-            second += speed_[i - lag] * speed_[i - lag];
-        }
-        return first > 0 && second > 0 ? product / std::sqrt(first * second) : 0;
+    const auto over = static_cast<std::size_t>(samples_per_period * smoothing);
+    double mean = 0;
+    for (std::size_t i = over; i < shift.size(); ++i) {
+        speeds.push_back(shift[i] - shift[i - over]);
+        mean += speeds.back();
     }
-    double autocorrelation_at(double lag) const {  // [s]
-        const double i = std::floor(lag / step_);
-        const auto k = static_cast<std::size_t>(i);
-        const double part = lag / step_ - i;
-        return (1 - part) * autocorrelation(k) + part * autocorrelation(k + 1);
-    }
+    for (double& v : speeds) v -= mean / static_cast<double>(speeds.size());
+    return speeds;
+}
 
-  private:
-    double step_;
-    std::vector<double> speed_;
-};
+// Over the overlap, 1 for a periodic signal at its period.
+double autocorrelation(const std::vector<double>& signal, std::size_t lag) {
+    double product = 0, first = 0, second = 0;
+    for (std::size_t i = lag; i < signal.size(); ++i) {
+        product += signal[i] * signal[i - lag];
+        first += signal[i] * signal[i];
+        second += signal[i - lag] * signal[i - lag];
+    }
+    return first > 0 && second > 0 ? product / std::sqrt(first * second) : 0;
+}
+
+// Between whole lags.
+double autocorrelation_at(const std::vector<double>& signal, double lag) {
+    const auto k = static_cast<std::size_t>(lag);
+    const double part = lag - std::floor(lag);
+    return (1 - part) * autocorrelation(signal, k) + part * autocorrelation(signal, k + 1);
+}
 
 }  // namespace
 
@@ -67,10 +60,10 @@ double shift_period(const Record& record, double start, int periods) {
     if (!(longest > 0) || start < record.time.front())
         refuse_record(record, "the rolling does not begin within the record", remedy);
     const double step = longest / samples_per_period;
-    const Speeds speeds(record, start, step);
+    const std::vector<double> speeds = speeds_of(record, start, step);
     std::vector<double> rho;
     for (std::size_t lag = 0; lag <= samples_per_period + 1; ++lag)
-        rho.push_back(speeds.autocorrelation(lag));
+        rho.push_back(autocorrelation(speeds, lag));
     double highest = 0;
     std::vector<std::size_t> peaks;
     for (std::size_t lag = samples_per_period / 8; lag + 1 < rho.size(); ++lag) {
@@ -86,7 +79,7 @@ double shift_period(const Record& record, double start, int periods) {
     const auto loss = [&](double period) {
         double sum = 0;
         for (int k = 1; k <= std::max(1, periods / 2); ++k)
-            sum -= speeds.autocorrelation_at(k * period);
+            sum -= autocorrelation_at(speeds, k * period / step);
         return sum;
     };
     constexpr int bits = 24;  // of the minimum's place: 1e-7, beyond what noise leaves

@@ -77,9 +77,9 @@ TEST(ExperimentRun, FindsWobbleNoiseAndResolution) {
     std::mt19937_64 random(2);
     SyntheticRecord synthetic;
     const auto run = tests::evaluated(synthetic, random).runs[0];
-    EXPECT_NEAR(run.noise.resolution(), 80e-9, 1e-15);
+    EXPECT_NEAR(run.noise.resolution, 80e-9, 1e-15);
     // Noise and rounding, sqrt(50^2 + 80^2/12) = 55 nm; 600 samples give it to 3 %.
-    EXPECT_NEAR(run.noise.standard_deviation(), 55.1e-9, 5e-9);
+    EXPECT_NEAR(run.noise.standard_deviation, 55.1e-9, 5e-9);
     EXPECT_NEAR(run.wobble->value, 0.0015, 4 * run.wobble->standard_error);
     EXPECT_LT(run.wobble->standard_error, 0.1 * 0.0015);
     EXPECT_FALSE(run.drift_changes);

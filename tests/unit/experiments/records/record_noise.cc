@@ -31,15 +31,15 @@ TEST(RecordNoise, ErrorOfAMeanCountsCorrelatedSamples) {
         EXPECT_NEAR(seen.standard_error(weights), std::sqrt(factor / n),
                     0.1 * std::sqrt(factor / n));
         EXPECT_NEAR(seen.correlated_samples(), factor, 0.25 * factor);
-        EXPECT_NEAR(seen.standard_deviation(), 1, 0.05);
+        EXPECT_NEAR(seen.standard_deviation, 1, 0.05);
     }
 }
 
 // A straight line through n values leaves n - 2 degrees of freedom, exactly: 1, -2, 1 are what it
 // leaves of 1, -1, 3 at three places. Their variance is 6/1.
 TEST(RecordNoise, DeviationIsThatOfResidualsOfALine) {
-    EXPECT_DOUBLE_EQ(RecordNoise({1, -2, 1}, 0).standard_deviation(), std::sqrt(6));
-    EXPECT_DOUBLE_EQ(RecordNoise({1, -1, -1, 1}, 0).standard_deviation(), std::sqrt(2));
+    EXPECT_DOUBLE_EQ(RecordNoise({1, -2, 1}, 0).standard_deviation, std::sqrt(6));
+    EXPECT_DOUBLE_EQ(RecordNoise({1, -1, -1, 1}, 0).standard_deviation, std::sqrt(2));
     EXPECT_THROW(RecordNoise({1, -1}, 0), std::invalid_argument);
 }
 
