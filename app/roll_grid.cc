@@ -111,7 +111,8 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
 
 }  // namespace
 
-RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& runs) {
+RollingRun roll(const std::string& model, const Case& c, const RollRuns& runs) {
+    if (model == "mdr") return roll_springs(c, runs);
     // Friction moves a coupled contact aside. How far, its solution tells.
     for (double aside = 0;;) {
         try {
@@ -121,10 +122,6 @@ RollingRun roll_grid(const std::string& model, const Case& c, const RollRuns& ru
         }
         if (runs.begin_again) runs.begin_again();
     }
-}
-
-rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs) {
-    return model == "mdr" ? roll_springs(c, runs) : roll_grid(model, c, runs);
 }
 
 std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved) {

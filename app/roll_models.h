@@ -46,17 +46,14 @@ struct RollRecorder {
                    const std::function<rolling::RollingState(double creepage)>& steady_at);
 };
 
-/// Boundary elements, `model` being "bem" or "bem-layer": transient, steady state solved directly,
-/// or over a relaxing substrate rolled to, creep curve of steady states. A grid whose edge the
-/// contact reaches is enlarged. Throws contact::InputError, contact::NotConverged.
-rolling::RollingRun roll_grid(const std::string& model, const contact::Case& c,
-                              const RollRuns& runs);
-
 /// The springs of MDR, one after the other under the profile. Exact but for their spacing. The
 /// steady state is where rolling on ends; the creep curve is rolled point by point.
 rolling::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
 
-/// Either, by the model's name.
+/// A model by its name: those springs, or boundary elements, "bem" or "bem-layer": transient,
+/// steady state solved directly, or over a relaxing substrate rolled to, creep curve of steady
+/// states. A grid whose edge the contact reaches is enlarged. Throws contact::InputError,
+/// contact::NotConverged.
 rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs);
 
 /// Throws InputError if the case rolls on, which no other command computes.

@@ -1,4 +1,3 @@
-
 #include "app/verification/verification_rows.h"
 #include "contact/bodies/half_space_scales.h"
 #include "theory/line_contact.h"

@@ -28,7 +28,7 @@ Case rolling_case(double w, double f) {
 constexpr double amplitude = 0.24, force = 0.56;
 
 struct HalfSpaceTolerances {
-    Allowed radius, depth, pressure, energy, shift, stick, limit;
+    Allowed others, radius, stick;
 };
 
 void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, Verification& all) {
@@ -37,13 +37,13 @@ void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, 
     const char* const johnson = "Johnson, Contact Mechanics (1985), eq. 4.22 to 4.24 (Hertz)";
     Rows pressed(levels, "Hertz", all);
     pressed.add(radius, johnson, hertz.contact_radius * 1e3, allowed.radius);
-    pressed.add(indentation, johnson, hertz.indentation * 1e3, allowed.depth);
-    pressed.add(peak_pressure, johnson, hertz.peak_pressure * 1e-6, allowed.pressure);
+    pressed.add(indentation, johnson, hertz.indentation * 1e3, allowed.others);
+    pressed.add(peak_pressure, johnson, hertz.peak_pressure * 1e-6, allowed.others);
     pressed.add(pressed_energy, "Johnson, Contact Mechanics (1985), eq. 4.23 integrated",
-                .4 * hertz.normal_force * hertz.indentation * 1e3, allowed.energy);
+                .4 * hertz.normal_force * hertz.indentation * 1e3, allowed.others);
     Rows loaded(levels, "Cattaneo and Mindlin", all);
     loaded.add(static_ratio, "Johnson, Contact Mechanics (1985), eq. 7.42b (exact for nu = 0)",
-               theory::static_shift_ratio(force), allowed.shift);
+               theory::static_shift_ratio(force), allowed.others);
     loaded.add(stick_ratio,
                "Johnson, Contact Mechanics (1985), eq. 7.40; whole cells stick or slip",
                theory::stick_radius_ratio(force), allowed.stick);
@@ -52,12 +52,12 @@ void add_closed_forms(const Levels& levels, const HalfSpaceTolerances& allowed, 
     Rows(levels, "Energy balance", all)
         .add(loading_energy, "work of F_T, Johnson, Contact Mechanics (1985), eq. 7.42b integrated",
              friction_work * (.6 - std::pow(rest, 2. / 3) + .4 * std::pow(rest, 5. / 3)) * 1e3,
-             {allowed.energy.error});
+             {allowed.others.error});
     Rows(levels, "Limit of shakedown", all)
         .add(limit + ", w = 0.24",
              "1 - 3/2 w + 1/2 w^3, the least pressures of Hertz' contact integrated "
              "(docs/limits.md)",
-             theory::shakedown_limit(amplitude), allowed.limit);
+             theory::shakedown_limit(amplitude), allowed.others);
 }
 
 /// Dissipated [J] while F_T goes from f mu F_N to the opposite and back.
@@ -80,18 +80,14 @@ void add_cycle(const std::string& model, const Resolution& resolution, const All
         theory::cycle_dissipation({base.friction_coefficient, *base.load.normal_force,
                                    base.materials().effective_shear_modulus(),
                                    contact::half_space_scales(base).contact_radius, f});
-    const comparisons::VerificationRow row{
-        .problem = "Oscillating F_T",
-        .quantity = "work dissipated in a cycle, mJ, f_T = 0.6",
-        .model = model,
-        .source = "Mindlin and Deresiewicz (1953); Johnson, Contact Mechanics (1985), eq. 7.57",
-        .reference = exact * 1e3,
-        .tolerance = allowed.error,
-        .least_order = allowed.order};
-    add_row(row, all, [&](int factor) -> LevelValue {
-        const Case c = resolution.refined(base, factor);
-        return {resolution.size(c), cycle_dissipation(*make_model(model, c, 1, say), c, f) * 1e3};
-    });
+    add_row({"Oscillating F_T", "work dissipated in a cycle, mJ, f_T = 0.6", model,
+             "Mindlin and Deresiewicz (1953); Johnson, Contact Mechanics (1985), eq. 7.57",
+             exact * 1e3, allowed.error, allowed.order},
+            all, [&](int factor) -> LevelValue {
+                const Case c = resolution.refined(base, factor);
+                return {resolution.size(c),
+                        cycle_dissipation(*make_model(model, c, 1, say), c, f) * 1e3};
+            });
 }
 
 void add_settled_mdr(const Levels& levels, double w, double f, double tolerance,
@@ -114,8 +110,7 @@ void verify_mdr(bool brief, const Say& say, Verification& all) {
     const Levels levels = run(amplitude, force);
     const double tolerance = brief ? 2.5e-5 : 1e-6;  // of the second order
     const Allowed allowed{tolerance};
-    add_closed_forms(
-        levels, {allowed, allowed, allowed, allowed, allowed, {brief ? 5e-3 : 1e-3}, allowed}, all);
+    add_closed_forms(levels, {allowed, allowed, {brief ? 5e-3 : 1e-3}}, all);
     add_cycle("mdr", resolution, {10 * tolerance}, say, all);
     add_settled_mdr(levels, amplitude, force, tolerance, all);
     if (brief) return;
@@ -132,11 +127,8 @@ void verify_half_space(bool brief, const Say& say, Verification& all) {
     const Resolution cells = cells_in_radius(brief ? 5 : 8);
     // Second order but for edges between cells.
     const Allowed allowed{2e-4 * coarser, brief ? 0 : 1.2};
-    HalfSpaceTolerances tolerances{allowed, allowed, allowed, allowed, allowed, allowed, allowed};
-    tolerances.radius = {5e-4 * coarser, allowed.order};
-    tolerances.stick = {.02 * coarser};
     const Levels levels = run_levels("bem", rolling_case(amplitude, force), cells, say);
-    add_closed_forms(levels, tolerances, all);
+    add_closed_forms(levels, {allowed, {5e-4 * coarser, allowed.order}, {.02 * coarser}}, all);
     add_cycle("bem", cells, {2e-3 * coarser, allowed.order}, say, all);
 }
 

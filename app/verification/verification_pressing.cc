@@ -45,7 +45,6 @@ std::vector<StepRecord> press(const Case& c, int n_steps, const Say& say) {
 /// Cells and steps halve together: a ring that has just come into contact starts undragged.
 void add_pressing(VerificationRow row, const Case& base, int cells, int steps, const Say& say,
                   Verification& all, double (*value)(const Case&, const std::vector<StepRecord>&)) {
-    row.model = "bem";
     add_row(std::move(row), all, [&](int factor) -> LevelValue {
         const Case c = cells_in_radius(cells).refined(base, factor);
         return {cell_in_radius(c), value(c, press(c, steps * factor, say))};
@@ -105,21 +104,15 @@ double on_axis(const Case& c, const contact::HalfSpaceScales& hertz, double z) {
 
 void verify_friction_pressing(const Say& say, Verification& all) {
     const double nu = .45, beta = (1 - 2 * nu) / (2 - 2 * nu), beta_over_mu = 1.4;
-    VerificationRow stick{.problem = "Pressed with friction",
-                          .quantity = "c/a, nu = 0.45, beta/mu = 1.4",
-                          .source =
-                              "Goodman (1962), Spence (1968); Johnson, Contact Mechanics "
-                              "(1985), section 5.4, weak coupling",
-                          .reference = theory::spence_stick_ratio(beta_over_mu),
-                          .tolerance = .02,
-                          .least_order = .8};
-    add_pressing(stick, pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stuck_ratio);
-    VerificationRow stiffness{.problem = "Pressed without slip",
-                              .quantity = "dF/dd over 4 G a, nu = 0",
-                              .source = "Mossakovskii (1954), Spence (1968)",
-                              .reference = theory::stuck_normal_stiffness_ratio(0),
-                              .tolerance = 8e-3};
-    add_pressing(stiffness, pressing_case(0, 5), 12, 8, say, all, stiffness_ratio);
+    add_pressing({"Pressed with friction", "c/a, nu = 0.45, beta/mu = 1.4", "bem",
+                  "Goodman (1962), Spence (1968); Johnson, Contact Mechanics "
+                  "(1985), section 5.4, weak coupling",
+                  theory::spence_stick_ratio(beta_over_mu), .02, .8},
+                 pressing_case(nu, beta / beta_over_mu), 12, 10, say, all, stuck_ratio);
+    add_pressing(
+        {"Pressed without slip", "dF/dd over 4 G a, nu = 0", "bem",
+         "Mossakovskii (1954), Spence (1968)", theory::stuck_normal_stiffness_ratio(0), 8e-3},
+        pressing_case(0, 5), 12, 8, say, all, stiffness_ratio);
 }
 
 void verify_creep(bool brief, const Say& say, Verification& all) {
@@ -130,20 +123,15 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
         contact::half_space_scales(base).indentation * std::pow(crept, 2. / 3) * 1e3;
     const int steps = brief ? 3 : 8, coarser = brief ? 8 : 1;
     for (const char* const model : {"mdr", "bem"}) {
-        const VerificationRow row{.problem = "Creep under F_N",
-                                  .quantity = "d, mm, after 3 tau",
-                                  .model = model,
-                                  .source = "Lee and Radok (1960), J. Appl. Mech. 27, 438",
-                                  .reference = exact,
-                                  .tolerance = 5e-4 * coarser,
-                                  .least_order = 1.6};
-        add_row(row, all, [&](int factor) -> LevelValue {
-            Case c = base;
-            c.bem.cells_per_radius = (brief ? 5 : 8) * factor;
-            const int n = steps * factor;
-            say(fmt::format("{}, creep in {} steps", model, n));
-            return {time / n / relaxes_in, creep(*make_model(model, c, 1, say), c, n)};
-        });
+        add_row({"Creep under F_N", "d, mm, after 3 tau", model,
+                 "Lee and Radok (1960), J. Appl. Mech. 27, 438", exact, 5e-4 * coarser, 1.6},
+                all, [&](int factor) -> LevelValue {
+                    Case c = base;
+                    c.bem.cells_per_radius = (brief ? 5 : 8) * factor;
+                    const int n = steps * factor;
+                    say(fmt::format("{}, creep in {} steps", model, n));
+                    return {time / n / relaxes_in, creep(*make_model(model, c, 1, say), c, n)};
+                });
     }
 }
 
@@ -153,23 +141,19 @@ void verify_subsurface(bool brief, const Say& say, comparisons::Verification& al
     const double a = hertz.contact_radius;
     const auto lowest = boost::math::tools::brent_find_minima(
         [&](double z) { return -on_axis(base, hertz, z); }, .2 * a, a, 40);
-    const VerificationRow row{
-        .problem = "Below Hertz' contact",
-        .quantity = "largest von Mises stress over p0, nu = 0.3",
-        .model = "bem",
-        .source = "Huber (1904); Johnson, Contact Mechanics (1985), eq. 3.45; at 0.48 a",
-        .reference = -lowest.second,
-        .tolerance = brief ? 4e-3 : 1e-3,
-        .least_order = 0};  // points lie a/25 apart, wherever the peak is
-    add_row(row, all, [&](int factor) -> LevelValue {
-        Case c = base;
-        c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
-        say("bem, inside");
-        const auto model = make_model("bem", c, 1, say);
-        contact::run(c, *model);
-        const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
-        return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
-    });
+    // No order: points lie a/25 apart, wherever the peak is.
+    add_row({"Below Hertz' contact", "largest von Mises stress over p0, nu = 0.3", "bem",
+             "Huber (1904); Johnson, Contact Mechanics (1985), eq. 3.45; at 0.48 a", -lowest.second,
+             brief ? 4e-3 : 1e-3},
+            all, [&](int factor) -> LevelValue {
+                Case c = base;
+                c.bem.cells_per_radius = (brief ? 4 : 8) * factor;
+                say("bem, inside");
+                const auto model = make_model("bem", c, 1, say);
+                contact::run(c, *model);
+                const auto inside = contact::subsurface_of(*model->interior(), 0, {0, 0});
+                return {cell_in_radius(c), inside.peak_von_mises / model->scales().peak_pressure};
+            });
 }
 
 }  // namespace tricontact::app

@@ -84,17 +84,10 @@ Case rig_sphere(double poisson, double tangential_ratio) {
 
 void Rows::add(const Observed& observed, const std::string& source, double reference,
                const Allowed& allowed) {
-    comparisons::VerificationRow row{.problem = problem_,
-                                     .quantity = observed.name,
-                                     .model = levels_.model,
-                                     .source = source,
-                                     .reference = reference,
-                                     .sizes = levels_.sizes,
-                                     .values = {},
-                                     .tolerance = allowed.error,
-                                     .least_order = allowed.order};
+    auto& row =
+        verification_.rows.emplace_back(problem_, observed.name, levels_.model, source, reference,
+                                        allowed.error, allowed.order, levels_.sizes);
     for (const History& history : levels_.histories) row.values.push_back(observed.of(history));
-    verification_.rows.push_back(std::move(row));
 }
 
 const Observed radius{"a, mm", [](const History& h) { return h.scales.contact_radius * 1e3; }};

@@ -40,7 +40,8 @@ double cell_in_radius(const contact::Case& c);  ///< its size over Hertz' radius
 struct LevelValue {
     double size, value;
 };
-/// Adds a row from values at factors of 1, 2 and 4 of the resolution.
+/// Adds a row, its members in their order up to tolerance or order, from values at factors of 1, 2
+/// and 4 of the resolution.
 void add_row(comparisons::VerificationRow row, comparisons::Verification& all,
              const std::function<LevelValue(int factor)>& level);
 

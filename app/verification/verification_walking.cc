@@ -1,4 +1,3 @@
-
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -31,7 +30,6 @@ constexpr double usual_step = 1e-3;
 // A quantity with the usual step, its double and its half.
 template <class Value>
 void add_steps(VerificationRow row, Verification& all, const Value& value) {
-    row.model = "walk";
     add_row(std::move(row), all, [&](int factor) -> LevelValue {
         const double step = 2 * usual_step / factor;
         return {step, value(step)};
@@ -50,32 +48,21 @@ void add_motions(Verification& all) {
     // x'' = kappa1 (kappa6 t - x) - 2 x until the spots slip.
     const double exact = set_b.kappa1 * set_b.kappa6 / stiffness *
                          (end - std::sin(omega * end) / omega) / set_b.kappa4;
-    add_steps({.problem = "Walking machine, a block that sticks",
-               .quantity = "x/kappa4, t = 0.4",
-               .source = "vibration on k_s and two contact spots",
-               .reference = exact,
-               .tolerance = 1e-5,
-               .least_order = 1.9},
+    add_steps({"Walking machine, a block that sticks", "x/kappa4, t = 0.4", "walk",
+               "vibration on k_s and two contact spots", exact, 1e-5, 1.9},
               all, [&](double step) { return verlet_motion(block, step, end).x / set_b.kappa4; });
     const Machine walking{.kappas = set_b};
     walking::EventDriven reference(walking, motion_at_start(walking), 1e-13);
     reference.advance_to(10);
     const double rest = static_displacement(walking);
-    add_steps({.problem = "Walking machine, set B",
-               .quantity = "z/z_stat, t = 10",
-               .source = reference_integrator,
-               .reference = reference.motion().z / rest,
-               .tolerance = 1e-5},
+    add_steps({"Walking machine, set B", "z/z_stat, t = 10", "walk", reference_integrator,
+               reference.motion().z / rest, 1e-5},
               all, [&](double step) { return verlet_motion(walking, step, 10).z / rest; });
 }
 
 void add_sliding(Verification& all) {
-    add_steps({.problem = "Walking machine, set A",
-               .quantity = "mu_e",
-               .source = "steady sliding: mu N",
-               .reference = 1,
-               .tolerance = 1e-3},
-              all, [](double step) {
+    add_steps({"Walking machine, set A", "mu_e", "walk", "steady sliding: mu N", 1, 1e-3}, all,
+              [](double step) {
                   walking::WalkCase c;
                   c.machine.kappas = set_a;
                   c.time = {.step = step, .end = 4000};
@@ -89,11 +76,8 @@ void add_sliding(Verification& all) {
     const std::complex<double> leading = leading_eigenvalue(machine, steady);
     // Over half turns the distance of two runs grows by the rate alone.
     const double half_turn = std::numbers::pi / leading.imag();
-    add_steps({.problem = "Walking machine, spots at -0.7 b and 1.3 b",
-               .quantity = "rate of flutter",
-               .source = "eigenvalue of steady sliding (docs/walking.md)",
-               .reference = leading.real(),
-               .tolerance = 1e-3},
+    add_steps({"Walking machine, spots at -0.7 b and 1.3 b", "rate of flutter", "walk",
+               "eigenvalue of steady sliding (docs/walking.md)", leading.real(), 1e-3},
               all, [&](double step) {
                   const double steps = std::round(half_turn / step);
                   return lyapunov_exponent(machine, steady,
@@ -123,25 +107,18 @@ void add_cycle(const Say& say, Verification& all) {
     // Chaotic for 1450 units of time on average.
     reference.advance_to(16000);
     const walking::ReferenceCycle cycle = reference_cycle(reference);
-    add_steps({.problem = "Walking machine, limit cycle of set B",
-               .quantity = "work accounted for, over that of the base",
-               .source = "energy balance",
-               .reference = 1,
-               .tolerance = 1e-6},
+    add_steps({"Walking machine, limit cycle of set B", "work accounted for, over that of the base",
+               "walk", "energy balance", 1, 1e-6},
               all, [&](double step) { return balance_over(machine, cycle, step); });
     say("walking machine, limit cycle by velocity Verlet");
     walking::WalkCase c;
     c.machine = machine;
     const walking::WalkResult found = walking::walk(c).result;
     const auto add = [&](const char* quantity, double exact, double value, double tolerance) {
-        all.rows.push_back({.problem = "Walking machine, limit cycle of set B",
-                            .quantity = quantity,
-                            .model = "walk",
-                            .source = reference_integrator,
-                            .reference = exact,
-                            .sizes = {usual_step},
-                            .values = {value},
-                            .tolerance = tolerance});
+        all.rows.push_back({"Walking machine, limit cycle of set B", quantity, "walk",
+                            reference_integrator, exact, tolerance});
+        all.rows.back().sizes = {usual_step};
+        all.rows.back().values = {value};
     };
     // Onsets of stick and slip are seen at the steps, some 4300 in a period.
     add("period", cycle.period, found.period.value_or(0), 1e-6);

@@ -14,10 +14,10 @@ struct VerificationRow {
     std::string model{};           ///< as in case files
     std::string source;            ///< author, year, equation
     double reference = 0;          ///< exact, or as printed by the source
-    std::vector<double> sizes{};   ///< h/a (of creep dt/tau), decreasing; one: the source's
-    std::vector<double> values{};  ///< one per size, in the unit of the reference
     double tolerance = 0;          ///< of the finest level's relative error
     double least_order = 0;        ///< 0: none is asked for
+    std::vector<double> sizes{};   ///< h/a (of creep dt/tau), decreasing; one: the source's
+    std::vector<double> values{};  ///< one per size, in the unit of the reference
 
     /// |value/reference - 1| of a level.
     double error(std::size_t level) const;

@@ -14,9 +14,9 @@ VerificationRow second_order() {
             .model = "bem",
             .source = "Hertz (1882)",
             .reference = 2,
+            .tolerance = .011,
             .sizes = {.4, .2, .1},
-            .values = {2.32, 2.08, 2.02},
-            .tolerance = .011};
+            .values = {2.32, 2.08, 2.02}};
 }
 
 TEST(Verification, ErrorOrderAndVerdictOfARow) {
