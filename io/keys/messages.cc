@@ -1,10 +1,12 @@
 #include "io/keys/messages.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <boost/locale/utf.hpp>
 #include <cctype>
 #include <charconv>
-#include <cstdint>
 #include <vector>
 
 #include "contact/error.h"
@@ -18,14 +20,11 @@ bool is_control(char c) {
 }
 
 std::string escaped(char c) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
     if (c == '"') return "\\\"";
     if (c == '\\') return "\\\\";
     if (c == '\n') return "\\n";
     if (c == '\t') return "\\t";
-    if (!is_control(c)) return {c};
-    const auto code = static_cast<unsigned char>(c);
-    return {'\\', 'u', '0', '0', digits[code >> 4], digits[code & 15]};
+    return is_control(c) ? fmt::format("\\u{:04X}", static_cast<unsigned>(c)) : std::string{c};
 }
 
 char lower(char c) {
@@ -82,25 +81,11 @@ std::string one_line(std::string_view text) {
 }
 
 std::size_t first_non_utf8(std::string_view text) {
-    // Least code point of a sequence of 1, 2, 3, 4 bytes.
-    constexpr std::array<std::uint32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
-    for (std::size_t i = 0; i < text.size();) {
-        const auto first = static_cast<unsigned char>(text[i]);
-        const std::size_t length = first < 0x80           ? 1
-                                   : (first >> 5) == 0x06 ? 2
-                                   : (first >> 4) == 0x0E ? 3
-                                   : (first >> 3) == 0x1E ? 4
-                                                          : 0;
-        if (length == 0 || i + length > text.size()) return i;
-        std::uint32_t code = length == 1 ? first : first & (0x7FU >> length);
-        for (std::size_t k = 1; k < length; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            if ((next & 0xC0) != 0x80) return i;
-            code = (code << 6) | (next & 0x3FU);
-        }
-        const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-        if (code < least[length] || code > 0x10FFFF || surrogate) return i;
-        i += length;
+    namespace utf = boost::locale::utf;
+    for (auto at = text.begin(); at != text.end();) {
+        const auto begin = at;
+        if (!utf::is_valid_codepoint(utf::utf_traits<char>::decode(at, text.end())))
+            return static_cast<std::size_t>(begin - text.begin());
     }
     return std::string_view::npos;
 }

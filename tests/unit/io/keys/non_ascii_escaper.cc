@@ -7,22 +7,22 @@ namespace tricontact::io::non_ascii_escaper_test {
 namespace {
 
 TEST(NonAsciiEscaper, IsUndoneExactly) {
-    const std::string text = "a\u00e4b\u00df\u00e4\u201c\u3000\ufb3e\U0001d70f \U0010ffff\u00e4\n";
-    NonAsciiEscaper escaper;
-    const std::string escaped = escaper.escaped(text);
+    const std::string text =
+        "a\u00e4b\u0080\u201c\ufb3e\ufeff\uff01\U0001d70f \U000f00e4\U0010ffff\n";
+    const std::string escaped = escape_non_ascii(text);
     EXPECT_EQ(escaped,
-              "a\U000f0000b\U000f0001\U000f0000\U000f0002\U000f0003\U000f0004\U000f0005 "
-              "\U000f0006\U000f0000\n");
-    EXPECT_EQ(escaper.restored(escaped), text);
+              "a\U000400e4b\U00040080\U0004201c\U0004fb3e\U0004feff\uff01\U0001d70f "
+              "\U000f00e4\U0010ffff\n");
+    EXPECT_EQ(restore_non_ascii(escaped), text);
 }
 
 TEST(NonAsciiEscaper, LeavesAsciiAndAByteOrderMarkInFront) {
-    NonAsciiEscaper escaper;
-    EXPECT_EQ(escaper.escaped("\ufeff"
-                              "a = 1"),
+    EXPECT_EQ(escape_non_ascii("\ufeff"
+                               "a = 1"),
               "\ufeff"
               "a = 1");
-    EXPECT_EQ(escaper.restored("a = 1 \u00e4"), "a = 1 \u00e4");
+    EXPECT_EQ(restore_non_ascii("a = 1 \u00e4"), "a = 1 \u00e4");
+    EXPECT_EQ(restore_non_ascii("cut \xe4"), "cut \xe4");
 }
 
 TEST(NonAsciiEscaper, ManyCharactersKeepApart) {
@@ -32,8 +32,7 @@ TEST(NonAsciiEscaper, ManyCharactersKeepApart) {
             for (int low = 0x80; low <= 0xBF; ++low)
                 text +=
                     {static_cast<char>(high), static_cast<char>(middle), static_cast<char>(low)};
-    NonAsciiEscaper escaper;
-    EXPECT_EQ(escaper.restored(escaper.escaped(text)), text);
+    EXPECT_EQ(restore_non_ascii(escape_non_ascii(text)), text);
 }
 
 TEST(NonAsciiEscaper, DoesNotShowInACase) {
