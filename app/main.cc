@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -26,7 +25,6 @@ namespace {
 
 using namespace tricontact;
 using app::Command;
-using app::Option;
 
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
@@ -47,7 +45,8 @@ std::vector<Command> all_commands() {
     std::vector<Command> commands{run_command(), check_command()};
 #ifdef TRICONTACT_WITH_FEM
     commands.insert(commands.end(), {mesh_command(), condense_command(), cache_command()});
-    commands[3].prepare = [] { errors_are_printed_elsewhere = fem_entries().is_further_process(); };
+    commands[3].parser->preparse_callback(
+        [](std::size_t) { errors_are_printed_elsewhere = fem_entries().is_further_process(); });
 #endif
     commands.insert(
         commands.end(),
@@ -57,39 +56,6 @@ std::vector<Command> all_commands() {
          keys_command(), list_command()});
     return commands;
 }
-
-/// Declares an option to the parser, by the type of its value.
-struct AddOption {
-    CLI::App& app;
-    const Option& option;
-
-    CLI::Option* operator()(bool* value) const {
-        // A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
-        const auto set = [value, to = option.flag_value] { *value = to; };
-        return app.add_flag_callback(option.name, set, option.text);
-    }
-    template <class T>
-    CLI::Option* operator()(T* value) const {
-        CLI::Option* const added = app.add_option(option.name, *value, option.text);
-        if (option.range) {
-            const auto [low, high] = *option.range;
-            if constexpr (std::is_same_v<T, int>)
-                added->check(CLI::Range(static_cast<int>(low), static_cast<int>(high)));
-            else
-                added->check(CLI::Range(low, high));
-        }
-        // The words stand as the type, not as the parser shows a set.
-        if (!option.words.empty())
-            added->check(CLI::IsMember(option.words).description(""))
-                ->type_name(CLI::detail::join(option.words, "|"));
-        if (!option.type.empty()) added->type_name(option.type);
-        if (option.delimiter) added->delimiter(option.delimiter);
-        if (std::is_same_v<T, std::vector<std::string>> && option.name.starts_with("--") &&
-            !option.delimiter)
-            added->take_all()->allow_extra_args(false);
-        return added;
-    }
-};
 
 /// What is wrong with the first argument where it is no command of the program; empty if it is one,
 /// or an option.
@@ -105,7 +71,7 @@ std::string what_is_wrong(const CLI::App& app, const std::vector<Command>& comma
             "command's options stand behind it",
             shown);
     std::vector<std::string_view> known;
-    for (const Command& one : commands) known.push_back(one.name);
+    for (const Command& one : commands) known.push_back(one.parser->get_name());
     if (std::ranges::find(known, word) != known.end()) return {};
     if (word.ends_with(".toml"))
         return fmt::format("{} is no command; write one before the file, as in tricontact check {}",
@@ -136,14 +102,7 @@ int run_program(int argc, char** argv) {
     app.set_version_flag("--version", std::string("tricontact ") + files::version);
     app.require_subcommand(1);
     const std::vector<Command> commands = all_commands();
-    std::vector<const CLI::App*> given;
-    for (const Command& command : commands) {
-        CLI::App* const sub = app.add_subcommand(command.name, command.text);
-        for (const Option& option : command.options)
-            std::visit(AddOption{*sub, option}, option.place)->required(option.required);
-        if (command.prepare) sub->preparse_callback([&command](std::size_t) { command.prepare(); });
-        given.push_back(sub);
-    }
+    for (const Command& command : commands) app.add_subcommand(command.parser);
     if (const auto wrong = what_is_wrong(app, commands, argc, argv); !wrong.empty())
         return fail(exit_bad_input, wrong);
     try {
@@ -153,8 +112,8 @@ int run_program(int argc, char** argv) {
     } catch (const CLI::ParseError& e) {
         return fail(exit_bad_input, std::string(e.what()) + "; see tricontact --help");
     }
-    for (std::size_t i = 0; i < commands.size(); ++i)
-        if (*given[i] && !commands[i].run()) return exit_failed;
+    for (const Command& command : commands)
+        if (*command.parser && !command.run()) return exit_failed;
     return 0;
 }
 

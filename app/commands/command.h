@@ -1,38 +1,20 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/options.h"
 
 namespace tricontact::app {
 
-/// An option or a positional argument of a command, and where its value goes.
-struct Option {
-    using Place = std::variant<bool*, int*, double*, std::string*, std::optional<double>*,
-                               std::optional<std::string>*, std::vector<std::string>*>;
-    std::string name;  ///< positional without "--"
-    Place place;
-    std::string text, type;
-    bool required = false;
-    bool flag_value = true;  ///< what a flag sets
-    std::optional<std::pair<double, double>> range = {};
-    std::vector<std::string> words = {};  ///< one of these
-    char delimiter = 0;                   ///< of a list in one argument
-};
-
 /// A subcommand of the program, its options in the order in which the help names them.
 struct Command {
-    std::string name, text;
-    std::vector<Option> options;
-    std::function<bool()> run;           ///< false if it failed
-    std::function<void()> prepare = {};  ///< called before its options are read
+    CLI::App_p parser;
+    std::function<bool()> run;  ///< false if it failed
 };
 
 /// Declares a command with its struct of options (CommandOptions and its own), which `run` gets.
@@ -41,7 +23,8 @@ class Declared {
   public:
     template <class Run>
     Declared(const char* name, const char* text, Run run)
-        : options_(std::make_shared<Options>()), command_{name, text, {}, {}} {
+        : options_(std::make_shared<Options>()),
+          command_{std::make_shared<CLI::App>(text, name), {}} {
         command_.run = [options = options_, run]() -> bool {
             if constexpr (std::is_same_v<decltype(run(*options)), bool>)
                 return run(*options);
@@ -53,33 +36,39 @@ class Declared {
 
     template <class T, class Base>
     Declared& option(const char* name, T Base::*place, const char* text, const char* type = "") {
-        command_.options.push_back({name, &((*options_).*place), text, type});
+        last_ = command_.parser->add_option(name, (*options_).*place, text);
+        if (*type) last_->type_name(type);
         return *this;
     }
     template <class T, class Base>
     Declared& required(const char* name, T Base::*place, const char* text, const char* type) {
         option(name, place, text, type);
-        command_.options.back().required = true;
+        last_->required();
         return *this;
     }
     template <class T, class Base>
     Declared& number(const char* name, T Base::*place, const char* text, double low, double high) {
         option(name, place, text);
-        command_.options.back().range = {low, high};
+        if constexpr (std::is_same_v<T, int>)
+            last_->check(CLI::Range(static_cast<int>(low), static_cast<int>(high)));
+        else
+            last_->check(CLI::Range(low, high));
         return *this;
     }
     template <class Base>
     Declared& flag(const char* name, bool Base::*place, const char* text, bool value = true) {
-        option(name, place, text);
-        command_.options.back().flag_value = value;
+        // A flag declared as "!--no-report" would stand as "--no-report{false}" in the help.
+        const auto set = [options = options_, place, value] { (*options).*place = value; };
+        command_.parser->add_flag_callback(name, set, text);
         return *this;
     }
-    /// One of some words, which stand in the help as the type.
+    /// One of some words, which stand in the help as the type, not as the parser shows a set.
     template <class Base>
     Declared& word(const char* name, std::string Base::*place, const char* text,
-                   std::vector<std::string> words) {
+                   const std::vector<std::string>& words) {
         option(name, place, text);
-        command_.options.back().words = std::move(words);
+        last_->check(CLI::IsMember(words).description(""))
+            ->type_name(CLI::detail::join(words, "|"));
         return *this;
     }
 
@@ -88,16 +77,18 @@ class Declared {
     }
     /// The case file and --set.
     Declared& on_case() {
-        return on_file("case", "Case file (TOML)", "CASE.toml")
-            .option("--set", &CommandOptions::overrides,
-                    "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");
+        on_file("case", "Case file (TOML)", "CASE.toml");
+        option("--set", &CommandOptions::overrides,
+               "Override a key of the case: section.key=value (may be repeated)", "KEY=VALUE");
+        last_->take_all()->allow_extra_args(false);
+        return *this;
     }
     Declared& output(const char* text) {
         return option("--output", &CommandOptions::output, text, "DIR");
     }
     Declared& models(const char* text) {
         option("--models", &CommandOptions::models, text, "NAME,NAME");
-        command_.options.back().delimiter = ',';
+        last_->delimiter(',');
         return *this;
     }
     Declared& threads() { return cores("--threads", "Threads for large grids (all cores)"); }
@@ -117,6 +108,7 @@ class Declared {
 
     std::shared_ptr<Options> options_;
     Command command_;
+    CLI::Option* last_ = nullptr;
 };
 
 // The commands, each declared in a file of its own beside what it does, which throws
