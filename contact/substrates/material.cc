@@ -1,6 +1,5 @@
 #include "contact/substrates/material.h"
 
-
 #include "contact/error.h"
 #include "contact/special_values.h"
 

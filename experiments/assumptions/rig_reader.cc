@@ -80,7 +80,7 @@ PrintedValue printed_value(const io::Document& document, const io::Document::Sec
         if (!document.find(section.name + '.' + std::string(part)))
             io::fail(section.place, "", "missing key " + section.name + '.' + std::string(part),
                      R"(write {value = "4.56 mm", source = "table 5.1.1"})");
-    PrintedValue printed;
+    PrintedValue result;
     for (const io::Entry& entry : document.entries) {
         if (io::section_of(entry.path) != section.name) continue;
         const std::string_view part = io::name_of_key(entry.path);
@@ -93,11 +93,11 @@ PrintedValue printed_value(const io::Document& document, const io::Document::Sec
                      "must be a text in quotes, but is " + std::string(io::kind_of(entry.value)),
                      "write what is printed, with all its digits");
         if (part == "value")
-            printed = {measured(entry, key->dimension), std::string(name), *text, printed.source};
+            result = {measured(entry, key->dimension), std::string(name), *text, result.source};
         else
-            printed.source = *text;
+            result.source = *text;
     }
-    return printed;
+    return result;
 }
 
 const io::Key& kind_key() {

@@ -267,7 +267,7 @@ Input read_identification(const std::string& path) {
     check_measurement_keys(document);
     Input input;
     input.name = path;
-    for (const char* path : {"measurement", "models", "data"}) required(document, path);
+    for (const char* key : {"measurement", "models", "data"}) required(document, key);
     io::read_given(own_keys(), input, document);
     input.data_file = document.path_of(input.data_file);
     check_models(input, document);
