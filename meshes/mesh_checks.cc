@@ -232,7 +232,7 @@ void check_connected(const HexMesh& mesh, const FaceTable& table, const std::str
         if (table.sides(f).size() == 2)
             parts.union_set(table.sides(f)[0].hex, table.sides(f)[1].hex);
     for (std::size_t e = 0; e < mesh.hexes.size(); ++e)
-        if (parts.find_set(e) != parts.find_set(0))
+        if (parts.find_set(e) != parts.find_set(std::size_t{0}))
             fail(name,
                  fmt::format("the body is in pieces: {} and {} are not connected",
                              place(centre_of(mesh, mesh.hexes[0])),

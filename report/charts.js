@@ -51,8 +51,8 @@ async function save(traces, layout_there, size, name, description) {
     words.textContent = description;
     drawing.documentElement.prepend(words);
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(drawing)],
-                                             {type: "image/svg+xml"}));
+    link.href = "data:image/svg+xml," +
+        encodeURIComponent(new XMLSerializer().serializeToString(drawing));
     link.download = name + ".svg";
     link.click();
 }
