@@ -151,7 +151,7 @@ function further_axes(figure, theme) {
     if (n_strips) {
         const height = 0.075 * n_strips;
         axes.yaxis2 = {domain: [0, height], autorange: "reversed", type: "category", fixedrange: true,
-                       showgrid: false, automargin: "width", ticks: ""};
+                       showgrid: false, ticks: ""};
         axes.yaxis = {...charts.axis(figure.y, theme, "width"), domain: [height + 0.03, 1]};
         axes.xaxis = {...charts.axis(figure.x, theme, "height"), anchor: "y2"};
         axes.barmode = "overlay";
@@ -179,6 +179,9 @@ function layout_of(figure, theme) {
     };
     if (figure.equal_scales) Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain"});
     if (figure.panels.length) layout.margin.t = 32;
+    // Room for the names of strips, some 8 px a letter.
+    for (const {name} of figure.strips)
+        layout.margin.l = Math.max(layout.margin.l, 16 + 8 * name.length);
     return layout;
 }
 
