@@ -177,7 +177,9 @@ function layout_of(figure, theme) {
             y: 1, yref: "paper", yanchor: "bottom",
         })),
     };
-    if (figure.equal_scales) Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain"});
+    // Equal scales move the axis, which would ask for another margin, which moves the axis.
+    if (figure.equal_scales)
+        Object.assign(layout.yaxis, {scaleanchor: "x", constrain: "domain", automargin: false});
     if (figure.panels.length) layout.margin.t = 32;
     // Room for the names of strips, some 8 px a letter.
     for (const {name} of figure.strips)
