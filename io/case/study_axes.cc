@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 #include <set>
 
 #include "io/case/study_reader.h"
@@ -172,11 +171,11 @@ double twelve_digits(double value) {
 
 // A table without keys leaves no entry behind: it would be overlooked. The innermost is to blame.
 void check_not_empty(const Document& document) {
-    for (const Document::Section& table : document.sections | std::views::reverse)
+    for (auto table = document.sections.rbegin(); table != document.sections.rend(); ++table)
         if (std::ranges::none_of(document.entries, [&](const Entry& entry) {
-                return entry.path.starts_with(table.name + '.');
+                return entry.path.starts_with(table->name + '.');
             }))
-            fail(table.place, "", '[' + table.name + "] is empty", "fill it, or omit it");
+            fail(table->place, "", '[' + table->name + "] is empty", "fill it, or omit it");
 }
 
 }  // namespace
