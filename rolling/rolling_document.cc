@@ -121,9 +121,7 @@ report::Document rolling_document(const RollingReport& report) {
         .settings = settings_of(report.c),
         .sections = {steady_section(report), resistance_section(report), transient_section(report),
                      creep_section(report), zones_section(report)},
-        .files = report.files,
-        .command = report.command,
-        .version = report.version};
+        .files = report.files};
     const auto add = [&](const std::string& sentence) {
         if (!sentence.empty()) document.verdicts.push_back({.sentence = sentence});
     };

@@ -34,7 +34,6 @@ struct RollingReport {
     contact::Case c;
     std::vector<RollingRun> runs;
     std::vector<std::pair<std::string, std::string>> files = {};  ///< text, path from the report
-    std::string command = {};                                     ///< that makes it again
     std::string version = {};                                     ///< of the program
 };
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "contact/error.h"
+#include "contact/gsl.h"
 
 namespace tricontact::statistics {
 
@@ -24,12 +25,6 @@ constexpr double parameter_tolerance = 1e-12;
 constexpr double gradient_tolerance = 1e-14;
 // Singular values below this ratio of the largest: the columns are dependent.
 constexpr double least_singular_ratio = 1e-12;
-
-// An error of GSL is a return value here, not the end of the program.
-struct QuietGsl {
-    gsl_error_handler_t* before = gsl_set_error_handler_off();
-    ~QuietGsl() { gsl_set_error_handler(before); }
-};
 
 template <auto Free>
 struct Freeing {
@@ -143,7 +138,7 @@ Fit fit_linear(const std::vector<std::vector<double>>& columns, const std::vecto
                const FitOptions& options) {
     const std::size_t n = y.size(), m = columns.size();
     check_sizes(n, m, options);
-    const QuietGsl quiet;
+    contact::return_gsl_errors();
     const Matrix design(gsl_matrix_alloc(n, m)), covariance(gsl_matrix_alloc(m, m));
     for (std::size_t k = 0; k < m; ++k) {
         if (columns[k].size() != n) throw std::invalid_argument("columns of different lengths");
@@ -177,7 +172,7 @@ Fit fit_nonlinear(const FitModel& model, const std::vector<double>& y,
     check_sizes(n, m, options);
     if (std::ranges::count(start, 0.))
         throw std::invalid_argument("a start of zero tells no magnitude");
-    const QuietGsl quiet;
+    contact::return_gsl_errors();
     // Parameters in units of their start: E in Pa and mu differ by ten orders.
     Problem problem{model, y, start};
     gsl_multifit_nlinear_fdf functions{};

@@ -187,8 +187,7 @@ void identify_properties(CommandOptions options) {
     options.fill({{"identify.json", "report.html"}}, [&] {
         study = study_of(input, options);
         options.write("identify.json", experiments::identification_json(study).dump(2) + '\n');
-        options.write("report.html",
-                      report::document_html(experiments::identification_document(study)));
+        options.write_report(experiments::identification_document(study), study.command);
     });
     print(study);
 }

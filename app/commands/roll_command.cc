@@ -110,15 +110,13 @@ void write(const RollingReport& report, const std::string& resolved, const RollO
     options.write("summary.json", roll_summary(report, resolved));
     options.write("creep.csv", rolling::creep_csv(report));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
-    if (options.report)
-        options.write("report.html", report::document_html(rolling::rolling_document(report)));
+    if (options.report) options.write_report(rolling::rolling_document(report), roll_again);
 }
 
 void roll_models(const Case& c, const RollOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
-    RollingReport report{
-        .c = c, .runs = {}, .files = files_of(c), .command = roll_again, .version = files::version};
+    RollingReport report{.c = c, .runs = {}, .files = files_of(c), .version = files::version};
     for (const std::string& model : c.models) report.runs.push_back(roll_model(model, c, options));
     write(report, resolved, options);
     std::cout << table_of(report);

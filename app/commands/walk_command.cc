@@ -50,11 +50,9 @@ void write_page(const CommandOptions& options, const WalkCase& walk_case, const 
                       {"means of the run, window by window", "windows.csv"},
                       {"motion and forces at its end", "motion.csv"},
                       {"the case, resolved", resolved_case_name}};
-    document.command = walk_again;
-    document.version = files::version;
     if (walk_case.frames > 0)
         document.files.emplace_back("the body in motion, for ParaView", "animation/machine.pvd");
-    options.write("report.html", report::document_html(document));
+    options.write_report(document, walk_again);
 }
 
 void walk_machine(CommandOptions options) {

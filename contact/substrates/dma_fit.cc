@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "contact/error.h"
+#include "contact/gsl.h"
 #include "contact/special_values.h"
 
 namespace tricontact::contact {
@@ -131,9 +132,7 @@ using Owned = std::unique_ptr<T, FreeWorkspace>;
 // The table must be sound (see fit_prony) and have at least as many rows as the guess has terms,
 // and one.
 std::optional<PronyDescent> descend(const DmaTable& table, const PronySeries& guess) {
-    // GSL's own handler ends the program; what matters comes back as a code. No other code here
-    // uses GSL.
-    [[maybe_unused]] static gsl_error_handler_t* const old = gsl_set_error_handler_off();
+    return_gsl_errors();
     Problem problem{table, bounds_of(table), guess.times.size()};
     const std::size_t n = problem.n_terms;
     const Owned<gsl_vector> start(gsl_vector_alloc(problem.n_parameters()));

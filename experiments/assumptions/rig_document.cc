@@ -164,7 +164,7 @@ std::string names_of(const std::vector<PrintedCheck>& printed, const Flagged& fl
     return names;
 }
 
-/// How many of the printed numbers can be computed, and which of these disagree.
+/// The number of printed values that follow from others, and those that differ from them.
 std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
     const auto differs = [](const auto& check) { return check.agreement == Agreement::differs; };
     const auto n_computed = std::ranges::count_if(

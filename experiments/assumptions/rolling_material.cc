@@ -104,8 +104,8 @@ Assumption uncoupled(const Rig& rig, const StaticShift& static_shift) {
                  .background = known(rig, {&dundurs_beta, &layer_coupling})};
     const auto effect = effect_of_coupling(rig, static_shift, a);
     if (!effect) a.missing = {"the effect of the layer's coupling on the shift"};
-    a.consequence = coupling_sentences(a.background.front().result.value,
-                                       a.background.back().result.value, effect);
+    a.consequence = coupling_sentences(calculate(rig, dundurs_beta).result.value,
+                                       calculate(rig, layer_coupling).result.value, effect);
     return a;
 }
 

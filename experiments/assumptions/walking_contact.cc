@@ -106,7 +106,8 @@ Assumption contact_diameter(const Rig& rig) {
         .background = known(
             rig, {&hertz_diameter, &normal_stiffness, &tangential_stiffness, &stiffness_ratio,
                   &half_height, &half_width, &slenderness, &weight_ratio, &diameter_of_frequency})};
-    a.consequence = edge_sentences(rig, a.background.front().result.value, a.deciding_value());
+    a.consequence =
+        edge_sentences(rig, calculate(rig, hertz_diameter).result.value, a.deciding_value());
     if (rig.has("D_wear"))
         a.criteria.push_back({calculate(rig, wear_ratio), at_most, largest_factor, factor_reason});
     return a;

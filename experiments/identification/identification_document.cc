@@ -287,9 +287,7 @@ report::Document identification_document(const IdentificationStudy& study) {
             "is fitted by least squares on its own.",
         .verdicts = identification_verdicts(study),
         .settings = study.settings,
-        .files = {{"all numbers (JSON)", "identify.json"}},
-        .command = study.command,
-        .version = study.version};
+        .files = {{"all numbers (JSON)", "identify.json"}}};
     if (study.models.size() > 1)
         document.lead +=
             " The differences between their answers are what the simpler one leaves "

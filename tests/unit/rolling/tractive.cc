@@ -184,8 +184,7 @@ TEST(TractiveReport, CentreLineIsTheRowThroughTheCentre) {
 }
 
 TEST(TractiveReport, HasAllSectionsAndIsADocument) {
-    RollingReport report = report_of(.5);
-    report.command = "tricontact roll case.toml";
+    const RollingReport report = report_of(.5);
     const report::Document document = rolling_document(report);
     std::vector<std::string> ids;
     for (const report::DocumentSection& section : document.sections) ids.push_back(section.id);

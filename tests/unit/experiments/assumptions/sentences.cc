@@ -233,7 +233,7 @@ TEST(RigSentences, WalkingRigsSayWhatTheyKnow) {
     rig.data["D_c"] = {0.3e-3};  // Hertz': 0.31 mm
     EXPECT_TRUE(says(diameter(rig), "Hertz' formula finds"));
     EXPECT_FALSE(says(diameter(rig), "not fresh edges"));
-    // Without standard errors nobody knows how well the stiffness is known.
+    // Without standard errors the error of the stiffness is unavailable.
     rig.data["D_c"] = {1.8e-3};
     const auto stiffness = assumption_of(experiments::check_rig(rig), "known_stiffness");
     EXPECT_EQ(stiffness.standing(), Standing::cannot_tell);

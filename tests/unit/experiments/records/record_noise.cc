@@ -58,7 +58,7 @@ TEST(RecordNoise, WeightsOfAPolynomialReproduceIt) {
     for (const int degree : {1, 2, 3})
         EXPECT_NEAR(weighted(weights_of_polynomial_at(-2, x, degree), y), -4, 1e-12);
     EXPECT_NEAR(weighted(weights_of_polynomial_at(-2, x, 0), y), 10.1, 1e-13);
-    // x^2 at 1.5 from three places, more powers than which nobody knows.
+    // x^2 at 1.5 from three places, which determine no more than three coefficients.
     for (const int degree : {2, 5})
         EXPECT_NEAR(weighted(weights_of_polynomial_at(1.5, {0, 1, 3}, degree), {0, 1, 9}), 2.25,
                     1e-12);
