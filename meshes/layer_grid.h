@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "meshes/layer_mesh.h"
@@ -46,6 +47,9 @@ struct LayerGrid {
     int layer = 0;                                       ///< strip of the (upper) layer
     bool symmetric_low = false, symmetric_high = false;  ///< the faces at the least and greatest y
 };
+
+/// The blocks between the planes of any such grid in gmsh's language, see layer_blocks.geo.
+extern const std::string_view layer_blocks;
 
 /// Throws contact::InputError naming the wrong length and the rule.
 LayerGrid layer_grid(const LayerMeshSpec& spec);

@@ -37,14 +37,6 @@ void check(const NormalControl& control) {
             force ? "force" : "indentation", control.value, force ? "N" : "m"));
 }
 
-void check_radius(const ElasticLayer& layer, double radius) {
-    if (!(radius <= largest_radius_over_thickness * layer.thickness))
-        throw contact::InputError(fmt::format(
-            "layer contact: a contact radius of {:.6g} m exceeds {} thicknesses; use the "
-            "asymptotic theory of thin layers",
-            radius, largest_radius_over_thickness));
-}
-
 // Line loads over E* for unit indentation and for the profile alone; their difference, weighted
 // by d, is the contact.
 struct Parts {
@@ -121,7 +113,12 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
             "layer contact: the contact reaches the rim of the indenter at {:.6g} m; reduce the "
             "load or enlarge the indenter",
             rim));
-    check_radius(layer, radius);
+    if (std::isinf(radius))
+        throw contact::InputError(
+            fmt::format("layer contact: the contact radius exceeds {} thicknesses; use the "
+                        "asymptotic theory of "
+                        "thin layers",
+                        largest_radius_over_thickness));
     auto solve = [&](int n) {
         const Parts parts = parts_at(radius, n);
         return make_contact(layer, parts, parts.indentation());
@@ -129,23 +126,6 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
     LayerContact result = converged(solve, points_for(radius / b), key_values, kinks_remedy);
     if (indenter.profile_slope(0) > 0) result.centre_pressure = contact::infinity;
     return result;
-}
-
-LayerContact solve_layer_punch(const ElasticLayer& layer, double radius,
-                               const NormalControl& control) {
-    check(layer);
-    check(control);
-    if (!(radius > 0))
-        throw contact::InputError(fmt::format(
-            "layer contact: the punch needs a positive radius, but has {:.6g} m", radius));
-    check_radius(layer, radius);
-    auto solve = [&](int n) {
-        const Parts parts = solve_parts(layer, LineMesh(radius, {}, n), [](double) { return 0; });
-        const bool force = control.kind == NormalControl::Kind::force;
-        const double stiffness = 2 * effective_modulus(layer) * parts.unit.integral;
-        return make_contact(layer, parts, force ? control.value / stiffness : control.value);
-    };
-    return converged(solve, points_for(radius / layer.thickness), key_values, kinks_remedy);
 }
 
 double shakedown_limit(const LayerContact& contact, double w) {

@@ -47,11 +47,6 @@ LayerContact solve_layer_contact(const ElasticLayer& layer,
                                  const contact::AxisymmetricIndenter& indenter,
                                  const contact::NormalControl& control);
 
-/// Contact of a flat, rigid, cylindrical punch of radius a [m]; its pressure is infinite at r = a.
-/// Throws as `solve_layer_contact`.
-LayerContact solve_layer_punch(const ElasticLayer& layer, double radius,
-                               const contact::NormalControl& control);
-
 // Limit of shakedown of a contact that rolls to and fro by the amplitude W, at any angle to the
 // load, without coupling of normal and tangential contact: the largest F_T/(mu F_N) that points can
 // carry whose traction never exceeds their least bound, (1/F_N) ∫ min over the path of mu p dA over

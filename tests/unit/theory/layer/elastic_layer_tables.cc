@@ -16,7 +16,6 @@ namespace {
 using namespace layer_test;
 using theory::LayerBase;
 using theory::solve_layer_contact;
-using theory::solve_layer_punch;
 
 // In units of the last digit given: 0.6685 had become 0.669 from 0.66849, rounded twice.
 constexpr double rounding = .55;
@@ -47,10 +46,9 @@ TEST(ElasticLayerTables, FlatPunch) {
     struct Row {
         double ratio, factor_50, factor_30, digit_50;
     };
-    const double b = 2.5e-3, d = 1e-4;
+    const double b = 2.5e-3;
     auto factor = [&](double ratio, double nu) {  // F/(2 E* a d)
-        const auto c = solve_layer_punch({{3e6, nu}, b}, ratio * b, indentation(d));
-        return c.normal_force / (2 * 3e6 / (1 - nu * nu) * ratio * b * d);
+        return flat_punch({{3e6, nu}, b}, ratio * b).force / (2 * 3e6 / (1 - nu * nu) * ratio * b);
     };
     for (const Row& row : {Row{.2, 1.2806, 1.2066, 1e-4}, Row{.4, 1.6837, 1.4726, 1e-4},
                            Row{.6, 2.2129, 1.7848, 1e-4}, Row{1, 3.6187, 2.4835, 1e-4},
@@ -140,11 +138,6 @@ TEST(ElasticLayerTables, RefusesBadInput) {
     EXPECT_TRUE(contains(press({{5.2e6, .6}, 1}, paraboloid, force(1)), "Poisson's ratio"));
     EXPECT_TRUE(contains(press({{5.2e6, .5}, 1e-5}, paraboloid, force(20)), "exceeds 32 thick"));
     EXPECT_TRUE(contains(press(layer, contact::Sphere(.002), force(500)), "rim of the indenter"));
-    auto punch = [&](double radius) {
-        return refusal<InputError>([&] { solve_layer_punch(layer, radius, force(1)); });
-    };
-    EXPECT_TRUE(contains(punch(0), "positive radius"));
-    EXPECT_TRUE(contains(punch(.3), "exceeds 32 thick"));
     // d below the bump's own, the search set off behind it
     EXPECT_TRUE(contains(press({{1e6, .3}, .0512}, Bumpy(), indentation(.0115)), "convex"));
 }

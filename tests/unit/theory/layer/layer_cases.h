@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "contact/bodies/indenter.h"
 #include "contact/load_path.h"
 #include "theory/layer/elastic_layer.h"
+#include "theory/layer/layer_equation.h"
 
 namespace tricontact::layer_test {
 
@@ -32,6 +34,22 @@ inline ForceRatio force_ratio(double chi, double nu, theory::LayerBase base) {
                                          indentation(d));
     const double hertz = 4. / 3 * young / (1 - nu * nu) * std::sqrt(radius * d) * d;
     return {c.normal_force / hertz, c.contact_radius / std::sqrt(radius * d), std::move(c)};
+}
+
+/// Under a flat punch of the radius a [m], pressed in by d = 1 m.
+struct Punch {
+    double force;  ///< [N]
+    theory::LineLoad line_load;
+};
+
+inline Punch flat_punch(const theory::ElasticLayer& layer, double radius, int n_points = 60) {
+    const theory::LayerEquation equation(layer, theory::LineMesh(radius, {}, n_points));
+    const std::vector<double> ones(equation.mesh().size(), 1.);
+    const auto solution = equation.solve(ones, 1.);
+    const double modulus = 2 * layer.material.shear_modulus() / (1 - layer.material.poisson);
+    std::vector<double> q;
+    for (const double value : solution.values) q.push_back(modulus * value);
+    return {2 * modulus * solution.integral, theory::LineLoad(equation.mesh(), q)};
 }
 
 }  // namespace tricontact::layer_test
