@@ -8,6 +8,7 @@ import re
 
 import numpy as np
 
+import exact_layer
 import layer_grid as rig
 
 NU = 0.4999  # the program has no element with a pressure of its own
@@ -183,7 +184,7 @@ def read(args):
             "a": contact_radius(args.name, loaded),
             "excess": rig.friction_excess(p, t1, t2), "p_peak_point": float(p.max()),
             "p_least_point": float(p.min()), "increments": len(shifts)} \
-        | rig.pressure_summary(x, y, np.array([blocks[loaded][n] for n in nodes]))
+        | exact_layer.pressure_summary(x, y, np.array([blocks[loaded][n] for n in nodes]))
 
 
 def main():

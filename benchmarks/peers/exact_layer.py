@@ -59,6 +59,17 @@ def at_force(force):
     return a, d, pressure
 
 
+def pressure_summary(x, y, p):
+    """What nodal pressures p [MPa] say: the peak, the least (tension is negative), the worst
+    difference to the exact solution inside 0.8 a over the exact peak."""
+    a, _, exact = at_force(rig.FN)
+    r = np.hypot(x, y)
+    inside = r < 0.8 * a
+    error = (p - exact(np.minimum(r, a))) / rig.EXACT["p0"]
+    return {"p0": float(p.max()), "p_least": float(p.min()),
+            "p_error_inside": float(np.abs(error[inside]).max())}
+
+
 if __name__ == "__main__":
     radius, depth, p = at_force(rig.FN)
     print(f"a = {radius:.4f} mm, d = {depth:.5f} mm, p0 = {float(p(0)):.4f} MPa")

@@ -11,6 +11,7 @@ import sys
 import getfem as gf
 import numpy as np
 
+import exact_layer
 import layer_grid as rig
 
 CONTACT, BASE, SYMMETRY = 1, 3, 5
@@ -133,7 +134,7 @@ def normal_state(md, surface):
     area = gf.asm_generic(surface, 0, f"Heaviside(-lam(3)-Aug*{gap})", CONTACT, md)
     nodes = traction_nodes(md)
     return {"d": float(md.variable("d")[0]), "a": float(np.sqrt(2 * area / np.pi))} \
-        | rig.pressure_summary(nodes[0], nodes[1], p)
+        | exact_layer.pressure_summary(nodes[0], nodes[1], p)
 
 
 def excess(md):

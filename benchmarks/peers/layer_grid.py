@@ -43,19 +43,6 @@ def patch(axes, size):
     return reach(axes[0]), reach(axes[1])
 
 
-def pressure_summary(x, y, p):
-    """What nodal pressures p [MPa] say: the peak, the least (tension is negative), the worst
-    difference to the exact solution inside 0.8 a over the exact peak."""
-    import exact_layer
-
-    a, _, exact = exact_layer.at_force(FN)
-    r = np.hypot(x, y)
-    inside = r < 0.8 * a
-    error = (p - exact(np.minimum(r, a))) / EXACT["p0"]
-    return {"p0": float(p.max()), "p_least": float(p.min()),
-            "p_error_inside": float(np.abs(error[inside]).max())}
-
-
 def friction_excess(p, tx, ty):
     """Largest nodal |t| - mu p over mu times the peak pressure; a node under tension bears no t.
     Means something where t and p act along fixed axes (linear kinematics)."""

@@ -9,6 +9,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+import exact_layer
 import layer_grid as rig
 
 
@@ -38,7 +39,7 @@ def read(folder):
             "u_stat": (float(row["shift_x_m"]) - float(before["shift_x_m"])) * 1e3,
             "steps_after": len(rows) - loaded - 1,
             "excess": rig.friction_excess(p, t[:, 0], t[:, 1])} \
-        | rig.pressure_summary(points[:, 0], points[:, 1], p)
+        | exact_layer.pressure_summary(points[:, 0], points[:, 1], p)
 
 
 if __name__ == "__main__":
