@@ -96,9 +96,9 @@ PartialFile::~PartialFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-void PartialFile::write(std::string_view bytes) {
+void write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t n = ::write(descriptor_, bytes.data(), bytes.size());
+        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) fail(errno);
         bytes.remove_prefix(static_cast<std::size_t>(n));

@@ -5,6 +5,9 @@
 
 namespace tricontact::files {
 
+/// Writes all of the bytes to where the descriptor stands. Throws std::system_error.
+void write_all(int descriptor, std::string_view bytes);
+
 /// A file on its way: under a name of its own beside `target`, locked while it is written, moved
 /// onto the target when it is whole, removed when it does not get there. What a killed process
 /// leaves has no lock any more: the next one that writes the same target removes it, and so does
@@ -19,7 +22,7 @@ class PartialFile {
 
     int descriptor() const { return descriptor_; }
     const std::string& path() const { return path_; }  ///< until it is moved
-    void write(std::string_view bytes);
+    void write(std::string_view bytes) { write_all(descriptor_, bytes); }
     /// Synced to the disk first.
     void move_to_target();
 

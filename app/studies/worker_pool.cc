@@ -13,6 +13,8 @@
 #include <system_error>
 #include <utility>
 
+#include "files/partial_file.h"
+
 namespace tricontact::app {
 
 namespace {
@@ -24,15 +26,6 @@ using Done = std::function<void(std::size_t, const WorkerReport&)>;
     throw std::system_error(errno, std::generic_category(), what);
 }
 
-void write_all(int fd, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) ::_exit(1);
-        bytes.remove_prefix(static_cast<std::size_t>(n));
-    }
-}
-
 // What has come whole ends with this; a process may die in between.
 constexpr char end_mark = '\n';
 
@@ -41,7 +34,11 @@ constexpr char end_mark = '\n';
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::signal(SIGINT, SIG_DFL);  // the handler of a host such as Python would let it live on
     if (::getppid() != parent) ::_exit(1);  // it ended before the line above
-    write_all(fd, task(i) + end_mark);
+    try {
+        files::write_all(fd, task(i) + end_mark);
+    } catch (const std::system_error&) {  // nobody reads it any more
+        ::_exit(1);
+    }
     ::_exit(0);
 }
 

@@ -2,8 +2,9 @@
 
 #include <cstring>
 #include <system_error>
-#include <type_traits>
 #include <utility>
+
+#include "contact/state_bytes.h"
 
 namespace tricontact::io {
 
@@ -16,28 +17,21 @@ constexpr std::string_view advance_call = "advance ";
 constexpr std::string_view release_call = "release ";
 constexpr std::string_view limit_call = "limit   ";
 
-template <class T>
-std::string_view bytes_in(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    return {reinterpret_cast<const char*>(&value), sizeof value};
-}
-
 // An entry is the bytes of the call, then those of the answer. Of a step, between whose members
 // there may be room, one by one: a member that is added to it does not compile until it is named
 // here.
 std::string bytes_of(const LoadStep& step) {
-    std::string bytes(advance_call);
-    const auto add = [&](const auto&... members) { ((bytes += bytes_in(members)), ...); };
-    const auto add_control = [&](const auto& control) {
+    contact::StateWriter write;
+    const auto write_control = [&](const auto& control) {
         const auto& [kind, value] = control;
-        add(kind, value);
+        write(kind, value);
     };
     const auto& [phase, offset, normal, tangential, duration, friction] = step;
-    add(phase, offset);
-    add_control(normal);
-    for (const auto& control : tangential) add_control(control);
-    add(duration, friction);
-    return bytes;
+    write(phase, offset);
+    write_control(normal);
+    for (const auto& control : tangential) write_control(control);
+    write(duration, friction);
+    return std::string(advance_call) + write.take();
 }
 
 }  // namespace
@@ -57,21 +51,22 @@ JournalledModel::JournalledModel(std::unique_ptr<contact::Model> model, const st
 }
 
 StepRecord JournalledModel::advance(const LoadStep& step) {
-    std::string call = bytes_of(step);
+    const std::string call = bytes_of(step);
     if (const auto answer = replayed(call)) {
         StepRecord record;
         std::memcpy(&record, answer->data(), sizeof record);
         model_->read_state(std::string_view(*answer).substr(sizeof record));
-        ++n_reused_;
         return record;
     }
     const StepRecord record = model_->advance(step);
     if (!file_ || !writes_) return record;
     const std::string state = model_->write_state();
+    contact::StateWriter answer;
+    answer(record);
     if (state.empty())
         finish();
     else
-        remember(call.append(bytes_in(record)) + state);
+        remember(call + answer.take() + state);
     return record;
 }
 

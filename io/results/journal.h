@@ -32,8 +32,6 @@ class JournalledModel final : public contact::Model {
 
     /// Steps that the journal holds from an earlier run, at the start.
     int n_found() const { return n_found_; }
-    /// Steps taken from it so far.
-    int n_reused() const { return n_reused_; }
     /// Removes the journal: the results are written.
     void finish();
     /// Bytes after which a journal does not grow any more.
@@ -74,7 +72,7 @@ class JournalledModel final : public contact::Model {
     std::size_t next_ = 0;               // entry that the next call is compared with
     bool writes_ = true;
     std::uint64_t most_bytes_ = std::uint64_t{4} << 30;
-    int n_found_ = 0, n_reused_ = 0;
+    int n_found_ = 0;
 };
 
 }  // namespace tricontact::io

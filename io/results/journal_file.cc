@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include "files/digest.h"
+#include "files/partial_file.h"
 #include "io/keys/messages.h"
 #include "io/results/atomic_file.h"
 
@@ -19,31 +21,19 @@ namespace {
 
 // Followed by the sizes of content and the content; numbers in the machine's own byte order: a
 // journal stays where it was written.
-constexpr std::string_view magic = "tricontact journal 1\n";
+constexpr std::string_view magic = "tricontact journal 2\n";
 
-[[noreturn]] void fail_by_system(int error, const std::string& path) {
-    throw std::system_error(error, std::generic_category(), path);
+[[noreturn]] void fail_by_system(int error) {
+    throw std::system_error(error, std::generic_category());
 }
 
-// Fowler, Noll and Vo's FNV-1a over words of 8 bytes, the last one filled up with zeros: enough
-// against truncation and damage, which are accidents.
-std::uint64_t checksum(std::uint64_t hash, std::string_view bytes) {
-    constexpr std::uint64_t prime = 0x100000001b3;
-    for (std::size_t i = 0; i < bytes.size(); i += sizeof hash) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
-        hash = (hash ^ word) * prime;
-        hash ^= hash >> 32;  // high bits of a word must reach the low ones
-    }
-    return (hash ^ bytes.size()) * prime;
+// Of everything before the content and of the content.
+std::string checksum(const std::string& before, std::string_view content) {
+    return (files::Digest() << before << content).text();
 }
-
-constexpr std::uint64_t first_checksum = 0xcbf29ce484222325;
 
 std::string bytes_of(std::uint64_t number) {
-    std::string bytes(sizeof number, '\0');
-    std::memcpy(bytes.data(), &number, sizeof number);
-    return bytes;
+    return {reinterpret_cast<const char*>(&number), sizeof number};
 }
 
 std::uint64_t number_of(std::string_view bytes) {
@@ -52,17 +42,17 @@ std::uint64_t number_of(std::string_view bytes) {
     return number;
 }
 
-constexpr std::uint64_t number_size = sizeof(std::uint64_t);
+constexpr std::uint64_t number_size = sizeof(std::uint64_t), checksum_size = 32;
 
 // Up to `size` bytes from `start`; fewer where the file ends.
-std::string read_at(int fd, std::uint64_t start, std::uint64_t size, const std::string& path) {
+std::string read_at(int fd, std::uint64_t start, std::uint64_t size) {
     std::string bytes(size, '\0');
     std::size_t done = 0;
     while (done < size) {
         const ssize_t n =
             ::pread(fd, bytes.data() + done, size - done, static_cast<off_t>(start + done));
         if (n < 0 && errno == EINTR) continue;
-        if (n < 0) fail_by_system(errno, path);
+        if (n < 0) fail_by_system(errno);
         if (n == 0) break;
         done += static_cast<std::size_t>(n);
     }
@@ -70,33 +60,23 @@ std::string read_at(int fd, std::uint64_t start, std::uint64_t size, const std::
     return bytes;
 }
 
-void write_at(int fd, std::uint64_t start, std::string_view bytes, const std::string& path) {
-    while (!bytes.empty()) {
-        const ssize_t n = ::pwrite(fd, bytes.data(), bytes.size(), static_cast<off_t>(start));
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) fail_by_system(errno, path);
-        bytes.remove_prefix(static_cast<std::size_t>(n));
-        start += static_cast<std::uint64_t>(n);
-    }
-}
-
 }  // namespace
 
 JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(path) {
     refuse_other_file(path);
     fd_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    if (fd_ < 0) fail_by_system(errno, path_);
+    if (fd_ < 0) fail_by_system(errno);
     try {
-        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail_by_system(errno, path_);
+        if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail_by_system(errno);
         const std::string due = std::string(magic) + bytes_of(key.size()) + std::string(key);
-        header_checksum_ = checksum(first_checksum, due);
-        const std::string header = due + bytes_of(header_checksum_);
+        header_checksum_ = checksum({}, due);
+        const std::string header = due + header_checksum_;
         end_ = header.size();
-        if (read_at(fd_, 0, end_, path_) == header) {
+        if (read_at(fd_, 0, end_) == header) {
             find_entries();
         } else {
             truncate(0);
-            write_at(fd_, 0, header, path_);
+            files::write_all(fd_, header);
         }
     } catch (...) {
         ::close(fd_);
@@ -122,33 +102,34 @@ JournalFile::~JournalFile() {
 // An entry: size, content, checksum.
 void JournalFile::find_entries() {
     const std::uint64_t size = std::filesystem::file_size(path_);
-    std::uint64_t sum = header_checksum_;
-    while (end_ + 2 * number_size <= size) {
-        const std::string length = read_at(fd_, end_, number_size, path_);
-        const std::uint64_t n = number_of(length), start = end_ + number_size;
-        if (n > size - start - number_size) break;
-        const std::string content = read_at(fd_, start, n + number_size, path_);
-        const std::string_view bytes(content.data(), n);
-        sum = checksum(checksum(sum, length), bytes);
-        if (number_of(std::string_view(content).substr(n)) != sum) break;
+    while (end_ + number_size + checksum_size <= size) {
+        const std::uint64_t n = number_of(read_at(fd_, end_, number_size));
+        const std::uint64_t start = end_ + number_size;
+        if (n > size - start - checksum_size) break;
+        const std::string content = read_at(fd_, start, n + checksum_size);
+        const std::string_view bytes(content);
+        const std::string sum = checksum(checksum_before(entries_.size()), bytes.substr(0, n));
+        if (bytes.substr(n) != sum) break;
         entries_.push_back({start, n, sum});
-        end_ = start + n + number_size;
+        end_ = start + n + checksum_size;
     }
     if (end_ < size) truncate(end_);
 }
 
+const std::string& JournalFile::checksum_before(std::size_t i) const {
+    return i == 0 ? header_checksum_ : entries_[i - 1].checksum;
+}
+
 std::string JournalFile::read(std::size_t i) const {
     const Entry& entry = entries_.at(i);
-    const std::uint64_t before = i == 0 ? header_checksum_ : entries_[i - 1].checksum;
-    std::string content = read_at(fd_, entry.start, entry.size, path_);
-    if (checksum(checksum(before, bytes_of(entry.size)), content) != entry.checksum)
-        fail_by_system(EIO, path_);
+    std::string content = read_at(fd_, entry.start, entry.size);
+    if (checksum(checksum_before(i), content) != entry.checksum) fail_by_system(EIO);
     return content;
 }
 
 std::string JournalFile::read_front(std::size_t i, std::uint64_t n) const {
     const Entry& entry = entries_.at(i);
-    return read_at(fd_, entry.start, std::min(n, entry.size), path_);
+    return read_at(fd_, entry.start, std::min(n, entry.size));
 }
 
 void JournalFile::cut(std::size_t n) {
@@ -159,31 +140,29 @@ void JournalFile::cut(std::size_t n) {
 }
 
 void JournalFile::append(std::string_view entry) {
-    const std::uint64_t before = entries_.empty() ? header_checksum_ : entries_.back().checksum;
-    const std::string length = bytes_of(entry.size());
-    const std::uint64_t sum = checksum(checksum(before, length), entry);
-    const std::uint64_t start = end_ + number_size;
+    const std::string sum = checksum(checksum_before(entries_.size()), entry);
     try {
-        write_at(fd_, end_, length, path_);
-        write_at(fd_, start, entry, path_);
-        write_at(fd_, start + entry.size(), bytes_of(sum), path_);
+        if (::lseek(fd_, static_cast<off_t>(end_), SEEK_SET) < 0) fail_by_system(errno);
+        files::write_all(fd_, bytes_of(entry.size()));
+        files::write_all(fd_, entry);
+        files::write_all(fd_, sum);
     } catch (...) {
         // Where this fails too, the checksum tells the next reader.
         [[maybe_unused]] const int ignored = ::ftruncate(fd_, static_cast<off_t>(end_));
         throw;
     }
-    entries_.push_back({start, entry.size(), sum});
-    end_ = start + entry.size() + number_size;
+    entries_.push_back({end_ + number_size, entry.size(), sum});
+    end_ += number_size + entry.size() + checksum_size;
 }
 
 void JournalFile::remove() {
-    if (::unlink(path_.c_str()) != 0 && errno != ENOENT) fail_by_system(errno, path_);
+    if (::unlink(path_.c_str()) != 0 && errno != ENOENT) fail_by_system(errno);
     ::close(fd_);
     fd_ = -1;
 }
 
 void JournalFile::truncate(std::uint64_t size) {
-    if (::ftruncate(fd_, static_cast<off_t>(size)) != 0) fail_by_system(errno, path_);
+    if (::ftruncate(fd_, static_cast<off_t>(size)) != 0) fail_by_system(errno);
 }
 
 }  // namespace tricontact::io

@@ -43,16 +43,17 @@ class JournalFile {
   private:
     struct Entry {
         std::uint64_t start, size;  // of the content [bytes]
-        std::uint64_t checksum;     // of everything up to the content's end
+        std::string checksum;       // of everything up to the content's end
     };
 
     void find_entries();
+    const std::string& checksum_before(std::size_t i) const;
     void truncate(std::uint64_t size);
 
     std::string path_;
     int fd_ = -1;
-    std::uint64_t end_ = 0;              // of the last whole entry
-    std::uint64_t header_checksum_ = 0;  // what the first entry's goes on from
+    std::uint64_t end_ = 0;        // of the last whole entry
+    std::string header_checksum_;  // what the first entry's goes on from
     std::vector<Entry> entries_;
 };
 
