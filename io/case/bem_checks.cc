@@ -1,17 +1,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
 #include "io/case/case_checks.h"
-#include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::io {
 
 namespace {
 
 using contact::Case;
-using contact::Material;
 using Base = Case::Base;
 
 constexpr double whole_cells = 1e-6;  // how far the period may be from them, in cells

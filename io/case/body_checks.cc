@@ -1,9 +1,6 @@
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
 #include "io/case/case_checks.h"
-#include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 #include "io/tables/height_map_file.h"
 
 namespace tricontact::io {

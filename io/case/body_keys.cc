@@ -3,7 +3,6 @@
 
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
-#include "io/keys/key_checks.h"
 #include "io/tables/body_tables.h"
 
 namespace tricontact::io {

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
-#include "io/keys/key_checks.h"
 
 namespace tricontact::io {
 
@@ -94,10 +92,6 @@ void check_oscillation(const Case& c, const Document& document) {
     }
 }
 
-double rolling_amplitude(const Case& c, const HalfSpaceScales& s) {
-    return c.rolling ? contact::rolling_amplitude(*c.rolling, s.contact_radius) : 0;
-}
-
 double steps_per_period(const Case::Rolling& rolling, double amplitude) {
     if (rolling.steps == Case::Steps::turning_points) return 4;
     if (rolling.steps == Case::Steps::per_quarter) return 4. * rolling.steps_per_quarter;
@@ -109,7 +103,7 @@ double check_steps(const Case& c, const HalfSpaceScales& s, const Document& docu
         return 2 + c.tractive_rolling->distance * (c.bem.spacing ? s.contact_radius / *c.bem.spacing
                                                                  : *c.bem.cells_per_radius);
     if (!c.rolling) return 2;
-    const double amplitude = rolling_amplitude(c, s);
+    const double amplitude = contact::path_amplitude(c, s.contact_radius);
     const bool increment = c.rolling->steps == Case::Steps::increment;
     if (increment && c.rolling->increment > s.contact_radius)
         refuse(document, "rolling.increment",
@@ -136,7 +130,8 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
                "fewer than " + rounded(fewest_cells) + " cells in the contact radius of " +
                    rounded(radius) + " m: too coarse",
                "use a spacing of at most " + rounded(radius / 10) + " m");
-    const double w = rolling_amplitude(c, s), angle = c.rolling ? c.rolling->angle : 0;
+    const double w = contact::path_amplitude(c, s.contact_radius);
+    const double angle = c.rolling ? c.rolling->angle : 0;
     const bool whole_period = c.bem.period && contact::is_nominally_flat(c);
     const double crest = 1 + c.load.normal_amplitude_ratio;
     const double grown = c.load.normal_force ? std::cbrt(crest) : std::sqrt(crest);
@@ -162,7 +157,7 @@ void check_bem(const Case& c, const HalfSpaceScales& s, double steps, const Docu
 
 void check_mdr(const Case& c, const HalfSpaceScales& s, double steps, const Document& document) {
     const double a = s.contact_radius;
-    const double in_contact = c.mdr.springs * a / (a + rolling_amplitude(c, s));
+    const double in_contact = c.mdr.springs * a / (a + contact::path_amplitude(c, a));
     if (in_contact < fewest_springs)
         refuse(document, "mdr.springs",
                "fewer than " + rounded(fewest_springs) + " springs in the contact: too coarse",

@@ -4,8 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "contact/bodies/half_space_scales.h"
 #include "contact/case.h"
-#include "io/keys/toml_document.h"
+#include "io/keys/key_checks.h"
 
 // Rules that join several keys, one file of them each; case_checks.cc calls the others. All throw
 // contact::InputError that points into the document.

@@ -99,7 +99,9 @@ std::vector<CaseKey> model_keys() {
          at<&Case::output, &Output::volume_depth>}};
 }
 
-const std::vector<CaseKey>& declared_keys() {
+}  // namespace
+
+const std::vector<CaseKey>& case_keys() {
     static const std::vector<CaseKey> keys = [] {
         std::vector<CaseKey> all;
         for (auto* const part : {top_keys, indenter_keys, substrate_keys, relaxation_keys,
@@ -110,14 +112,8 @@ const std::vector<CaseKey>& declared_keys() {
     return keys;
 }
 
-}  // namespace
-
-std::span<const CaseKey> case_keys() {
-    return declared_keys();
-}
-
 const KeyList& case_key_list() {
-    static const KeyList list(declared_keys(), "docs/case-file.md");
+    static const KeyList list(case_keys(), "docs/case-file.md");
     return list;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace tricontact::io {
 using CaseKey = PlacedKey<contact::Case>;
 
 /// All keys in the order in which they are written.
-std::span<const CaseKey> case_keys();
+const std::vector<CaseKey>& case_keys();
 const KeyList& case_key_list();
 /// The place of a key in the case; none where it does not apply to its shape.
 Field place_of(const CaseKey& key, contact::Case& c);

@@ -2,16 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
-#include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
-#include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
-#include "io/keys/toml_document.h"
 
 namespace tricontact::io {
 

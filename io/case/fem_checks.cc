@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "contact/load_path.h"
 #include "io/case/case_checks.h"
-#include "io/keys/key_checks.h"
 
 namespace tricontact::io {
 
 namespace {
 
 using contact::Case;
-using contact::Material;
 
 constexpr double fewest_elements = 2;    // per contact radius
 constexpr double most_unknowns = 60000;  // of the patch: 29 GB for the dense compliance
@@ -36,12 +34,9 @@ struct Patch {
 
 Patch patch_of(const Case& c, double contact_radius) {
     const double across = c.is_cylindrical() ? c.indenter.length / 2 : contact_radius;
-    if (!c.rolling) return {contact_radius, across};
-    const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
-    const double reference = own ? contact_radius : contact::half_space_scales(c).contact_radius;
-    const double w = contact::rolling_amplitude(*c.rolling, reference);
-    return {contact_radius + w * std::abs(std::cos(c.rolling->angle)),
-            across + w * std::abs(std::sin(c.rolling->angle))};
+    const double w = contact::path_amplitude(c, contact_radius);
+    const double angle = c.rolling ? c.rolling->angle : 0;
+    return {contact_radius + w * std::abs(std::cos(angle)), across + w * std::abs(std::sin(angle))};
 }
 
 void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,

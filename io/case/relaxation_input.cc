@@ -4,7 +4,6 @@
 #include "contact/substrates/relaxing_case.h"
 #include "io/case/case_checks.h"
 #include "io/case/case_keys.h"
-#include "io/keys/key_checks.h"
 #include "io/tables/body_tables.h"
 
 namespace tricontact::io {

@@ -5,11 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/bodies/half_space_scales.h"
 #include "contact/load_path.h"
 #include "io/case/case_checks.h"
-#include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::io {
 

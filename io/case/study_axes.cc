@@ -7,10 +7,7 @@
 #include <set>
 
 #include "io/case/study_reader.h"
-#include "io/keys/field_reader.h"
-#include "io/keys/key.h"
 #include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::io {
 
@@ -18,15 +15,12 @@ namespace {
 
 using Kind = Key::Kind;
 
-[[noreturn]] void refuse_unknown(const Entry& entry, const std::string& path, const KeyList& keys) {
-    fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
-         did_you_mean(likely_path(path, keys.paths()),
-                      std::string(keys.reference()) + " lists the keys"));
-}
-
 const Key& checked_key(const Entry& entry, const std::string& path, const KeyList& keys) {
     const Key* key = keys.find(path);
-    if (!key) refuse_unknown(entry, path, keys);
+    if (!key)
+        fail(entry.key_place, "", "unknown key " + entry.path + ": the case has no key " + path,
+             did_you_mean(likely_path(path, keys.paths()),
+                          std::string(keys.reference()) + " lists the keys"));
     if (path == "models")
         fail(entry.key_place, entry.path, "cannot be set or varied",
              "write models = [...] at the top of the study");

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "io/case/case_keys.h"
-#include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key_checks.h"
-#include "io/keys/messages.h"
 
 namespace tricontact::io {
 
