@@ -48,15 +48,12 @@ class SequenceReading {
     }
 
     ImportedCase imported(bool is_coupled) const {
-        return {text(is_coupled), steps_.size(), cases_.size() - steps_.size()};
-    }
-
-    std::string text(bool is_coupled) const {
-        return fmt::format("title = {}\nmodels = [\"bem\"]\n",
-                           toml_string("Sequence of CONTACT, " + name_)) +
-               body_text() + material_text() + load_text(is_coupled) + rolling_text() +
-               fmt::format("[bem]\nspacing = \"{} mm\"\ntolerance = {}\n", 1e3 * head().spacing[0],
-                           toml_number(head().tolerance));
+        return {fmt::format("title = {}\nmodels = [\"bem\"]\n{}{}{}{}[bem]\nspacing = \"{} mm\"\n"
+                            "tolerance = {}\n",
+                            toml_string("Sequence of CONTACT, " + name_), body_text(),
+                            material_text(), load_text(is_coupled), rolling_text(),
+                            1e3 * head().spacing[0], toml_number(head().tolerance)),
+                steps_.size(), cases_.size() - steps_.size()};
     }
 
     /// Each step of the file is one of the case's. How an uncoupled contact is pressed is all the

@@ -87,9 +87,6 @@ void read_word(InputLines& lines, const std::vector<Digit>& declared, CaseDigits
 
 }  // namespace
 
-InputLines::InputLines(std::string text, std::string name)
-    : text_(std::move(text)), name_(std::move(name)) {}
-
 bool InputLines::advance() {
     while (at_ < text_.size()) {
         const std::size_t end = std::min(text_.find('\n', at_), text_.size());
@@ -114,26 +111,24 @@ std::string_view InputLines::next_word(std::string_view what) {
         fail(fmt::format("{}:{}", name_, line_), "", fmt::format("the file ends, but {} due", what),
              "complete it, or end it by \"0 MODULE\"");
     const std::string_view word = words_[next_++];
-    taken_.push_back({line_, static_cast<int>(word.data() - current_.data()) + 1});
+    column_ = static_cast<int>(word.data() - current_.data()) + 1;
     return word;
 }
 
-std::vector<double> InputLines::numbers(std::size_t n, std::string_view what) {
-    taken_.clear();
-    std::vector<double> values;
+std::vector<InputNumber> InputLines::numbers(std::size_t n, std::string_view what) {
+    std::vector<InputNumber> values;
     while (values.size() < n) {
         const std::string_view word = next_word(fmt::format("{} are", what));
         const auto value = fortran_number(word);
         if (!value)
             refuse(quoted(word), fmt::format("is no number, but {} are due", what), "correct it");
-        values.push_back(*value);
+        values.push_back({*value, line_, column_});
     }
     end_of_values();
     return values;
 }
 
 int InputLines::whole_number(std::string_view what) {
-    taken_.clear();
     const std::string_view word = next_word(fmt::format("{} is", what));
     const std::string_view number = without_plus(word);
     int value = 0;
@@ -145,7 +140,6 @@ int InputLines::whole_number(std::string_view what) {
 }
 
 std::vector<int> InputLines::digits(std::size_t n, std::string_view what) {
-    taken_.clear();
     const std::string_view word = next_word(fmt::format("{} are", what));
     const bool all = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
     if (!all || word.size() > n)
@@ -156,18 +150,24 @@ std::vector<int> InputLines::digits(std::size_t n, std::string_view what) {
     return values;
 }
 
-std::string InputLines::place_of(const Place& place) const {
-    return fmt::format("{}:{}:{}", name_, place.line, place.column);
+std::string InputLines::place(int line, int column) const {
+    return fmt::format("{}:{}:{}", name_, line, column);
 }
 
-void InputLines::refuse(std::string_view subject, std::string_view rule, std::string_view remedy,
-                        std::size_t back) const {
-    fail(place_of(taken_[taken_.size() - 1 - back]), subject, rule, remedy);
+void InputLines::refuse(std::string_view subject, std::string_view rule,
+                        std::string_view remedy) const {
+    fail(place(line_, column_), subject, rule, remedy);
+}
+
+void InputLines::refuse(std::string_view name, const InputNumber& number, std::string_view rule,
+                        std::string_view remedy) const {
+    fail(place(number.line, number.column), fmt::format("{} = {}", name, number.value), rule,
+         remedy);
 }
 
 void InputLines::refuse_line(int line, std::string_view subject, std::string_view rule,
                              std::string_view remedy) const {
-    fail(place_of({line, 1}), subject, rule, remedy);
+    fail(place(line, 1), subject, rule, remedy);
 }
 
 CaseDigits read_digits(InputLines& lines) {

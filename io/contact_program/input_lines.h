@@ -6,6 +6,14 @@
 
 namespace tricontact::io {
 
+/// A number where it stands.
+struct InputNumber {
+    double value = 0;
+    int line = 0, column = 0;
+
+    operator double() const { return value; }
+};
+
 /// The values of an input file of CONTACT as its own reader takes them: what follows % is comment,
 /// words are parted by blanks, tabs, commas and =, and what a line holds beyond the values that are
 /// due is comment, too. Values may go on in further lines. Throws contact::InputError, naming file,
@@ -13,12 +21,13 @@ namespace tricontact::io {
 class InputLines {
   public:
     /// `name` stands for the file in messages.
-    InputLines(std::string text, std::string name);
+    InputLines(std::string text, std::string name)
+        : text_(std::move(text)), name_(std::move(name)) {}
 
     /// Nothing but comments is left.
     bool at_end();
     /// The next `n` numbers; `what` they are, for messages.
-    std::vector<double> numbers(std::size_t n, std::string_view what);
+    std::vector<InputNumber> numbers(std::size_t n, std::string_view what);
     /// The next whole number.
     int whole_number(std::string_view what);
     /// `n` digits in one word; a shorter word lacks zeros in front.
@@ -26,23 +35,22 @@ class InputLines {
 
     /// Line of the last value [1, ...].
     int line() const { return line_; }
-    /// At the value `back` before the last one.
+    /// At the last value.
     [[noreturn]] void refuse(std::string_view subject, std::string_view rule,
-                             std::string_view remedy, std::size_t back = 0) const;
+                             std::string_view remedy) const;
+    /// "name = number" there.
+    [[noreturn]] void refuse(std::string_view name, const InputNumber& number,
+                             std::string_view rule, std::string_view remedy) const;
     /// In a line read before.
     [[noreturn]] void refuse_line(int line, std::string_view subject, std::string_view rule,
                                   std::string_view remedy) const;
 
   private:
-    struct Place {
-        int line, column;
-    };
-
     /// Reads the next line that holds words; false at the end.
     bool advance();
     std::string_view next_word(std::string_view what);
     void end_of_values() { next_ = words_.size(); }
-    std::string place_of(const Place& place) const;
+    std::string place(int line, int column) const;
 
     std::string text_, name_;
     std::size_t at_ = 0;  // in the text
@@ -50,7 +58,7 @@ class InputLines {
     std::string_view current_;             // line
     std::vector<std::string_view> words_;  // of it
     std::size_t next_ = 0;                 // of them
-    std::vector<Place> taken_;             // of the values of the last call
+    int column_ = 0;                       // of the last value
 };
 
 /// The control digits of a case of CONTACT's module 3, as far as they say what the case is.

@@ -13,19 +13,6 @@ constexpr double newton_per_square_mm = 1e6;  // 1 N/mm^2 in Pa
 constexpr int module_number = 3;
 constexpr int most_cells_along = 100000;
 
-int cells_along(double value, const char* what, std::size_t back, const InputLines& lines) {
-    if (!(value >= 1 && value <= most_cells_along) || value != std::floor(value))
-        lines.refuse(fmt::format("{} = {}", what, value),
-                     fmt::format("must be a whole number from 1 to {}", most_cells_along),
-                     "correct it", back);
-    return static_cast<int>(value);
-}
-
-void demand_positive(double value, const char* what, std::size_t back, const InputLines& lines) {
-    if (!(value > 0))
-        lines.refuse(fmt::format("{} = {}", what, value), "must be positive", "correct it", back);
-}
-
 /// Reads one case after the other; what is not given again is that of the case before.
 class CaseReading {
   public:
@@ -84,9 +71,21 @@ class CaseReading {
         demand(d.solver == 0, "G = 1");
     }
 
+    void demand_positive(const InputNumber& number, const char* name) const {
+        if (!(number > 0)) lines_.refuse(name, number, "must be positive", "correct it");
+    }
+
+    int cells_along(const InputNumber& number, const char* name) const {
+        if (!(number >= 1 && number <= most_cells_along) || number != std::floor(number))
+            lines_.refuse(name, number,
+                          fmt::format("must be a whole number from 1 to {}", most_cells_along),
+                          "correct it");
+        return static_cast<int>(number);
+    }
+
     void read_solver() {
         const auto v = lines_.numbers(5, "MAXGS, MAXIN, MAXNR, MAXOUT and EPS");
-        demand_positive(v[4], "EPS", 0, lines_);
+        demand_positive(v[4], "EPS");
         current_.tolerance = v[4];
     }
 
@@ -94,9 +93,8 @@ class CaseReading {
         const bool force = current_.digits.normal == 1;
         const auto v = lines_.numbers(
             4, force ? "FN and three tangential values" : "PEN and three tangential values");
-        demand_positive(v[0], force ? "FN" : "PEN", 3, lines_);
-        if (v[3] != 0)
-            lines_.refuse(fmt::format("CPHI = {}", v[3]), "no case here is turned", "give 0");
+        demand_positive(v[0], force ? "FN" : "PEN");
+        if (v[3] != 0) lines_.refuse("CPHI", v[3], "no case here is turned", "give 0");
         current_.loads_line = lines_.line();
         current_.normal = v[0] * (force ? 1 : millimetre);
         const int forces = current_.digits.force;
@@ -107,10 +105,9 @@ class CaseReading {
     void read_friction() {
         constexpr double same = 1e-3;  // as CONTACT asks for
         const auto v = lines_.numbers(2, "FSTAT and FKIN");
-        demand_positive(v[0], "FSTAT", 1, lines_);
+        demand_positive(v[0], "FSTAT");
         if (std::abs(v[1] - v[0]) > same * v[0])
-            lines_.refuse(fmt::format("FKIN = {}", v[1]), "must be FSTAT in Coulomb friction",
-                          "correct it");
+            lines_.refuse("FKIN", v[1], "must be FSTAT in Coulomb friction", "correct it");
         current_.friction_coefficient = v[0];
     }
 
@@ -118,9 +115,9 @@ class CaseReading {
         const auto v = lines_.numbers(4, "POISS 1,2 and GG 1,2");
         for (const std::size_t body : {0, 1}) {
             if (!(v[body] >= 0 && v[body] <= 0.5))
-                lines_.refuse(fmt::format("POISS{} = {}", body + 1, v[body]),
-                              "must be from 0 to 0.5", "correct it", 3 - body);
-            demand_positive(v[body + 2], body == 0 ? "GG1" : "GG2", 1 - body, lines_);
+                lines_.refuse(body == 0 ? "POISS1" : "POISS2", v[body], "must be from 0 to 0.5",
+                              "correct it");
+            demand_positive(v[body + 2], body == 0 ? "GG1" : "GG2");
             current_.poisson[body] = v[body];
             current_.shear_modulus[body] = newton_per_square_mm * v[body + 2];
         }
@@ -132,24 +129,25 @@ class CaseReading {
             lines_.refuse(fmt::format("IPOTCN = {}", way), "must be from -5 to -1 or from 1 to 4",
                           "give the cells by 1: first corner and size of a cell");
         current_.is_hertzian = way < 0;
-        const std::size_t n = way < 0 ? 5 : 6;
-        const auto v = lines_.numbers(n, "MX, MY and the place of the cells");
+        const auto v = lines_.numbers(way < 0 ? 5 : 6, "MX, MY and the place of the cells");
         current_.cells_line = lines_.line();
-        current_.n_x = cells_along(v[0], "MX", n - 1, lines_);
-        current_.n_y = cells_along(v[1], "MY", n - 2, lines_);
+        current_.n_x = cells_along(v[0], "MX");
+        current_.n_y = cells_along(v[1], "MY");
         if (way > 0) place_cells(way, v);
     }
 
     /// By corner or centre of the first cell (odd, even pairs), and by size of a cell or the last
     /// corner or centre.
-    void place_cells(int way, const std::vector<double>& v) {
+    void place_cells(int way, const std::vector<InputNumber>& v) {
         const bool by_corner = way <= 2, by_size = way % 2 == 1;
         const std::array<int, 2> n{current_.n_x, current_.n_y};
         for (const std::size_t axis : {0, 1}) {
-            const double from = millimetre * v[2 + axis], given = millimetre * v[4 + axis];
+            const double from = millimetre * v[2 + axis];
+            InputNumber size = v[4 + axis];
+            size.value *= millimetre;
             const int parts = by_corner ? n[axis] : std::max(1, n[axis] - 1);
-            const double size = by_size ? given : (given - from) / parts;
-            demand_positive(size, axis == 0 ? "DX" : "DY", 1 - axis, lines_);
+            if (!by_size) size.value = (size - from) / parts;
+            demand_positive(size, axis == 0 ? "DX" : "DY");
             current_.spacing[axis] = size;
             current_.first[axis] = by_corner ? from + size / 2 : from;
         }
@@ -160,31 +158,29 @@ class CaseReading {
         if (current_.is_hertzian) return;  // nothing is given
         const auto kind = lines_.numbers(2, "IBASE and IPLAN");
         if (kind[0] != 1)
-            lines_.refuse(fmt::format("IBASE = {}", kind[0]),
-                          "only quadratic undeformed distances tell the body",
-                          "give 1, or describe the body in a case file", 1);
+            lines_.refuse("IBASE", kind[0], "only quadratic undeformed distances tell the body",
+                          "give 1, or describe the body in a case file");
         if (kind[1] != 1)
-            lines_.refuse(fmt::format("IPLAN = {}", kind[1]), "no planform is cut out of the cells",
-                          "give 1");
+            lines_.refuse("IPLAN", kind[1], "no planform is cut out of the cells", "give 1");
         const auto b = lines_.numbers(6, "B(1) to B(6)");
         current_.distance_line = lines_.line();
         if (b[1] != 0)
-            lines_.refuse(fmt::format("B(2) = {}", b[1]),
-                          "the body's axes must be those of x and y", "turn the axes", 4);
+            lines_.refuse("B(2)", b[1], "the body's axes must be those of x and y",
+                          "turn the axes");
         const double curved[] = {b[0] / millimetre, b[2] / millimetre};
         const double inclined[] = {b[3], b[4]};
         for (const std::size_t axis : {0, 1}) {
             if (curved[axis] < 0 || (curved[axis] == 0 && (axis == 0 || inclined[axis] != 0)))
-                lines_.refuse(fmt::format("B({}) = {}", 2 * axis + 1, b[2 * axis]),
-                              "a body must be convex", "correct it", 5 - 2 * axis);
+                lines_.refuse(axis == 0 ? "B(1)" : "B(3)", b[2 * axis], "a body must be convex",
+                              "correct it");
             current_.curvature[axis] = curved[axis];
             current_.offset[axis] = curved[axis] == 0 ? 0 : -inclined[axis] / (2 * curved[axis]);
         }
-        check_lowest_point(millimetre * b[5]);
+        check_lowest_point(b[5]);
     }
 
     /// The offset's lowest point has the height zero: the depth d is counted from there.
-    void check_lowest_point(double given) {
+    void check_lowest_point(const InputNumber& given) {
         constexpr double allowed = 1e-2;  // of the height over a cell: files are rounded
         double height = 0, over_cell = 0;
         for (const std::size_t axis : {0, 1}) {
@@ -192,8 +188,8 @@ class CaseReading {
             height += a * std::pow(current_.offset[axis], 2);
             over_cell += a * std::pow(current_.spacing[axis], 2);
         }
-        if (!(std::abs(given - height) <= allowed * over_cell))
-            lines_.refuse(fmt::format("B(6) = {}", given / millimetre),
+        if (!(std::abs(millimetre * given - height) <= allowed * over_cell))
+            lines_.refuse("B(6)", given,
                           fmt::format("leaves the lowest point beside the height 0, where it would "
                                       "be with {:.6g}",
                                       height / millimetre),

@@ -123,12 +123,16 @@ struct SequenceWriter {
         const bool moved = !before || step.offset != before->offset;
         text_ += fmt::format("\n% {}\n 3 MODULE\n", number);
         append_digits(step, before == nullptr, moved);
-        if (!before) append_solver();
+        if (!before)
+            text_ += fmt::format(" {} {} {}   MAXGS, MAXIN, MAXNR, MAXOUT, EPS\n", inner_iterations,
+                                 is_coupled_ ? turns_if_coupled : 1, case_.bem.tolerance);
         append_loads(step);
         if (!before) {
             text_ += fmt::format(" {0} {0}   FSTAT, FKIN\n", case_.friction_coefficient);
             append_materials();
-            append_grid();
+            text_ += fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
+                                 grid_.n_x, grid_.n_y, mm * grid_.first[0], mm * grid_.first[1],
+                                 mm * grid_.spacing[0], mm * grid_.spacing[1]);
         }
         if (moved)
             text_ += curvature_ ? quadratic_distance(*curvature_, step.offset)
@@ -143,11 +147,6 @@ struct SequenceWriter {
         text_ += first ? fmt::format(" 002{}020   V-L-D-C-M-Z-E\n", influence)
                        : fmt::format(" 01000{}0   V-L-D-C-M-Z-E\n", moved ? 2 : 0);
         text_ += fmt::format(" 0{0:d}{0:d}0211   H-G-I-A-O-W-R\n", !first);
-    }
-
-    void append_solver() {
-        text_ += fmt::format(" {} {} {}   MAXGS, MAXIN, MAXNR, MAXOUT, EPS\n", inner_iterations,
-                             is_coupled_ ? turns_if_coupled : 1, case_.bem.tolerance);
     }
 
     /// FX is on the indenter, against F_T on the substrate.
@@ -166,12 +165,6 @@ struct SequenceWriter {
                              material ? material->poisson : case_.substrate.poisson,
                              case_.substrate.poisson, per_square_mm * indenter,
                              per_square_mm * substrate);
-    }
-
-    void append_grid() {
-        text_ += fmt::format(" 3   IPOTCN\n {} {} {} {} {} {}   MX, MY, XC1, YC1, DX, DY\n",
-                             grid_.n_x, grid_.n_y, mm * grid_.first[0], mm * grid_.first[1],
-                             mm * grid_.spacing[0], mm * grid_.spacing[1]);
     }
 };
 
