@@ -15,10 +15,6 @@ namespace {
 
 using Paths = std::vector<std::string_view>;
 
-std::string join(const Paths& words) {
-    return joined(words, [](std::string_view word) { return word; });
-}
-
 [[noreturn]] void refuse_unknown(const std::string& place, const std::string& what,
                                  std::string_view near, const std::string& otherwise) {
     fail(place, "", "unknown " + what, did_you_mean(near, otherwise));
@@ -111,7 +107,7 @@ std::string_view begun_alike(std::string_view name, const Paths& paths) {
 void refuse_missing(const Key& key, const Document& document, const KeyList& keys) {
     std::vector<std::string_view> group;
     for (const Key* other : keys.alternatives(key)) group.push_back(other->path);
-    const std::string what = group.empty() ? std::string(key.path) : join(group);
+    const std::string what = group.empty() ? std::string(key.path) : joined(group);
     const std::string section = std::string(key.section());
     std::string remedy = "add ";
     if (!section.empty() && !document.find_section(section))
@@ -130,7 +126,7 @@ void check_names(const Document& document, const KeyList& keys, const OtherNames
     for (const auto& [name, place] : document.sections)
         if (!is_section(name) && !others.is_open(name))
             refuse_unknown(place, "section [" + name + "]", nearest(name, sections),
-                           "known are " + join(sections));
+                           "known are " + joined(sections));
     for (const Entry& entry : document.entries) {
         if (keys.find(entry.path) || others.is_open(entry.path)) continue;
         if (is_section(entry.path))
@@ -141,7 +137,7 @@ void check_names(const Document& document, const KeyList& keys, const OtherNames
         const std::string likely = likely_path(entry.path, known);
         std::erase_if(known, [&](auto path) { return section_of(path) != section_of(entry.path); });
         refuse_unknown(entry.key_place, "key " + entry.path, likely,
-                       others.remedy.empty() ? "known are " + join(known) : others.remedy);
+                       others.remedy.empty() ? "known are " + joined(known) : others.remedy);
     }
 }
 

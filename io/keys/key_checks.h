@@ -6,9 +6,7 @@
 
 #include "contact/error.h"
 #include "io/keys/field_reader.h"
-#include "io/keys/key.h"
 #include "io/keys/messages.h"
-#include "io/keys/toml_document.h"
 
 namespace tricontact::io {
 

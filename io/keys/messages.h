@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -32,8 +33,8 @@ std::string_view::size_type first_non_utf8(std::string_view text);
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// The texts of the elements, divided by commas.
-template <class List, class TextOf>
-std::string joined(const List& list, const TextOf& text_of) {
+template <class List, class TextOf = std::identity>
+std::string joined(const List& list, const TextOf& text_of = {}) {
     std::string out;
     for (const auto& element : list) out.append(out.empty() ? "" : ", ").append(text_of(element));
     return out;

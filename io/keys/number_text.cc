@@ -10,10 +10,6 @@ namespace tricontact::io {
 
 namespace {
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 // From the beginning of this line on, from 1.
 std::string_view from_line(std::string_view text, std::size_t line) {
     for (; line > 1 && !text.empty(); --line)
@@ -143,7 +139,7 @@ bool has_bare_point(std::string_view text, std::size_t line) {
     text = from_line(text, line);
     text = text.substr(0, text.find_first_of("\n#"));
     for (std::size_t i = 1; i + 1 < text.size(); ++i)
-        if (text[i] == '.' && is_digit(text[i + 1]) &&
+        if (text[i] == '.' && std::string_view("0123456789").find(text[i + 1]) != text.npos &&
             std::string_view(" \t=[,+-").find(text[i - 1]) != std::string_view::npos)
             return true;
     return false;

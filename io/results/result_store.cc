@@ -1,7 +1,6 @@
 #include "io/results/result_store.h"
 
 #include <filesystem>
-#include <vector>
 
 #include "files/digest.h"
 #include "io/keys/messages.h"

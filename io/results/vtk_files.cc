@@ -199,9 +199,6 @@ VtkFile vtk_file(double phase, const Interior& interior, const Provenance& prove
                               : file_of<vtkUnstructuredGrid>(phase, interior, provenance);
 }
 
-VtkSeries::VtkSeries(std::string folder, std::string name, Provenance provenance)
-    : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
-
 void VtkSeries::add(double time, const VtkFile& file) {
     const std::string name = fmt::format("{}_{:06}{}", name_, files_.size(), file.extension);
     write_file((std::filesystem::path(folder_) / name).string(), file.bytes);

@@ -40,7 +40,8 @@ VtkFile vtk_file(double phase, const contact::Interior& interior, const Provenan
 class VtkSeries {
   public:
     /// The folder must exist (see make_output_folder).
-    VtkSeries(std::string folder, std::string name, Provenance provenance);
+    VtkSeries(std::string folder, std::string name, Provenance provenance)
+        : folder_(std::move(folder)), name_(std::move(name)), provenance_(std::move(provenance)) {}
 
     /// Begins again: the first file comes next.
     void clear() { files_.clear(); }

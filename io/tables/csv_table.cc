@@ -118,8 +118,7 @@ void CsvTable::check_names(std::initializer_list<std::string_view> known) const 
     for (const Column& column : columns_)
         if (std::ranges::count(known, column.name) == 0)
             refuse_header("unknown column " + toml_string(shortened(column.name, 40)) +
-                          "; known are " +
-                          joined(known, [](std::string_view name) { return name; }));
+                          "; known are " + joined(known));
 }
 
 void CsvTable::check_positive(std::string_view column) const {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <optional>
 
 #include "io/keys/input_file.h"
 #include "io/keys/messages.h"

@@ -37,7 +37,7 @@ std::size_t little_endian(std::string_view bytes, std::size_t at, std::size_t n)
 
 /// The dictionary's text: where it begins, and how long it is, stands behind the npy_magic and
 /// version.
-std::string_view dictionary(std::string_view bytes, const std::string& name, NpyHeader& header) {
+std::string_view dictionary(std::string_view bytes, const std::string& name) {
     if (!bytes.starts_with(npy_magic) || bytes.size() < 12)
         fail(name, "", "does not begin as a NumPy array does", npy_remedy);
     const int version = bytes[6];
@@ -49,7 +49,6 @@ std::string_view dictionary(std::string_view bytes, const std::string& name, Npy
     const std::size_t digits = version == 1 ? 2 : 4, first = 8 + digits;
     const std::size_t length = little_endian(bytes, 8, digits);
     if (length > bytes.size() - first) fail(name, "", "ends within its header", npy_remedy);
-    header.data = first + length;
     return bytes.substr(first, length);
 }
 
@@ -63,21 +62,6 @@ std::optional<std::string_view> take(std::string_view& text, std::string_view fr
     return found;
 }
 
-/// "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }" and blanks, as NumPy writes it.
-struct Dictionary {
-    std::string_view type, order, shape;
-};
-
-std::optional<Dictionary> parse_dictionary(std::string_view text) {
-    const auto type = take(text, "{'descr': '", '\'');
-    const auto order = take(text, ", 'fortran_order': ", ',');
-    const auto shape = take(text, " 'shape': (", ')');
-    if (!type || !order || !shape || (*order != "True" && *order != "False") ||
-        !text.starts_with(", }") || text.find_first_not_of(" \t\n\r\f\v", 3) != text.npos)
-        return {};
-    return Dictionary{*type, *order, *shape};
-}
-
 /// Up to nine digits and nothing else.
 std::optional<std::size_t> parse_side(std::string_view text) {
     std::size_t value = 0;
@@ -87,28 +71,31 @@ std::optional<std::size_t> parse_side(std::string_view text) {
     return value;
 }
 
+/// Of "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 4), }" and blanks, as NumPy writes it.
 NpyHeader read_header(std::string_view bytes, const std::string& name) {
-    NpyHeader header;
-    const std::string_view text = dictionary(bytes, name, header);
-    const auto parts = parse_dictionary(text);
-    if (!parts)
-        fail(name, toml_string(shortened(text, 80)), "is no header of a plain array", npy_remedy);
-    if (parts->type != "<f8" && parts->type != "<f4")
-        fail(name, toml_string(shortened(parts->type, 20)),
+    const std::string_view all = dictionary(bytes, name);
+    std::string_view rest = all;
+    const auto type = take(rest, "{'descr': '", '\'');
+    const auto order = take(rest, ", 'fortran_order': ", ',');
+    const auto shape = take(rest, " 'shape': (", ')');
+    if (!type || !order || !shape || (*order != "True" && *order != "False") ||
+        !rest.starts_with(", }") || rest.find_first_not_of(" \t\n\r\f\v", 3) != rest.npos)
+        fail(name, toml_string(shortened(all, 80)), "is no header of a plain array", npy_remedy);
+    if (*type != "<f8" && *type != "<f4")
+        fail(name, toml_string(shortened(*type, 20)),
              "is not the type of little-endian floating-point numbers, <f8 or <f4",
              "convert it by astype(float)");
-    const auto comma = std::min(parts->shape.find(", "), parts->shape.size());
-    const auto n_rows = parse_side(parts->shape.substr(0, comma));
-    const auto n_columns =
-        parse_side(parts->shape.substr(std::min(comma + 2, parts->shape.size())));
+    const auto comma = std::min(shape->find(", "), shape->size());
+    const auto n_rows = parse_side(shape->substr(0, comma));
+    const auto n_columns = parse_side(shape->substr(std::min(comma + 2, shape->size())));
     if (!n_rows || !n_columns)
-        fail(name, "shape (" + shortened(parts->shape, 40) + ")", "is not that of rows and columns",
+        fail(name, "shape (" + shortened(*shape, 40) + ")", "is not that of rows and columns",
              "save an array of two dimensions");
-    header.item = parts->type == "<f8" ? 8 : 4;
-    header.columns_first = parts->order == "True";
-    header.n_rows = *n_rows;
-    header.n_columns = *n_columns;
-    return header;
+    return {.item = *type == "<f8" ? sizeof(double) : sizeof(float),
+            .columns_first = *order == "True",
+            .n_rows = *n_rows,
+            .n_columns = *n_columns,
+            .data = static_cast<std::size_t>(all.data() + all.size() - bytes.data())};
 }
 
 void check_size(const NpyHeader& header, std::size_t n_bytes, const std::string& name) {
@@ -126,20 +113,11 @@ void check_size(const NpyHeader& header, std::size_t n_bytes, const std::string&
              npy_remedy);
 }
 
-double number_at(std::string_view data, std::size_t k, std::size_t item) {
-    if (item == 8) {
-        double value = 0;
-        std::memcpy(&value, data.data() + 8 * k, 8);
-        return value;
-    }
-    float value = 0;
-    std::memcpy(&value, data.data() + 4 * k, 4);
+template <class Number>
+double number_at(std::string_view data, std::size_t k) {
+    Number value = 0;
+    std::memcpy(&value, data.data() + sizeof value * k, sizeof value);
     return value;
-}
-
-[[noreturn]] void refuse_missing(const std::string& name, std::size_t row, std::size_t column) {
-    fail(name, '[' + std::to_string(row) + ", " + std::to_string(column) + ']',
-         "is no finite number: missing values are not filled in", "interpolate them first");
 }
 
 }  // namespace
@@ -158,8 +136,12 @@ contact::HeightMap parse_npy(std::string_view bytes, const std::string& name,
         for (std::size_t i = 0; i < header.n_columns; ++i) {
             const std::size_t k =
                 header.columns_first ? i * header.n_rows + j : j * header.n_columns + i;
-            const double value = number_at(data, k, header.item);
-            if (!std::isfinite(value)) refuse_missing(name, j, i);
+            const double value =
+                header.item == 8 ? number_at<double>(data, k) : number_at<float>(data, k);
+            if (!std::isfinite(value))
+                fail(name, '[' + std::to_string(j) + ", " + std::to_string(i) + ']',
+                     "is no finite number: missing values are not filled in",
+                     "interpolate them first");
             map.height.push_back(scaled(value, scale.unit, name));
         }
     return map;
