@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/further_runs.h"
 #include "app/studies/point_key.h"
 #include "comparisons/half_space/layer_report.h"
-#include "comparisons/quantities/results.h"
 #include "comparisons/run/relaxation_report.h"
-#include "contact/error.h"
-#include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/keys/toml_document.h"
-#include "io/results/atomic_file.h"
 #include "io/results/history_csv.h"
 #include "io/results/journal.h"
 #include "io/results/progress.h"
@@ -24,8 +17,6 @@
 namespace tricontact::app {
 
 namespace {
-
-using contact::Case;
 
 /// The ParaView files of one model.
 class States {
@@ -74,7 +65,7 @@ class States {
 
 }  // namespace
 
-CaseRun run_models(const contact::Case& c, const RunOptions& options, const Say& say,
+CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
                    const ModelRun& run_one) {
     CaseRun run{.c = c, .resolved = io::write_case(c), .histories = {}, .extras = {}};
     for (const std::string& name : c.models) {
@@ -86,7 +77,7 @@ CaseRun run_models(const contact::Case& c, const RunOptions& options, const Say&
 
 std::string summary_of(const CaseRun& run) {
     using json = nlohmann::ordered_json;
-    const contact::Case& c = run.c;
+    const Case& c = run.c;
     std::vector<comparisons::Results> summaries;
     for (const contact::History& history : run.histories) summaries.emplace_back(c, history);
     const auto layer = comparisons::compare_with_layer(c, run.histories, run.extras.study);
@@ -98,9 +89,15 @@ std::string summary_of(const CaseRun& run) {
           c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()}});
 }
 
-contact::History history_of(const std::string& name, const contact::Case& c, int n_threads,
-                            const Say& say, const contact::Observer& observer,
-                            comparisons::LoadingStudy* study) {
+void write_run_report(const CaseRun& run, const CommandOptions& options) {
+    io::make_output_folder(options.output + "/plots");
+    for (const auto& file : comparisons::report_files(comparisons::run_document(
+             run.c, run.resolved, files::version, run.histories, run.extras)))
+        options.write(file.name, file.content);
+}
+
+contact::History history_of(const std::string& name, const Case& c, int n_threads, const Say& say,
+                            const contact::Observer& observer, comparisons::LoadingStudy* study) {
     const auto model = make_model(name, c, n_threads, say);
     contact::History history = contact::run(c, *model, observer);
     require_sound(history.audit, name);

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/options.h"
-#include "contact/case.h"
 #include "contact/model.h"
 #include "meshes/layer_mesh.h"
 
@@ -22,11 +21,11 @@ struct CacheOptions {
 /// What the finite element module offers to the program. It is loaded when first needed: deal.II
 /// and what comes with it take longer to load than many a half-space run to compute.
 struct FemEntries {
-    std::unique_ptr<contact::Model> (*make_model)(const contact::Case& c, const Say& say);
-    meshes::LayerMeshSpec (*mesh_spec)(const contact::Case& c, const Say& say);
+    std::unique_ptr<contact::Model> (*make_model)(const Case& c, const Say& say);
+    meshes::LayerMeshSpec (*mesh_spec)(const Case& c, const Say& say);
     /// Writes the mesh of the case's finite element layer (.msh, .vtu, and .geo if it is ours) and
     /// prints its quality to standard output. Throws InputError, NotConverged.
-    void (*write_mesh)(const CommandOptions& options);
+    void (*write_mesh)(CommandOptions options);
     /// Condenses the case's finite element layer into the cache, from which other commands take it;
     /// by all processes that mpirun started, together. Throws InputError, NotConverged.
     void (*condense)(const CondenseOptions& options);

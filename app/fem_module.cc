@@ -2,26 +2,19 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <ctime>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 
 #include "app/fem_entries.h"
-#include "contact/error.h"
 #include "fem/distributed/layer.h"
 #include "fem/layer_cache.h"
 #include "fem/layer_condenser.h"
 #include "fem/model.h"
 #include "files/partial_file.h"
-#include "files/version.h"
 #include "io/case/case_reader.h"
-#include "io/results/atomic_file.h"
-#include "io/results/output_folder.h"
 #include "io/results/vtk_files.h"
-#include "meshes/hex_mesh.h"
 #include "meshes/mesh_file.h"
 
 namespace tricontact::app {
@@ -120,7 +113,7 @@ class Order {
 
   private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    contact::Case case_;
+    Case case_;
     fem::LayerCache cache_;
     std::string key_;
     std::size_t n_elements_ = 0;
@@ -161,13 +154,12 @@ void clear(const std::string& folder, const std::vector<fem::KeptLayer>& layers)
     std::cout << fmt::format("{}: removed {}\n", folder, summary_of(layers));
 }
 
-void write_mesh_of(const CommandOptions& options) {
-    const contact::Case c = io::read_case(options.file, options.overrides);
-    const std::string output = io::output_folder(options.output, options.file);
-    io::OutputFolder folder(output, {{"mesh.msh", "mesh.geo", "mesh.vtu"}});
+void write_mesh_of(CommandOptions options) {
+    const Case c = io::read_case(options.file, options.overrides);
+    options.choose_folder();
     std::string geometry;  // of a mesh of our own
     meshes::HexMesh mesh;
-    folder.fill([&] {
+    options.fill({{"mesh.msh", "mesh.geo", "mesh.vtu"}}, [&] {
         if (c.fem.mesh) {
             mesh = fem::make_mesh(c, say_plainly);
         } else {
@@ -175,13 +167,13 @@ void write_mesh_of(const CommandOptions& options) {
             mesh = make_layer_mesh(spec);
             geometry = layer_geometry(spec);
         }
-        write_mesh(mesh, output + "/mesh.msh");
-        if (!geometry.empty()) io::write_file(output + "/mesh.geo", geometry);
-        write_view(mesh, output + "/mesh.vtu",
+        write_mesh(mesh, options.output + "/mesh.msh");
+        if (!geometry.empty()) options.write("mesh.geo", geometry);
+        write_view(mesh, options.output + "/mesh.vtu",
                    "tricontact mesh " + std::filesystem::path(options.file).filename().string());
     });
     print_quality(mesh);
-    std::cout << "written              " << output << "/mesh.msh, mesh.vtu"
+    std::cout << "written              " << options.output << "/mesh.msh, mesh.vtu"
               << (geometry.empty() ? "" : ", mesh.geo") << '\n';
 }
 
@@ -227,8 +219,8 @@ void list_or_clear_cache(const CacheOptions& options) {
 extern "C" const tricontact::app::FemEntries* tricontact_fem_entries() {
     using namespace tricontact;
     static const app::FemEntries entries = {
-        [](const contact::Case& c, const app::Say& say) { return fem::make_model(c, say); },
-        [](const contact::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
+        [](const app::Case& c, const app::Say& say) { return fem::make_model(c, say); },
+        [](const app::Case& c, const app::Say& say) { return fem::mesh_spec(c, say); },
         app::write_mesh_of,
         app::condense_layer,
         app::list_or_clear_cache,

@@ -1,15 +1,11 @@
-#include "app/further_runs.h"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "comparisons/quantities/reference.h"
+#include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
-#include "contact/load_path.h"
-#include "contact/run.h"
 
 namespace tricontact::app {
 
@@ -18,7 +14,6 @@ namespace {
 using comparisons::LoadingVariant;
 using comparisons::run_values;
 using comparisons::RunValues;
-using contact::Case;
 using contact::History;
 using contact::State;
 

@@ -9,14 +9,12 @@
 #include <variant>
 
 #include "app/models.h"
-#include "contact/error.h"
 #include "report/lazy_table.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using experiments::Properties;
 using report::LazyTable;
 using Measurement = experiments::IdentificationInput::Measurement;

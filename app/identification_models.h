@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/identification/identification.h"
-#include "experiments/identification/identification_reader.h"
 #include "experiments/identification/identification_report.h"
 
 namespace tricontact::app {

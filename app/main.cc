@@ -1,6 +1,5 @@
 // The command line program. Exit codes: 0 done, 1 did not converge (or failed), 2 bad input.
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -8,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <system_error>
 #include <thread>
@@ -17,8 +15,6 @@
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
 #endif
-#include "contact/error.h"
-#include "files/version.h"
 #include "io/keys/messages.h"
 
 namespace {

@@ -2,17 +2,14 @@
 
 #include "app/case_run.h"
 #include "app/identification_models.h"
-#include "app/models.h"
 #include "comparisons/half_space/layer.h"
 #include "contact/load_path.h"
 #include "theory/cattaneo_mindlin.h"
-#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using contact::NormalControl;
 using Measurement = experiments::IdentificationInput::Measurement;
 

@@ -1,7 +1,6 @@
 #include "app/models.h"
 
 #include "bem/model.h"
-#include "contact/error.h"
 #include "mdr/layer_model.h"
 #include "mdr/model.h"
 #ifdef TRICONTACT_WITH_FEM
@@ -25,8 +24,8 @@ const std::vector<ModelDescription>& known_models() {
     return models;
 }
 
-std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
-                                           int n_threads, [[maybe_unused]] const Say& say) {
+std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
+                                           [[maybe_unused]] const Say& say) {
     if (name == "mdr") return mdr::make_model(c);
     if (name == "mdr-layer") return mdr::make_layer_model(c);
     if (name == "bem") return bem::make_model(c, n_threads);

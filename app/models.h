@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/options.h"
-#include "contact/case.h"
 #include "contact/model.h"
 
 namespace tricontact::app {
@@ -18,7 +17,7 @@ struct ModelDescription {
 const std::vector<ModelDescription>& known_models();
 
 /// Case -> model, the only place that knows all of them. `name` is one of known_models().
-std::unique_ptr<contact::Model> make_model(const std::string& name, const contact::Case& c,
-                                           int n_threads, const Say& say);
+std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
+                                           const Say& say);
 
 }  // namespace tricontact::app

@@ -4,13 +4,9 @@
 
 #include "app/roll_models.h"
 #include "bem/model.h"
-#include "contact/error.h"
-#include "contact/load_path.h"
-#include "contact/special_values.h"
 #include "io/keys/toml_document.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_report.h"
 #include "rolling/run.h"
 #include "theory/rolling/creep_law.h"
 #include "theory/rolling/kalker.h"
@@ -19,7 +15,6 @@ namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using rolling::centre_line;
 using rolling::drive_sign;
 using rolling::RollingProblem;
@@ -130,14 +125,14 @@ std::string roll_summary(const rolling::RollingReport& report, const std::string
     return json.dump(2) + '\n';
 }
 
-void refuse_rolling_on(const contact::Case& c, const std::string& case_file) {
+void refuse_rolling_on(const Case& c, const std::string& case_file) {
     if (c.tractive_rolling)
         throw contact::InputError(case_file +
                                   ": [tractive_rolling]: the indenter rolls on and does not come "
                                   "back; tricontact roll computes such a case");
 }
 
-void require_rolling_on(const contact::Case& c, const std::string& case_file) {
+void require_rolling_on(const Case& c, const std::string& case_file) {
     if (!c.tractive_rolling)
         throw contact::InputError(case_file +
                                   ": there is no [tractive_rolling], so that nothing rolls on; "
@@ -156,10 +151,6 @@ void RollRecorder::note(const rolling::RollingState& state, double way, const Su
     const contact::Surface now = surface();
     if (line) run.lines.push_back(centre_line(now, friction_coefficient, state.distance));
     if (runs.show) runs.show(way, now);
-}
-
-void RollRecorder::tell(int step, int steps) const {
-    if (runs.progress) runs.progress(step, steps + runs.points);
 }
 
 void RollRecorder::note_steady(const rolling::RollingState& state, contact::Surface surface) {

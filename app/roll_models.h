@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "contact/case.h"
+#include "app/options.h"
 #include "rolling/rolling_report.h"
 
 namespace tricontact::app {
@@ -38,7 +38,9 @@ struct RollRecorder {
     void note(const rolling::RollingState& state, double way, const Surface& surface,
               double tolerance = 0);
     /// Says that so many of `steps` from rest are done.
-    void tell(int step, int steps) const;
+    void tell(int step, int steps) const {
+        if (runs.progress) runs.progress(step, steps + runs.points);
+    }
     void note_steady(const rolling::RollingState& state, contact::Surface surface);
     /// Adds the points of the creep curve: creepages [-] from `begin` to beyond `sliding` from
     /// there, at which all slides; where the cubic law holds, at equal steps of the force.
@@ -48,18 +50,18 @@ struct RollRecorder {
 
 /// The springs of MDR, one after the other under the profile. Exact but for their spacing. The
 /// steady state is where rolling on ends; the creep curve is rolled point by point.
-rolling::RollingRun roll_springs(const contact::Case& c, const RollRuns& runs);
+rolling::RollingRun roll_springs(const Case& c, const RollRuns& runs);
 
 /// A model by its name: those springs, or boundary elements, "bem" or "bem-layer": transient,
 /// steady state solved directly, or over a relaxing substrate rolled to, creep curve of steady
 /// states. A grid whose edge the contact reaches is enlarged. Throws contact::InputError,
 /// contact::NotConverged.
-rolling::RollingRun roll(const std::string& model, const contact::Case& c, const RollRuns& runs);
+rolling::RollingRun roll(const std::string& model, const Case& c, const RollRuns& runs);
 
 /// Throws InputError if the case rolls on, which no other command computes.
-void refuse_rolling_on(const contact::Case& c, const std::string& case_file);
+void refuse_rolling_on(const Case& c, const std::string& case_file);
 /// Throws InputError unless it does.
-void require_rolling_on(const contact::Case& c, const std::string& case_file);
+void require_rolling_on(const Case& c, const std::string& case_file);
 
 /// summary.json of all runs, `resolved` being the case as io::write_case has it.
 std::string roll_summary(const rolling::RollingReport& report, const std::string& resolved);

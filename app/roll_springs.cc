@@ -4,18 +4,13 @@
 #include <optional>
 
 #include "app/roll_models.h"
-#include "contact/error.h"
-#include "contact/load_path.h"
-#include "contact/special_values.h"
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
-#include "rolling/rolling_report.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using contact::TangentialControl;
 using rolling::drive_sign;
 using rolling::RollingRun;

@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <iostream>
 #include <optional>
 
 #include "app/commands/command.h"
@@ -9,12 +6,9 @@
 #include "bem/grid_compliance.h"
 #include "bem/influence_file.h"
 #include "bem/model.h"
-#include "contact/error.h"
-#include "io/case/case_reader.h"
 #include "io/contact_program/case_text.h"
 #include "io/contact_program/sequence.h"
 #include "io/keys/input_file.h"
-#include "io/results/atomic_file.h"
 
 namespace tricontact::app {
 
@@ -26,7 +20,7 @@ struct BoundaryElementOptions : CommandOptions {
 
 /// A case and which of its boundary element models is meant.
 struct BoundaryElementCase {
-    contact::Case c;
+    Case c;
     std::string model;
 
     bem::Body body() const {
@@ -34,7 +28,7 @@ struct BoundaryElementCase {
     }
 };
 
-std::string only_model_of(const contact::Case& c) {
+std::string only_model_of(const Case& c) {
     std::string found;
     for (const auto& model : c.models) {
         if (model != "bem" && model != "bem-layer") continue;
@@ -53,7 +47,7 @@ std::string only_model_of(const contact::Case& c) {
 BoundaryElementCase read_boundary_elements(const BoundaryElementOptions& options) {
     std::vector<std::string> models;
     if (!options.model.empty()) models = {options.model};
-    const contact::Case c = io::read_case(options.file, options.overrides, models);
+    const Case c = io::read_case(options.file, options.overrides, models);
     return {c, models.empty() ? only_model_of(c) : options.model};
 }
 
@@ -83,7 +77,7 @@ std::optional<std::string> influence_of(const BoundaryElementCase& read,
 /// Writes the steps of a case as input of the program CONTACT (docs/contact-program.md).
 void export_to_contact_program(BoundaryElementOptions options) {
     const auto read = read_boundary_elements(options);
-    const contact::Case& c = read.c;
+    const Case& c = read.c;
     refuse_rolling_on(c, options.file);
     const std::string name = std::filesystem::path(options.file).stem().string();
     const std::string influence_name = name + ".influence";

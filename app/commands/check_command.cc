@@ -1,17 +1,11 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 
 #include "app/commands/command.h"
 #include "app/models.h"
 #include "comparisons/quantities/quantity.h"
 #include "comparisons/quantities/reference.h"
-#include "contact/error.h"
 #include "io/case/case_keys.h"
-#include "io/case/case_reader.h"
-#include "io/keys/key_reference.h"
 #include "rolling/creep_theory.h"
 #include "walking/input/walk_keys.h"
 #include "walking/input/walk_reader.h"
@@ -21,7 +15,7 @@ namespace tricontact::app {
 
 namespace {
 
-std::string derived_values(const contact::Case& c) {
+std::string derived_values(const Case& c) {
     const contact::HalfSpaceScales hertz = half_space_scales(c);
     const contact::MaterialPair materials = c.materials();
     std::string text = c.is_cylindrical()
@@ -43,24 +37,21 @@ std::string derived_values(const contact::Case& c) {
     if (c.tractive_rolling)
         line("xi_unit", rolling::creepage_unit(c), "-", "unit of creepage, mu a/R");
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
-    const double limit = c.friction_coefficient * hertz.normal_force;
-    const double force =
-        c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
-    line("F_T", force, "N", "tangential force");
-    line("f_T", force / limit, "-", "F_T/(mu F_N)");
+    const comparisons::Reference r = comparisons::reference(c);
+    line("F_T", r.tangential_ratio * c.friction_coefficient * hertz.normal_force, "N",
+         "tangential force");
+    line("f_T", r.tangential_ratio, "-", "F_T/(mu F_N)");
     if (!c.rolling) return text;
-    const double amplitude = rolling_amplitude(*c.rolling, hertz.contact_radius);
-    const double w = amplitude / hertz.contact_radius;
-    line("W", amplitude * 1e3, "mm", "rolling amplitude");
-    line("w", w, "-", "W/a");
-    if (const auto limit_ratio = comparisons::reference(c).limit_tangential_ratio)
-        line("f_T,lim", *limit_ratio, "-", "shakedown limit of uncoupled contact");
+    line("W", r.amplitude_ratio * hertz.contact_radius * 1e3, "mm", "rolling amplitude");
+    line("w", r.amplitude_ratio, "-", "W/a");
+    if (r.limit_tangential_ratio)
+        line("f_T,lim", *r.limit_tangential_ratio, "-", "shakedown limit of uncoupled contact");
     return text;
 }
 
 /// The resolved case and what follows from it.
 struct Resolved {
-    std::string operator()(const contact::Case& c) const {
+    std::string operator()(const Case& c) const {
         return io::write_case(c) + '\n' + derived_values(c);
     }
     std::string operator()(const walking::WalkCase& c) const {

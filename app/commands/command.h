@@ -1,5 +1,8 @@
 #pragma once
 
+// With what most commands use: cases, texts, output.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
@@ -8,6 +11,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "io/case/case_reader.h"
 
 namespace tricontact::app {
 

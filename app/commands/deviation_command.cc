@@ -1,14 +1,7 @@
-#include <fmt/format.h>
-
-#include <iostream>
-
 #include "app/commands/command.h"
 #include "app/roll_models.h"
 #include "app/studies/study_kind.h"
 #include "comparisons/half_space/deviation_output.h"
-#include "files/version.h"
-#include "io/case/case_reader.h"
-#include "io/results/result_store.h"
 
 namespace tricontact::app {
 
@@ -30,10 +23,10 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     if (runs.empty()) return;
     std::vector<StudyPoint> points;
     for (const RolledRun& run : runs) {
-        const contact::Case c =
+        const Case c =
             comparisons::rolled_case(deviation.c, deviation.contact, deviation.amplitudes, run);
         // Whatever the user's case passes, that of a run is checked by itself.
-        const contact::Case checked = io::parse_case(io::write_case(c), options.file);
+        const Case checked = io::parse_case(io::write_case(c), options.file);
         points.push_back(make_point(checked, checked.models.front(), run.level, options.file));
     }
     io::ResultStore store = open_results(options.output);
@@ -45,8 +38,7 @@ void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
     comparisons::add_rolled(results, deviation);
 }
 
-void write(const DeviationOptions& options, const contact::Case& c,
-           const HalfSpaceDeviation& deviation) {
+void write(const DeviationOptions& options, const Case& c, const HalfSpaceDeviation& deviation) {
     options.write("deviation.csv", deviation_csv(deviation));
     options.write("deviation.json", deviation_json(files::version, io::write_case(c), deviation));
     std::string command = "tricontact deviation " + options.file;
@@ -59,7 +51,7 @@ void write(const DeviationOptions& options, const contact::Case& c,
 /// a table on standard output. Finished runs of an earlier call are taken over.
 void compare_with_half_space(DeviationOptions options) {
     options.choose_folder("_deviation");
-    const contact::Case c = io::read_case(options.file, options.overrides);
+    const Case c = io::read_case(options.file, options.overrides);
     refuse_rolling_on(c, options.file);
     // Before anything is removed.
     options.told_of_file([&] { return comparisons::deviation_contact(c); });

@@ -1,21 +1,13 @@
-#include <fmt/format.h>
-
-#include <iostream>
-
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "contact/error.h"
 #include "experiments/records/experiment_reader.h"
 #include "experiments/records/experiment_report.h"
-#include "files/version.h"
-#include "io/case/case_reader.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using experiments::CaseQuantity;
 using experiments::Experiment;
 using experiments::ExperimentEvaluation;
@@ -80,8 +72,7 @@ struct Predictions {
                                       ": indenter.shape: records are compared with the formulas of "
                                       "a sphere; give that, or a paraboloid");
         const auto hertz = contact::half_space_scales(c);
-        const double amplitude =
-            c.rolling ? contact::rolling_amplitude(*c.rolling, hertz.contact_radius) : 0;
+        const double amplitude = contact::path_amplitude(c, hertz.contact_radius);
         for (const auto& error : input_.errors)
             evaluation_.uncertain_numbers.emplace_back(error.key->path);
         experiments::normalise(evaluation_, c,

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,12 +8,8 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/study_fit.h"
 #include "contact/bodies/half_space_scales.h"
-#include "contact/error.h"
 #include "contact/load_path.h"
-#include "files/version.h"
-#include "io/case/study_reader.h"
 #include "io/keys/messages.h"
-#include "io/results/result_store.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::app {
@@ -37,46 +31,38 @@ constexpr std::array<std::string_view, 3> step_keys{"rolling.steps", "rolling.st
                                                     "rolling.increment"};
 constexpr const char* angle_key = "rolling.angle";
 
-std::string joined(const std::string& list, const std::string& item) {
-    return list.empty() ? item : list + ", " + item;
-}
-
-void require_constant_rolling(const io::Study& study, const StudyPoint& point) {
-    if (!point.contact().rolling)
-        throw contact::InputError(study.name +
-                                  ": a case without [rolling] has neither kappa nor eta; give it "
-                                  "rolling.amplitude_ratio, or vary it");
-    if (!contact::is_hertz_round(point.contact()) && !point.contact().is_line_contact())
-        throw contact::InputError(study.name +
-                                  ": kappa and eta are those of a paraboloid or sphere, the line "
-                                  "contact's figures those of a cylinder; give it such an "
-                                  "indenter.shape");
-    if (!comparisons::constant_loads(point.contact()))
-        throw contact::InputError(study.name +
-                                  ": kappa and eta belong to rolling under constant loads; leave "
-                                  "out load.normal_amplitude_ratio and "
-                                  "load.tangential_amplitude_ratio");
+void require_constant_rolling(const FitOptions& options, const Case& c) {
+    if (!c.rolling)
+        options.refuse(
+            "a case without [rolling] has neither kappa nor eta; give it "
+            "rolling.amplitude_ratio, or vary it");
+    if (!contact::is_hertz_round(c) && !c.is_line_contact())
+        options.refuse(
+            "kappa and eta are those of a paraboloid or sphere, the line contact's figures "
+            "those of a cylinder; give it such an indenter.shape");
+    if (!comparisons::constant_loads(c))
+        options.refuse(
+            "kappa and eta belong to rolling under constant loads; leave out "
+            "load.normal_amplitude_ratio and load.tangential_amplitude_ratio");
 }
 
 /// lambda of a study of line contacts; empty where there is none.
-std::optional<double> line_shift_factor(const io::Study& study,
+std::optional<double> line_shift_factor(const FitOptions& options,
                                         const std::vector<StudyPoint>& points) {
     constexpr double rounding = 1e-9;
     std::optional<double> factor;
     for (const StudyPoint& point : points) {
-        if (!point.contact().is_line_contact()) {
+        const Case& c = point.contact();
+        if (!c.is_line_contact()) {
             if (!factor && &point == &points.front()) return {};
-            throw contact::InputError(study.name +
-                                      ": line contacts are evaluated by themselves; "
-                                      "take one indenter.shape");
+            options.refuse("line contacts are evaluated by themselves; take one indenter.shape");
         }
-        const double ratio =
-            point.contact().indenter.length / half_space_scales(point.contact()).contact_radius;
-        const double here = contact::line_shift_factor(point.contact().materials(), ratio);
+        const double ratio = c.indenter.length / half_space_scales(c).contact_radius;
+        const double here = contact::line_shift_factor(c.materials(), ratio);
         if (factor && std::abs(here / *factor - 1) > rounding)
-            throw contact::InputError(study.name +
-                                      ": of line contacts the shift depends on L/a and poisson; "
-                                      "vary amplitude, F_T and thickness only");
+            options.refuse(
+                "of line contacts the shift depends on L/a and poisson; vary amplitude, F_T and "
+                "thickness only");
         factor = here;
     }
     return factor;
@@ -84,22 +70,23 @@ std::optional<double> line_shift_factor(const io::Study& study,
 
 RollingRun run_of(const io::Study& study, const StudyPoint& point,
                   const comparisons::Results& results) {
-    RollingRun run{.model = point.model,
-                   .group = comparisons::direction_name(point.contact().rolling->angle),
-                   .point = {},
-                   .angle = point.contact().rolling->angle,
-                   .level = point.level,
-                   .results = results};
+    const Case& c = point.contact();
+    std::vector<std::string> stated, group{comparisons::direction_name(c.rolling->angle)};
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
         const io::Key& key = *study.axes[i].key;
         if (std::ranges::count(step_keys, key.path)) continue;
-        const std::string item = io::table_heading(key) + " = " + point.values[i];
-        run.point = joined(run.point, item);
+        stated.push_back(io::table_heading(key) + " = " + point.values[i]);
         if (!std::ranges::count(variables, key.path) && key.path != angle_key)
-            run.group = joined(run.group, item);
+            group.push_back(stated.back());
     }
+    RollingRun run{.model = point.model,
+                   .group = io::joined(group),
+                   .point = io::joined(stated),
+                   .angle = c.rolling->angle,
+                   .level = point.level,
+                   .results = results};
     if (const auto amplitude = results.number(comparisons::quantities::amplitude))
-        run.steps_per_quarter = contact::steps_in_quarter(*point.contact().rolling, *amplitude);
+        run.steps_per_quarter = contact::steps_in_quarter(*c.rolling, *amplitude);
     return run;
 }
 
@@ -158,11 +145,11 @@ void fit_study(FitOptions options) {
     options.choose_folder();
     const io::Study study = io::read_study(options.file, walking::walk_key_list());
     if (study.walks)
-        throw contact::InputError(study.name +
-                                  ": is a study of walking machines, which have neither kappa of a "
-                                  "shakedown nor eta; see the report of tricontact sweep");
+        options.refuse(
+            "is a study of walking machines, which have neither kappa of a shakedown nor eta; see "
+            "the report of tricontact sweep");
     const std::vector<StudyPoint> points = contact_kind().points(study);
-    for (const StudyPoint& point : points) require_constant_rolling(study, point);
+    for (const StudyPoint& point : points) require_constant_rolling(options, point.contact());
 
     comparisons::StudyFit fit;
     fit.title = study.title.empty() ? study.name : study.title;
@@ -174,7 +161,7 @@ void fit_study(FitOptions options) {
     const bool relaxes = std::ranges::any_of(
         points, [](const StudyPoint& point) { return point.contact().relaxation.has_value(); });
     if (relaxes) fit.caveat = comparisons::relaxing_caveat();
-    const auto line_factor = line_shift_factor(study, points);
+    const auto line_factor = line_shift_factor(options, points);
     options.fill({{"fit.json", "points.csv", "fits.csv", "fit.html"}}, [&] {
         if (!line_factor) comparisons::evaluate(fit);
         write(fit, line_factor, options);

@@ -1,16 +1,9 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "contact/error.h"
-#include "experiments/identification/identification_reader.h"
-#include "experiments/identification/identification_report.h"
-#include "files/version.h"
 #include "report/format.h"
 
 namespace tricontact::app {
@@ -117,7 +110,7 @@ struct Identifier {
 
 std::vector<std::pair<std::string, std::string>> settings_of(
     const experiments::IdentificationInput& input) {
-    const contact::Case& rig = input.rig;
+    const Case& rig = input.rig;
     std::vector<std::pair<std::string, std::string>> settings{
         {"measurement", std::string(experiments::name_of(input.measurement))},
         {"table", std::filesystem::path(input.data_file).filename().string()},
@@ -152,7 +145,7 @@ IdentificationStudy study_of(const experiments::IdentificationInput& input,
         study.models.push_back(identifier.identify(name, study.curve_points));
     }
     if (input.rig.layer.thickness) {
-        const contact::Case rig = rig_with(input, reference_model(study).found.best);
+        const Case rig = rig_with(input, reference_model(study).found.best);
         study.thickness_ratio =
             *rig.layer.thickness / (2 * contact::half_space_scales(rig).contact_radius);
     }

@@ -1,16 +1,9 @@
-#include <fmt/format.h>
-
-#include <iostream>
-
 #include "app/commands/command.h"
 #include "app/models.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/reference.h"
 #include "comparisons/shakedown/limit_search.h"
-#include "contact/error.h"
-#include "files/version.h"
-#include "io/case/case_reader.h"
 
 namespace tricontact::app {
 
@@ -18,7 +11,6 @@ namespace {
 
 using comparisons::LimitStudy;
 using comparisons::LimitVariable;
-using contact::Case;
 
 struct LimitOptions : CommandOptions {
     std::string variable = "load";    ///< or "amplitude"
@@ -29,23 +21,20 @@ struct LimitOptions : CommandOptions {
     }
 };
 
-[[noreturn]] void refuse(const LimitOptions& options, const std::string& what,
-                         const std::string& remedy) {
-    throw contact::InputError(options.file + ": " + what + "; " + remedy);
-}
-
 void check(const LimitOptions& options, const Case& c) {
     refuse_rolling_on(c, options.file);
     if (!c.rolling)
-        refuse(options, "there is no [rolling], and without it no limit of shakedown",
-               "add that section");
+        options.refuse(
+            "there is no [rolling], and without it no limit of shakedown; add that section");
     if (!comparisons::constant_loads(c))
-        refuse(options, "the loads oscillate, the limit is that under constant loads",
-               "leave out load.normal_amplitude_ratio and load.tangential_amplitude_ratio");
+        options.refuse(
+            "the loads oscillate, the limit is that under constant loads; leave out "
+            "load.normal_amplitude_ratio and load.tangential_amplitude_ratio");
     const comparisons::Reference r = comparisons::reference(c);
     if (options.varied() == LimitVariable::amplitude && !(r.tangential_ratio > 0))
-        refuse(options, "the tangential load is not positive: no amplitude ratchets",
-               "give load.tangential_ratio");
+        options.refuse(
+            "the tangential load is not positive: no amplitude ratchets; give "
+            "load.tangential_ratio");
 }
 
 LimitStudy start_of(const LimitOptions& options, const Case& c) {

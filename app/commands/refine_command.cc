@@ -1,22 +1,14 @@
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "app/numerics.h"
 #include "app/studies/point_key.h"
 #include "app/studies/refinement_levels.h"
 #include "comparisons/resolution/refined_values.h"
-#include "comparisons/run/report.h"
-#include "contact/case.h"
 #include "files/digest.h"
 #include "files/regular_file.h"
-#include "files/version.h"
-#include "io/results/atomic_file.h"
 
 namespace tricontact::app {
 
@@ -98,10 +90,10 @@ struct FinishedLevels {
     std::string file(const Level& level) const { return folder(level) + "/level.json"; }
 };
 
-std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool layer) {
+std::optional<comparisons::PressedValues> theory_of(const Case& c, bool layer) {
     if (!layer) {
-        const bool exact = c.indenter.shape == contact::Case::Shape::paraboloid ||
-                           c.indenter.shape == contact::Case::Shape::power_law;
+        const bool exact = c.indenter.shape == Case::Shape::paraboloid ||
+                           c.indenter.shape == Case::Shape::power_law;
         if (exact && contact::pressure_falls(c) && !contact::has_conical_tip(c))
             return comparisons::hertz_values(c);
         return {};
@@ -112,7 +104,7 @@ std::optional<comparisons::PressedValues> theory_of(const contact::Case& c, bool
 
 comparisons::RefinedLevels start_of(const RefinementPlan& plan, const RefineOptions& options) {
     const bool layer = options.model == "fem";
-    const contact::Case& c = plan.levels.front().c;
+    const Case& c = plan.levels.front().c;
     comparisons::RefinedLevels result;
     result.model = options.model;
     result.key = plan.key;
@@ -127,15 +119,6 @@ void add(const Level& level, const Finished& done, comparisons::RefinedLevels& r
     refined.sizes.push_back(level.size);
     refined.values.push_back(done.values);
     refined.cpu_s.push_back(done.cpu_s);
-}
-
-void write_report(const Level& finest, const contact::History& history,
-                  const comparisons::ReportExtras& extras, const RefineOptions& options) {
-    io::make_output_folder(options.output + "/plots");
-    options.write(resolved_case_name, finest.resolved);
-    for (const auto& file : comparisons::report_files(comparisons::run_document(
-             finest.c, finest.resolved, files::version, {history}, extras)))
-        options.write(file.name, file.content);
 }
 
 /// The finest level comes last; it counts as finished when the report, which needs its surfaces, is
@@ -159,7 +142,8 @@ comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& l
     const Finished done{Results(finest.c, history), history.cpu_s};
     add(finest, done, refined);
     extras.refinement = make_refinement(refined);
-    write_report(finest, history, extras, options);
+    options.write(resolved_case_name, finest.resolved);
+    write_run_report({finest.c, finest.resolved, {history}, extras}, options);
     options.write("refinement.csv", refinement_csv(*extras.refinement));
     io::write_file(numbers, refinement_json(files::version, *extras.refinement));
     levels.keep(finest, history);

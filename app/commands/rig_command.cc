@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <iostream>
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "experiments/assumptions/check_rig.h"
 #include "experiments/assumptions/rig_reader.h"
 #include "experiments/assumptions/rig_report.h"
 
@@ -18,7 +14,7 @@ namespace {
 /// radius.
 double static_shift(const experiments::Rig& rig, bool coupled) {
     constexpr const char* model_name = "bem-layer";
-    contact::Case c;
+    Case c;
     c.models = {model_name};
     c.indenter.radius = rig["R"].value;
     c.substrate = {rig["E_2"].value, rig["nu_2"].value};

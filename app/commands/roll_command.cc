@@ -1,26 +1,18 @@
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iostream>
 
 #include "app/commands/command.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
-#include "files/version.h"
-#include "io/case/case_reader.h"
-#include "io/results/atomic_file.h"
 #include "io/results/progress.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_report.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using rolling::RollingReport;
 using rolling::RollingRun;
 

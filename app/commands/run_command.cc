@@ -1,7 +1,4 @@
-#include <fmt/format.h>
-
 #include <cmath>
-#include <iostream>
 #include <iterator>
 #include <optional>
 
@@ -10,11 +7,7 @@
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "comparisons/quantities/results.h"
-#include "comparisons/run/report.h"
 #include "contact/verdict.h"
-#include "files/version.h"
-#include "io/case/case_reader.h"
-#include "io/results/atomic_file.h"
 #include "io/results/vtk_files.h"
 #include "report/format.h"
 
@@ -30,7 +23,7 @@ io::OutputNames run_outputs(const std::vector<std::string>& models) {
     return names;
 }
 
-CaseRun compute(const contact::Case& c, const RunOptions& options) {
+CaseRun compute(const Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
     CaseRun run = run_models(c, options, options.sayer(),
@@ -39,12 +32,7 @@ CaseRun compute(const contact::Case& c, const RunOptions& options) {
                              });
     options.write("summary.json", summary_of(run));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
-    if (options.report) {
-        io::make_output_folder(options.output + "/plots");
-        for (const auto& file : comparisons::report_files(
-                 comparisons::run_document(c, resolved, files::version, run.histories, run.extras)))
-            options.write(file.name, file.content);
-    }
+    if (options.report) write_run_report(run, options);
     return run;
 }
 
@@ -83,7 +71,7 @@ std::string line_of(const comparisons::Results& r) {
 }
 
 void run_case(RunOptions options) {
-    const contact::Case c = io::read_case(options.file, options.overrides, options.models);
+    const Case c = io::read_case(options.file, options.overrides, options.models);
     refuse_rolling_on(c, options.file);
     bem::check_influence_file(c);  // before anything is written
     options.choose_folder();

@@ -1,12 +1,8 @@
-#include <fmt/format.h>
-
 #include <filesystem>
-#include <iostream>
 
 #include "app/commands/command.h"
 #include "app/studies/study_kind.h"
 #include "app/studies/sweep.h"
-#include "contact/error.h"
 
 namespace tricontact::app {
 

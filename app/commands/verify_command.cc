@@ -1,14 +1,9 @@
-#include <iostream>
-
 #include "app/commands/command.h"
 #include "app/verification/verification_rows.h"
-#include "files/version.h"
 
 namespace tricontact::app {
 
 namespace {
-
-using comparisons::Verification;
 
 Verification verify(bool brief, const Say& say) {
     Verification all;

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <vector>
 
 #include "app/commands/command.h"
-#include "files/version.h"
-#include "io/results/atomic_file.h"
 #include "walking/input/walk_reader.h"
 #include "walking/report/walk_animation.h"
 #include "walking/report/walk_document.h"

@@ -1,27 +1,20 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/case_run.h"
 #include "app/roll_models.h"
 #include "app/studies/point_key.h"
 #include "app/studies/study_combinations.h"
 #include "app/studies/study_kind.h"
-#include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/results/atomic_file.h"
 #include "report/format.h"
 
 namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using io::Study;
-using json = nlohmann::ordered_json;
 
 std::string metres_text(double value) {
     return fmt::format("\"{} m\"", value);

@@ -1,9 +1,7 @@
 #include "app/studies/point_key.h"
 
 #include <array>
-#include <string>
 
-#include "app/numerics.h"
 #include "contact/error.h"
 #include "files/digest.h"
 #include "files/regular_file.h"

@@ -1,10 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "contact/case.h"
 
 namespace tricontact::app {
+
+/// Digest of all sources on which numbers depend that are kept for later calls (app/CMakeLists.txt
+/// names them): belongs to the key of everything that is found again, since the program's version
+/// does not tell apart two states of the code between two versions.
+std::string_view numerics_digest();
 
 /// Version and numerics_digest() of the program.
 std::string program_identity();

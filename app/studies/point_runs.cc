@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 
@@ -17,8 +14,6 @@
 namespace tricontact::app {
 
 namespace {
-
-using json = nlohmann::ordered_json;
 
 // The same case may stand at several places of a study.
 Places missing(const StudyPoints& points, const io::ResultStore& store, const PointRuns& runs) {

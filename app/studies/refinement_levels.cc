@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/roll_models.h"
-#include "contact/error.h"
 #include "io/case/case_reader.h"
 #ifdef TRICONTACT_WITH_FEM
 #include "app/fem_entries.h"
@@ -17,7 +16,6 @@ namespace tricontact::app {
 
 namespace {
 
-using contact::Case;
 using Overrides = std::vector<std::string>;
 
 constexpr double least_growth = 1.05;  // that a case file may ask for
@@ -45,10 +43,9 @@ double start_size(const Case& c, const RefineOptions& options, const Say& say) {
                    ? *c.bem.spacing
                    : contact::half_space_scales(c).contact_radius / *c.bem.cells_per_radius;
     if (c.fem.mesh)
-        throw contact::InputError(
-            fmt::format("{}: fem.mesh = {}: a mesh from a file cannot be refined; give fem.size or "
-                        "fem.accuracy instead",
-                        options.file, *c.fem.mesh));
+        options.refuse("fem.mesh = " + *c.fem.mesh +
+                       ": a mesh from a file cannot be refined; give fem.size or fem.accuracy "
+                       "instead");
     return c.fem.size ? *c.fem.size : 2 * block_of(c, say).size;
 }
 
@@ -57,10 +54,9 @@ Case case_of(const RefineOptions& options) {
     const Case all = io::read_case(options.file, options.overrides);
     refuse_rolling_on(all, options.file);
     if (!std::ranges::count(all.models, options.model))
-        throw contact::InputError(fmt::format(
-            "{}: models: {} is not among the models of the case; add it, or name another with "
-            "--model",
-            options.file, options.model));
+        options.refuse("models: " + options.model +
+                       " is not among the models of the case; add it, or name another with "
+                       "--model");
     Overrides overrides = options.overrides;
     std::erase_if(overrides, [](const auto& text) { return text.starts_with("models="); });
     return io::read_case(options.file, overrides, {options.model});

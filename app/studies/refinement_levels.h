@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/models.h"
-#include "contact/case.h"
 
 namespace tricontact::app {
 
@@ -18,7 +17,7 @@ struct RefineOptions : CommandOptions {
 struct Level {
     std::string name;  ///< of its folder
     std::string what;  ///< for people: "fem.size = 0.5 mm"
-    contact::Case c;
+    Case c;
     std::string resolved;  ///< text of the case
     double size = 0;       ///< [m]
 };

@@ -1,19 +1,23 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "comparisons/quantities/results.h"
 #include "comparisons/run/sweep_document.h"
+#include "contact/error.h"
 #include "io/case/study_reader.h"
 #include "io/results/result_store.h"
-#include "report/document.h"
 #include "walking/input/walk_reader.h"
 
 namespace tricontact::app {
+
+using json = nlohmann::ordered_json;
 
 /// One point of a study: a case of its own, of a contact for one model.
 struct StudyPoint {

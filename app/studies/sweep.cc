@@ -1,16 +1,12 @@
 #include "app/studies/sweep.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "app/studies/study_kind.h"
-#include "contact/error.h"
 #include "report/csv.h"
 #include "walking/input/walk_keys.h"
 
@@ -18,7 +14,6 @@ namespace tricontact::app {
 
 namespace {
 
-using json = nlohmann::ordered_json;
 using report::csv_field;
 
 constexpr const char* table_name = "results.csv";

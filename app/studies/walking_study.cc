@@ -1,22 +1,16 @@
-#include <fmt/format.h>
-
 #include <ctime>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <tuple>
 
 #include "app/studies/point_key.h"
 #include "app/studies/study_combinations.h"
 #include "app/studies/study_kind.h"
-#include "contact/error.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
-#include "walking/input/walk_reader.h"
 #include "walking/kernels/batch.h"
 #include "walking/report/map_page.h"
 #include "walking/report/walk_sweep_document.h"
-#include "walking/run/walk.h"
 #include "walking/study/walk_outcome.h"
 
 namespace tricontact::app {
@@ -24,7 +18,6 @@ namespace tricontact::app {
 namespace {
 
 using walking::WalkCase;
-using json = nlohmann::ordered_json;
 
 /// Points of a lot: vectors are full while most of them stand upright, and a lot of 2e7 steps each
 /// ends after some ten seconds.

@@ -7,9 +7,6 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::Verification;
-using contact::Case;
-
 constexpr double cylinder_amplitude = 0.26, cylinder_force = 0.5;
 
 /// The rig with a cylinder a hundred times as long under the same load per length, so that (a/L)^2

@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-
-#include <cmath>
 #include <utility>
 
 #include "app/verification/verification_rows.h"
@@ -10,9 +7,6 @@
 namespace tricontact::app {
 
 namespace {
-
-using comparisons::Verification;
-using contact::Case;
 
 /// A paraboloid that rolls until it rests, all scales other than 1, at nu = 0, for which alone
 /// Cattaneo and Mindlin are exact.

@@ -1,21 +1,14 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <numbers>
 
 #include "app/verification/verification_rows.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/run/peer_shifts.h"
 #include "contact/run.h"
 #include "mdr/layer_model.h"
-#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::app {
 
 namespace {
-
-using comparisons::Verification;
-using contact::Case;
 
 /// The rig's layer under a rigid paraboloid; no coupling, which the limit of shakedown leaves out.
 Case layer_case() {

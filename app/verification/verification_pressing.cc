@@ -1,9 +1,5 @@
-#include <fmt/format.h>
-
 #include <array>
 #include <boost/math/tools/minima.hpp>
-#include <cmath>
-#include <numbers>
 
 #include "app/verification/verification_rows.h"
 #include "contact/run.h"
@@ -15,9 +11,6 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::Verification;
-using comparisons::VerificationRow;
-using contact::Case;
 using contact::StepRecord;
 
 Case pressing_case(double nu, double friction) {
@@ -135,7 +128,7 @@ void verify_creep(bool brief, const Say& say, Verification& all) {
     }
 }
 
-void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all) {
+void verify_subsurface(bool brief, const Say& say, Verification& all) {
     const Case base = rig_sphere(0.3, 0);  // nu as in the textbooks
     const auto hertz = contact::half_space_scales(base);
     const double a = hertz.contact_radius;

@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <array>
 
 #include "app/roll_models.h"
 #include "app/verification/verification_rows.h"
 #include "bem/model.h"
-#include "contact/load_path.h"
 #include "contact/solvers/contact_region.h"
 #include "contact/solvers/normal_solver.h"
 #include "rolling/creep_theory.h"
@@ -16,10 +13,6 @@
 namespace tricontact::app {
 
 namespace {
-
-using comparisons::Verification;
-using comparisons::VerificationRow;
-using contact::Case;
 
 constexpr double rolling_force = .56;
 

@@ -1,17 +1,12 @@
 #include "app/verification/verification_rows.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "contact/run.h"
 
 namespace tricontact::app {
 
-using contact::Case;
 using contact::History;
 
 namespace {
@@ -61,7 +56,7 @@ double cell_in_radius(const Case& c) {
     return 1 / *c.bem.cells_per_radius;
 }
 
-void add_row(comparisons::VerificationRow row, comparisons::Verification& all,
+void add_row(VerificationRow row, Verification& all,
              const std::function<LevelValue(int factor)>& level) {
     for (const int factor : {1, 2, 4}) {
         const LevelValue found = level(factor);

@@ -1,15 +1,20 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "app/models.h"
 #include "comparisons/resolution/verification.h"
-#include "contact/case.h"
-#include "contact/history.h"
 
 namespace tricontact::app {
+
+using comparisons::Verification;
+using comparisons::VerificationRow;
 
 /// The histories of one model, on finer and finer levels.
 struct Levels {
@@ -20,21 +25,21 @@ struct Levels {
 
 /// How a case is made finer by a factor, and the size of its cells or the like over Hertz' radius.
 struct Resolution {
-    std::function<void(contact::Case&, int factor)> refine;
-    std::function<double(const contact::Case&)> size;
+    std::function<void(Case&, int factor)> refine;
+    std::function<double(const Case&)> size;
 
-    contact::Case refined(const contact::Case& base, int factor) const;
+    Case refined(const Case& base, int factor) const;
 };
 /// By cells in Hertz' radius, `cells` on the coarsest level.
 Resolution cells_in_radius(double cells);
 
 /// Three levels, each twice as fine as the one before.
-Levels run_levels(const std::string& model, const contact::Case& base, const Resolution& resolution,
+Levels run_levels(const std::string& model, const Case& base, const Resolution& resolution,
                   const Say& say);
 /// As the case is: beside numbers that hold for its resolution.
-Levels run_level(const std::string& model, const contact::Case& c, double size, const Say& say);
+Levels run_level(const std::string& model, const Case& c, double size, const Say& say);
 
-double cell_in_radius(const contact::Case& c);  ///< its size over Hertz' radius
+double cell_in_radius(const Case& c);  ///< its size over Hertz' radius
 
 /// A level computed by itself.
 struct LevelValue {
@@ -42,7 +47,7 @@ struct LevelValue {
 };
 /// Adds a row, its members in their order up to tolerance or order, from values at factors of 1, 2
 /// and 4 of the resolution.
-void add_row(comparisons::VerificationRow row, comparisons::Verification& all,
+void add_row(VerificationRow row, Verification& all,
              const std::function<LevelValue(int factor)>& level);
 
 /// Finest level's relative error, and the least order; 0: none can be relied on, since the errors
@@ -72,7 +77,7 @@ extern const Observed stick_ratio;
 /// Rows about one problem from the histories of one model.
 class Rows {
   public:
-    Rows(const Levels& levels, std::string problem, comparisons::Verification& verification)
+    Rows(const Levels& levels, std::string problem, Verification& verification)
         : levels_(levels), problem_(std::move(problem)), verification_(verification) {}
 
     void add(const Observed& observed, const std::string& source, double reference,
@@ -81,11 +86,11 @@ class Rows {
   private:
     const Levels& levels_;
     std::string problem_;
-    comparisons::Verification& verification_;
+    Verification& verification_;
 };
 
 /// The sphere of a rig, uncoupled.
-contact::Case rig_sphere(double poisson, double tangential_ratio);
+Case rig_sphere(double poisson, double tangential_ratio);
 
 /// Source of comparisons/run/peer_shifts.h.
 inline constexpr const char* peer_programs =
@@ -95,28 +100,28 @@ inline constexpr const char* peer_programs =
 // Problems of `tricontact verify`. `brief`: on coarse levels, in seconds.
 
 /// mdr and bem where half-spaces have closed forms.
-void verify_half_space(bool brief, const Say& say, comparisons::Verification& all);
+void verify_half_space(bool brief, const Say& say, Verification& all);
 /// mdr-layer and bem-layer beside exact frictionless contact with the layer.
-void verify_layer(bool brief, const Say& say, comparisons::Verification& all);
+void verify_layer(bool brief, const Say& say, Verification& all);
 /// bem and bem-layer under a cylinder: line contact and its oscillating rolling.
-void verify_cylinder(bool brief, const Say& say, comparisons::Verification& all);
+void verify_cylinder(bool brief, const Say& say, Verification& all);
 /// What bem finds below Hertz' contact.
-void verify_subsurface(bool brief, const Say& say, comparisons::Verification& all);
+void verify_subsurface(bool brief, const Say& say, Verification& all);
 /// mdr and bem on a relaxing half-space under a constant force.
-void verify_creep(bool brief, const Say& say, comparisons::Verification& all);
+void verify_creep(bool brief, const Say& say, Verification& all);
 /// mdr and bem in steady rolling beside closed forms and Kalker's table.
-void verify_rolling(bool brief, const Say& say, comparisons::Verification& all);
+void verify_rolling(bool brief, const Say& say, Verification& all);
 /// bem pressed with friction, the pressure dragging the surface sideways.
-void verify_friction_pressing(const Say& say, comparisons::Verification& all);
+void verify_friction_pressing(const Say& say, Verification& all);
 /// Shifts of bem and bem-layer beside those of other programs (comparisons/run/peer_shifts.h).
-void verify_peer_shifts(const Say& say, comparisons::Verification& all);
+void verify_peer_shifts(const Say& say, Verification& all);
 
 /// Velocity Verlet beside closed forms and the event-driven integrator.
-void verify_walking(const Say& say, comparisons::Verification& all);
+void verify_walking(const Say& say, Verification& all);
 
 /// fem under a cylinder on a layer.
-void verify_fem_line(const Say& say, comparisons::Verification& all);
+void verify_fem_line(const Say& say, Verification& all);
 /// fem beside the same; no rows where the program has no finite elements.
-void verify_fem(const Say& say, comparisons::Verification& all);
+void verify_fem(const Say& say, Verification& all);
 
 }  // namespace tricontact::app

@@ -1,6 +1,4 @@
-#include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "app/verification/verification_rows.h"
 #include "walking/machine/energy.h"
@@ -13,8 +11,6 @@ namespace tricontact::app {
 
 namespace {
 
-using comparisons::Verification;
-using comparisons::VerificationRow;
 using walking::Kappas;
 using walking::Machine;
 using walking::Motion;

@@ -61,6 +61,11 @@ struct KeyExtras {
     std::string_view needs = {};  ///< key or section without which this one has no effect
 };
 
+/// "a.b" of "a.b.key", "" of "key". A quoted key, as a document shows it, may hold dots.
+std::string_view section_of(std::string_view path);
+/// "key" of both.
+std::string_view name_of_key(std::string_view path);
+
 /// Declaration of one key of an input file: reader, writer and reference all use it.
 struct Key : KeyExtras {
     enum class Kind {
@@ -84,8 +89,8 @@ struct Key : KeyExtras {
     std::vector<Choice> choices = {};
     bool bare = false;  ///< a list of one may stand, and is written, without brackets
 
-    std::string_view section() const;  ///< "" at the top
-    std::string_view name() const;
+    std::string_view section() const { return section_of(path); }  ///< "" at the top
+    std::string_view name() const { return name_of_key(path); }
 };
 
 /// Declaration of a key with its place in what the file describes.
@@ -94,10 +99,6 @@ struct PlacedKey : Key {
     Field (*field)(Input&) = nullptr;
 };
 
-/// "a.b" of "a.b.key", "" of "key". A quoted key, as a document shows it, may hold dots.
-std::string_view section_of(std::string_view path);
-/// "key" of both.
-std::string_view name_of_key(std::string_view path);
 /// Most elements of a list of quantities or numbers.
 inline constexpr std::size_t longest_list = 50;
 
@@ -212,5 +213,9 @@ class KeyList {
     std::vector<const Key*> keys_;
     std::string_view reference_;
 };
+
+/// The reference of all keys of a kind of input file, as their declarations say it: Markdown, a
+/// heading of the third level and a table per section.
+std::string key_reference(const KeyList& keys);
 
 }  // namespace tricontact::io

@@ -1,7 +1,6 @@
-#include "io/keys/key_reference.h"
-
 #include <sstream>
 
+#include "io/keys/key.h"
 #include "io/keys/messages.h"
 
 namespace tricontact::io {

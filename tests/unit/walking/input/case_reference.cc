@@ -7,7 +7,7 @@
 
 #include "comparisons/quantities/quantity.h"
 #include "io/case/case_keys.h"
-#include "io/keys/key_reference.h"
+#include "io/keys/key.h"
 #include "walking/input/walk_keys.h"
 
 namespace tricontact::walking::case_reference_test {
