@@ -118,4 +118,11 @@ json chart_json(const std::vector<Figure>& figures) {
     return result;
 }
 
+std::string script_json(const json& content) {
+    std::string escaped;
+    for (const char c : content.dump(-1, ' ', false, json::error_handler_t::replace))
+        escaped += c == '<' ? "\\u003c" : std::string(1, c);
+    return escaped;
+}
+
 }  // namespace tricontact::report

@@ -15,4 +15,8 @@ std::string chart_label(const std::string& text);
 /// null, and the numbers of their styles (see FigureStyles), null for grey.
 nlohmann::ordered_json chart_json(const std::vector<Figure>& figures);
 
+/// JSON as it may stand inside an HTML script element, which an angle bracket could end. Bytes that
+/// are no UTF-8 are replaced.
+std::string script_json(const nlohmann::ordered_json& content);
+
 }  // namespace tricontact::report

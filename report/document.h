@@ -42,6 +42,18 @@ struct DocumentTable {
     bool folded = false;  ///< shown on a click
 };
 
+/// The columns of a table by their headings, each with the significant digits of its numbers behind
+/// a colon where these are not four: "w:3".
+template <class... Texts>
+std::vector<DocumentTable::Column> columns(const Texts&... texts) {
+    const auto column = [](const std::string& text) -> DocumentTable::Column {
+        const auto colon = text.rfind(':');
+        if (colon == std::string::npos) return {text};
+        return {text.substr(0, colon), std::stoi(text.substr(colon + 1))};
+    };
+    return {column(texts)...};
+}
+
 /// A statement that comes first in a report.
 struct Verdict {
     enum class Standing { holds, fails, cannot_tell, finding };
@@ -79,11 +91,14 @@ struct Document {
 /// All figures; their provenance is the document's version and command.
 std::vector<Figure> figures_of(const Document& document);
 
+/// Throws std::invalid_argument that names the figure or table whose id is no word or not its own,
+/// or whose columns differ in length.
+void check_document(const Document& document);
+
 /// One HTML file that needs no network: verdicts, figures whose drawing (SVG) and data (CSV) can
 /// be downloaded, tables that sort; light and dark, for screen, phone and paper. Texts are plain;
 /// symbols of formulas in them ("f_T") are typeset. Same document, same bytes. Throws
-/// std::invalid_argument for ids that are no words or occur twice and for columns that differ in
-/// length.
+/// what check_document throws.
 std::string document_html(const Document& document);
 
 }  // namespace tricontact::report

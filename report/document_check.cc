@@ -1,10 +1,10 @@
-#include "report/document_check.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+
+#include "report/document.h"
 
 namespace tricontact::report {
 
@@ -14,17 +14,14 @@ namespace {
     throw std::invalid_argument(fmt::format("document: {}: {}", owner, rule));
 }
 
-bool is_word_letter(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-}
-
-/// Ids become names of files and targets of links.
-void check_id(const std::string& kind, const std::string& id, std::set<std::string>& known) {
+/// Ids become names of files and targets of links. What messages call the owner: "figure 'a'".
+std::string check_id(const std::string& kind, const std::string& id, std::set<std::string>& known) {
     const std::string owner = fmt::format("{} '{}'", kind, id);
-    if (id.empty() || !std::ranges::all_of(id, is_word_letter))
+    constexpr const char* word = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+    if (id.empty() || id.find_first_not_of(word) != std::string::npos)
         refuse(owner, "an id consists of letters, digits, hyphens and underscores");
     if (!known.insert(id).second) refuse(owner, "the id occurs twice");
+    return owner;
 }
 
 void check_lengths(const std::string& owner, std::size_t n, const std::vector<double>& values) {
@@ -40,9 +37,8 @@ void check_curves(const std::string& owner, const std::vector<Curve>& curves) {
     }
 }
 
-template <class T>
 void check_grid(const std::string& owner, const std::vector<double>& x,
-                const std::vector<double>& y, const std::vector<T>& values) {
+                const std::vector<double>& y, const auto& values) {
     if (values.size() != x.size() * y.size())
         refuse(owner,
                fmt::format("{} values on a grid of {} by {}", values.size(), x.size(), y.size()));
@@ -51,13 +47,10 @@ void check_grid(const std::string& owner, const std::vector<double>& x,
             refuse(owner, "the grid of a map increases along both axes");
 }
 
-void check_figure(const Figure& figure) {
-    const std::string owner = "figure '" + figure.id + "'";
+void check_figure(const std::string& owner, const Figure& figure) {
     check_curves(owner, figure.curves);
-    for (const Band& band : figure.bands) {
-        check_lengths(owner, band.x.size(), band.low);
-        check_lengths(owner, band.x.size(), band.high);
-    }
+    for (const Band& band : figure.bands)
+        for (const auto& side : {band.low, band.high}) check_lengths(owner, band.x.size(), side);
     if (figure.map) check_grid(owner, figure.map->x, figure.map->y, figure.map->values);
     const auto check_kind = [&](std::size_t kind) {
         if (kind >= figure.kinds.size()) refuse(owner, fmt::format("there is no kind {}", kind));
@@ -72,13 +65,6 @@ void check_figure(const Figure& figure) {
     }
 }
 
-void check_table(const DocumentTable& table) {
-    for (const auto& row : table.rows)
-        if (row.size() != table.columns.size())
-            refuse("table '" + table.id + "'", fmt::format("a row of {} cells under {} headings",
-                                                           row.size(), table.columns.size()));
-}
-
 }  // namespace
 
 void check_document(const Document& document) {
@@ -86,13 +72,15 @@ void check_document(const Document& document) {
     std::set<std::string> sections{"content", "verdicts", "setting", "origin"}, figures, tables;
     for (const DocumentSection& section : document.sections) {
         check_id("section", section.id, sections);
-        for (const Figure& figure : section.figures) {
-            check_id("figure", figure.id, figures);
-            check_figure(figure);
-        }
+        for (const Figure& figure : section.figures)
+            check_figure(check_id("figure", figure.id, figures), figure);
         for (const DocumentTable& table : section.tables) {
-            check_id("table", table.id, tables);
-            check_table(table);
+            const std::string owner = check_id("table", table.id, tables);
+            const std::size_t n = table.columns.size();
+            for (const auto& row : table.rows)
+                if (row.size() != n)
+                    refuse(owner,
+                           fmt::format("a row of {} cells under {} headings", row.size(), n));
         }
     }
 }

@@ -5,14 +5,11 @@
 
 #include "report/base64.h"
 #include "report/chart_json.h"
-#include "report/chart_library.h"
 #include "report/csv.h"
 #include "report/document.h"
-#include "report/document_check.h"
 #include "report/document_csv.h"
 #include "report/format.h"
 #include "report/page_templates.h"
-#include "report/script_json.h"
 
 namespace tricontact::report {
 
@@ -26,17 +23,15 @@ data object(std::initializer_list<std::pair<const char*, data>> members) {
     return result;
 }
 
-/// Class and word of a verdict's standing: colour is never the only difference.
-std::pair<std::string, std::string> words_of(Verdict::Standing standing) {
-    constexpr const char* words[] = {"holds", "fails", "cannot tell", "finding"};
-    const std::string word = words[static_cast<int>(standing)];
-    return {word == "cannot tell" ? "cannot_tell" : word, word};
-}
-
 data verdicts(const std::vector<Verdict>& list) {
+    // By standing, class and word: colour is never the only difference.
+    constexpr std::pair<const char*, const char*> words[] = {{"holds", "holds"},
+                                                             {"fails", "fails"},
+                                                             {"cannot_tell", "cannot tell"},
+                                                             {"finding", "finding"}};
     data result{data::type::list};
     for (const Verdict& verdict : list) {
-        const auto [name, word] = words_of(verdict.standing);
+        const auto& [name, word] = words[static_cast<int>(verdict.standing)];
         result << object({{"class", name},
                           {"standing", verdict.word.empty() ? word : verdict.word},
                           {"sentence", typeset(verdict.sentence)}});
@@ -75,14 +70,11 @@ ColumnStyle style_of(const DocumentTable& content, std::size_t column) {
     return style;
 }
 
-/// "+16.5": the heading has the unit.
-std::string signed_percent(double value) {
-    const std::string text = percent(1 + value / 100);
-    return text.substr(0, text.find(' '));
-}
-
 std::string number_text(double number, const ColumnStyle& style) {
-    if (style.change) return signed_percent(number);
+    if (style.change) {  // "+16.5": the heading has the unit
+        const std::string text = percent(1 + number / 100);
+        return text.substr(0, text.find(' '));
+    }
     return style.whole ? as_given(number) : significant(number, style.digits);
 }
 

@@ -8,6 +8,8 @@
 
 namespace tricontact::report {
 
+static constexpr double least_p = 1e-3;
+
 std::string as_given(double value) {
     std::string text = significant(value, 6);
     const std::size_t power = std::min(text.find("·"), text.size());
@@ -28,6 +30,19 @@ std::string percent(std::optional<double> ratio) {
     return (text.front() == '-' ? "−" : "+") + text.substr(1) + " %";
 }
 
+std::string share(double part, int digits) {
+    if (part != 0 && std::abs(part) < 1e-5) return "below 0.001 %";
+    return significant(100 * part, digits) + " %";
+}
+
+std::string p_value(double p) {
+    return p < least_p ? "p < 0.001" : "p = " + significant(p, 2);
+}
+
+std::string p_number(double p) {
+    return p < least_p ? "< 0.001" : significant(p, 2);
+}
+
 std::string apart(double ratio, const std::string& more, const std::string& less) {
     return significant(100 * std::abs(ratio - 1), 3) + " % " + (ratio < 1 ? less : more);
 }
@@ -43,14 +58,10 @@ std::string given_quantity(double value, const std::string& base) {
 }
 
 std::string display_name(const std::string& model) {
-    std::string name;
-    bool abbreviation = true;
-    for (const char letter : model) {
-        if (letter == '-') abbreviation = false;
-        const auto code = static_cast<unsigned char>(letter);
-        name +=
-            letter == '-' ? ' ' : (abbreviation ? static_cast<char>(std::toupper(code)) : letter);
-    }
+    std::string name = model;
+    for (std::size_t i = 0; i < std::min(model.find('-'), model.size()); ++i)
+        name[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[i])));
+    std::ranges::replace(name, '-', ' ');
     return name;
 }
 

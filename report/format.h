@@ -23,6 +23,15 @@ std::string typeset(const std::string& sentence);
 /// A ratio minus one in percent with its sign ("+16.5 %"); an en dash where undefined.
 std::string percent(std::optional<double> ratio);
 
+/// A part of a whole, or the size of a relative error, in percent: "2.3 %"; "below 0.001 %" where
+/// its digits would be hard to count; an en dash where undefined.
+std::string share(double part, int digits = 2);
+
+/// The probability of chance for sentences: "p = 0.23", "p < 0.001" below that.
+std::string p_value(double p);
+/// The same in a column headed "p": "0.23", "< 0.001"; an en dash where undefined.
+std::string p_number(double p);
+
 /// By how much a ratio is off 1: "3.19 % larger".
 std::string apart(double ratio, const std::string& more, const std::string& less);
 

@@ -11,9 +11,6 @@ namespace tricontact::report {
 /// The figure as gnuplot draws it for papers: what document.js draws on the page, on white.
 Picture picture_of(const Figure& figure);
 
-/// A label in gnuplot's notation: "u_stat [1]" -> "u_{stat} [1]".
-std::string gnuplot_label(const std::string& text);
-
 /// The files of one figure.
 struct Drawing {
     std::string svg, png;

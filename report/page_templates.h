@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 namespace tricontact::report {
 
 // *.html.mustache, *.css and *.js of this folder, embedded when the program is built.
@@ -13,5 +15,9 @@ extern const char* const charts_script;
 extern const char* const document_template;
 extern const char* const document_style;
 extern const char* const document_script;
+
+/// The script that draws charts (plotly.js), its licence in front, embedded when the program is
+/// built: cmake/charts.cmake. It defines `Plotly`.
+std::string_view chart_library();
 
 }  // namespace tricontact::report

@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "report/format.h"
 
 namespace tricontact::report {
 
@@ -33,20 +38,36 @@ std::string plot_style() {
 }
 
 std::string data_block(const std::string& name, const std::vector<std::vector<double>>& columns) {
-    fmt::memory_buffer text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{} << EOD\n", name);
+    std::string text = name + " << EOD\n";
     for (std::size_t row = 0; row < columns.front().size(); ++row) {
-        for (const auto& column : columns) {
-            if (std::isfinite(column[row]))
-                fmt::format_to(out, "{:.6g} ", column[row]);
-            else
-                fmt::format_to(out, "NaN ");
-        }
-        fmt::format_to(out, "\n");
+        for (const auto& column : columns)
+            text += std::isfinite(column[row]) ? fmt::format("{:.6g} ", column[row]) : "NaN ";
+        text += '\n';
     }
-    fmt::format_to(out, "EOD\n");
-    return fmt::to_string(text);
+    return text + "EOD\n";
+}
+
+std::string gnuplot_label(const std::string& text) {
+    // What a page would show, its tags and characters in gnuplot's notation.
+    constexpr std::pair<std::string_view, std::string_view> notation[] = {
+        {"<sub>", "_{"}, {"</sub>", "}"},  {"<sup>", "^{"},  {"</sup>", "}"},  {"<i>", ""},
+        {"</i>", ""},    {"&amp;", "\\&"}, {"&apos;", "''"}, {"&quot;", "\""}, {"&lt;", "<"},
+        {"&gt;", ">"},   {"_", "\\_"},     {"^", "\\^"},     {"@", "\\@"},     {"{", "\\{"},
+        {"}", "\\}"},    {"~", "\\~"},     {"\\", "\\\\"}};
+    const std::string html = typeset(text);
+    std::string result;
+    for (std::size_t at = 0; at < html.size();) {
+        const auto* found = std::ranges::find_if(notation, [&](const auto& pair) {
+            return html.compare(at, pair.first.size(), pair.first) == 0;
+        });
+        if (found == std::end(notation)) {
+            result += html[at++];
+        } else {
+            result += found->second;
+            at += found->first.size();
+        }
+    }
+    return result;
 }
 
 }  // namespace tricontact::report

@@ -11,12 +11,13 @@ std::string model_colour(std::size_t i);
 /// Marker of the i-th model, so that colour is never the only difference.
 int model_marker(std::size_t i);
 
-/// Ratios below are rounding, not physics: an axis never zooms in on them.
-inline constexpr double negligible_ratio = 1e-9;
 inline const std::string theory_colour = "#555555";
 
 /// Commands every plot begins with: frame, grid, tics, fonts.
 std::string plot_style();
+
+/// A label in gnuplot's notation: "u_stat [1]" -> "u_{stat} [1]".
+std::string gnuplot_label(const std::string& text);
 
 /// Inline data named `name` (with its $), one row per element of equally long columns.
 std::string data_block(const std::string& name, const std::vector<std::vector<double>>& columns);

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "contact/special_values.h"
-#include "report/columns.h"
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"

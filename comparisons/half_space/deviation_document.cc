@@ -1,7 +1,6 @@
 #include "comparisons/half_space/deviation_output.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/special_values.h"
-#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

@@ -7,7 +7,6 @@
 #include "comparisons/resolution/refinement.h"
 #include "comparisons/run/report_tables.h"
 #include "report/format.h"
-#include "report/format_share.h"
 
 namespace tricontact::comparisons {
 

@@ -6,7 +6,6 @@
 #include "comparisons/quantities/reference.h"
 #include "comparisons/run/figures.h"
 #include "report/format.h"
-#include "report/plot_style.h"
 
 namespace tricontact::comparisons {
 
@@ -14,6 +13,7 @@ namespace {
 
 using contact::History;
 
+constexpr double negligible_ratio = 1e-9;       // rounding, not physics: no axis zooms in on it
 constexpr std::size_t most_steps_drawn = 3000;  // of a line: more than the picture has pixels
 constexpr std::size_t most_markers = 60;        // beyond, markers merge into a band
 
@@ -71,7 +71,7 @@ report::Figure shift_figure(const contact::Case& c, const Histories& histories,
                    r.static_shift_ratio);
     figure.x = {.label = "rolling periods n", .low = 0, .high = end};
     figure.y.low = 0;
-    figure.y.high = top > report::negligible_ratio ? 1.08 * top : 1.0;
+    figure.y.high = top > negligible_ratio ? 1.08 * top : 1.0;
     return figure;
 }
 

@@ -1,7 +1,6 @@
 #include "comparisons/run/loading_study.h"
 #include "contact/special_values.h"
 #include "contact/verdict.h"
-#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

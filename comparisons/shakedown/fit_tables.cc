@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {

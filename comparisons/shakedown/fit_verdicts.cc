@@ -6,7 +6,6 @@
 #include "comparisons/shakedown/fit_document.h"
 #include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
-#include "report/format_share.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

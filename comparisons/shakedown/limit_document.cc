@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "comparisons/shakedown/limit.h"
-#include "report/columns.h"
 #include "report/format.h"
 #include "theory/rolling/oscillating_rolling.h"
 

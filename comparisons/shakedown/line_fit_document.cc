@@ -6,7 +6,6 @@
 
 #include "comparisons/shakedown/fit_document.h"
 #include "comparisons/shakedown/study_fit.h"
-#include "report/columns.h"
 #include "report/format.h"
 #include "theory/oscillating_cylinder.h"
 

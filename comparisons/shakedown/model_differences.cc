@@ -7,7 +7,6 @@
 
 #include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
-#include "report/format_share.h"
 
 namespace tricontact::comparisons {
 

@@ -4,7 +4,6 @@
 #include <cctype>
 
 #include "experiments/assumptions/rig_report.h"
-#include "report/columns.h"
 
 namespace tricontact::experiments {
 

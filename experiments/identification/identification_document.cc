@@ -8,9 +8,7 @@
 
 #include "contact/special_values.h"
 #include "experiments/identification/identification_report.h"
-#include "report/columns.h"
 #include "report/format.h"
-#include "report/format_share.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {

@@ -6,7 +6,6 @@
 
 #include "experiments/identification/identification_report.h"
 #include "report/format.h"
-#include "report/format_share.h"
 #include "statistics/regression.h"
 
 namespace tricontact::experiments {

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "experiments/records/experiment_report.h"
-#include "report/columns.h"
 #include "report/format.h"
 
 namespace tricontact::experiments {

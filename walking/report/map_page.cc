@@ -13,12 +13,10 @@
 #include "contact/special_values.h"
 #include "report/base64.h"
 #include "report/chart_json.h"
-#include "report/chart_library.h"
 #include "report/figure.h"
 #include "report/format.h"
 #include "report/json_number.h"
 #include "report/page_templates.h"
-#include "report/script_json.h"
 #include "walking/report/map_page_templates.h"
 
 namespace tricontact::walking {

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "report/format.h"
-#include "report/format_share.h"
 #include "statistics/regression.h"
 #include "walking/report/walk_sweep_document.h"
 #include "walking/study/walk_factorial.h"

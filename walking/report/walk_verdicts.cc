@@ -6,7 +6,6 @@
 #include <ranges>
 
 #include "report/format.h"
-#include "report/format_share.h"
 #include "walking/machine/motion.h"
 #include "walking/report/walk_document.h"
 #include "walking/report/walk_readings.h"

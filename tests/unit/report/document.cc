@@ -6,9 +6,9 @@
 
 #include "report/base64.h"
 #include "report/chart_json.h"
-#include "report/chart_library.h"
 #include "report/csv.h"
 #include "report/document_csv.h"
+#include "report/page_templates.h"
 
 namespace tricontact::report::document_test {
 namespace {

@@ -7,6 +7,8 @@
 #include <system_error>
 #include <thread>
 
+#include "report/plot_style.h"
+
 namespace tricontact::report::gnuplot_figure_test {
 namespace {
 

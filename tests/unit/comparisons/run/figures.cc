@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "report/document_check.h"
+#include "report/document.h"
 #include "tests/unit/comparisons/history.h"
 
 namespace tricontact::comparisons::figures_test {

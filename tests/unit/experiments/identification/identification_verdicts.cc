@@ -6,7 +6,7 @@
 #include <random>
 
 #include "experiments/identification/identification_report.h"
-#include "report/format_share.h"
+#include "report/format.h"
 
 namespace tricontact::experiments::identification_verdicts_test {
 namespace {

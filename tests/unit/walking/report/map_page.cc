@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "report/chart_library.h"
+#include "report/page_templates.h"
 #include "tests/unit/walking/sets.h"
 
 namespace tricontact::walking::map_page_test {
