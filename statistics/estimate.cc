@@ -2,9 +2,12 @@
 
 #include <gsl/gsl_cdf.h>
 
+#include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+
+#include "contact/special_values.h"
 
 namespace tricontact::statistics {
 
@@ -28,6 +31,10 @@ Estimate mean_of(const std::vector<double>& values, double confidence) {
     for (const double value : values) squares += (value - mean) * (value - mean);
     return with_interval(mean, std::sqrt(squares / (n - 1) / n),
                          student_t(confidence, static_cast<int>(values.size()) - 1));
+}
+
+double median(std::vector<double> values) {
+    return values.empty() ? contact::undefined : boost::math::statistics::median(values);
 }
 
 bool differ(const Estimate& a, const Estimate& b) {

@@ -23,6 +23,9 @@ Estimate with_interval(double value, double standard_error, double factor);
 /// (thesis A.1.1-A.1.3; DIN 1319-3). Throws std::invalid_argument for fewer than two values.
 Estimate mean_of(const std::vector<double>& values, double confidence);
 
+/// Of unordered values; NaN of none.
+double median(std::vector<double> values);
+
 /// Intervals of both do not overlap: only then is it said that they differ.
 bool differ(const Estimate& a, const Estimate& b);
 

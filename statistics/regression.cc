@@ -63,19 +63,17 @@ Fit with_errors(const std::vector<double>& parameters, const std::vector<double>
     fit.confidence = options.confidence;
     fit.degrees_of_freedom = static_cast<int>(n - m);
     fit.fitted = std::move(fitted);
-    const auto weight = [&](std::size_t i) {
-        return options.weights.empty() ? 1. : options.weights[i];
-    };
+    const std::vector<double> weights = weights_of(options, n);
     double mean = 0, sum_of_weights = 0, total = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        mean += weight(i) * y[i];
-        sum_of_weights += weight(i);
+        mean += weights[i] * y[i];
+        sum_of_weights += weights[i];
     }
     mean = has_constant ? mean / sum_of_weights : 0;
     for (std::size_t i = 0; i < n; ++i) {
         fit.residuals.push_back(y[i] - fit.fitted[i]);
-        fit.residual_sum_of_squares += weight(i) * fit.residuals[i] * fit.residuals[i];
-        total += weight(i) * (y[i] - mean) * (y[i] - mean);
+        fit.residual_sum_of_squares += weights[i] * fit.residuals[i] * fit.residuals[i];
+        total += weights[i] * (y[i] - mean) * (y[i] - mean);
     }
     fit.explained_sum_of_squares = total - fit.residual_sum_of_squares;
     const double variance = fit.residual_sum_of_squares / fit.degrees_of_freedom;

@@ -6,8 +6,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <memory>
 #include <mutex>
 #include <numbers>
 #include <numeric>
@@ -123,7 +121,7 @@ std::vector<double> running_variance(std::span<const double> values, std::size_t
 }
 
 double share_above(std::span<const double> variances, double threshold) {
-    if (variances.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (variances.empty()) return contact::undefined;
     const auto above = std::count_if(variances.begin(), variances.end(),
                                      [threshold](double variance) { return variance > threshold; });
     return static_cast<double>(above) / static_cast<double>(variances.size());

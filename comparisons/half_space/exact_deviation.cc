@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "contact/load_path.h"
-#include "theory/layer/elastic_layer.h"
 #include "theory/sticking_contact.h"
 
 namespace tricontact::comparisons {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "contact/error.h"
+#include "contact/load_path.h"
 
 namespace tricontact::comparisons {
 
@@ -122,14 +123,8 @@ DeviationContact deviation_contact(const Case& c) {
     if (!(contact.tangential_ratio < 1))
         throw contact::InputError(
             "load.tangential_force: reaches the friction limit mu F_N; reduce it");
-    if (c.rolling) {
-        const double radius = layer->exact->contact_radius;
-        const bool model = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
-        contact.amplitude_ratio =
-            rolling_amplitude(*c.rolling,
-                              model ? radius : contact::half_space_scales(c).contact_radius) /
-            radius;
-    }
+    const double radius = layer->exact->contact_radius;
+    contact.amplitude_ratio = contact::path_amplitude(c, radius) / radius;
     if (contact.amplitude_ratio >= 1)
         throw contact::InputError(
             "rolling: w = W/a is at least 1: nothing stays in contact; reduce the amplitude");

@@ -8,7 +8,6 @@
 #include "contact/error.h"
 #include "contact/load_path.h"
 #include "theory/hertz.h"
-#include "theory/layer/elastic_layer.h"
 
 namespace tricontact::comparisons {
 

@@ -24,7 +24,7 @@ json difference_json(const PressedValues& values, const std::optional<PressedVal
     for (const PressedQuantity& q : pressed_quantities()) {
         const auto value = q.get(values), reference = q.get(*base);
         result[ratio_key(*q.quantity)] =
-            value && reference ? report::number(*value / *reference - 1) : json();
+            value && reference ? json(*value / *reference - 1) : json();
     }
     return result;
 }

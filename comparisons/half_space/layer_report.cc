@@ -112,6 +112,18 @@ std::string width_sentence(const Case& c, const LayerComparison& layer) {
     return text;
 }
 
+std::string layer_note(const Case& c) {
+    const bool line = c.is_cylindrical();
+    return std::string(
+               "Pressed without friction. Exact layer: the frictionless contact of a "
+               "rigid body with an infinitely wide layer on its rigid ground, ") +
+           (line ? "a singular integral equation of plane strain"
+                 : "a Fredholm equation in one dimension") +
+           ". Half-space: " + (contact::is_hertz_round(c) ? "Hertz" : "the body's contact there") +
+           ". The stiffness of half-space models is " + (line ? "πE*L/(2 ln(2L/a))" : "2 E*a") +
+           ", that of others is taken from presses at 0.6, 0.8 and 1 times the load.";
+}
+
 report::Unit common_unit(const PressedQuantity& q, const LayerComparison& layer) {
     double largest = q.get(layer.half_space).value_or(0);
     for (const auto& model : layer.models)

@@ -14,8 +14,6 @@ std::vector<std::string> layer_sentences(const contact::Case& c, const LayerComp
 
 /// Exact layer, half-space and models, with differences to the first of these that is there.
 report::DocumentTable layer_table(const contact::Case& c, const LayerComparison& layer);
-/// How its columns were got.
-std::string layer_note(const contact::Case& c);
 
 /// Section "layer" of summary.json: SI units; "over" another value: their ratio minus 1.
 nlohmann::ordered_json layer_json(const contact::Case& c, const LayerComparison& layer);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,11 +26,11 @@ bool is_of_ratcheting(const Quantity* q);
 
 /// A body that is rolled on: a bonded layer, or the half-space of its material.
 struct RolledBody {
-    double thickness_ratio = std::numeric_limits<double>::infinity();  ///< b/D_c
+    double thickness_ratio = contact::infinity;  ///< b/D_c
     double poisson = 0;
     bool coupled = true;  ///< normal and tangential contact
 
-    bool half_space() const { return thickness_ratio == std::numeric_limits<double>::infinity(); }
+    bool half_space() const { return thickness_ratio == contact::infinity; }
     friend bool operator==(const RolledBody&, const RolledBody&) = default;
 };
 

@@ -10,6 +10,7 @@ namespace tricontact::comparisons {
 
 namespace {
 
+using contact::operator*;
 using contact::Surface;
 
 /// least = min(least, p moved by `way`) of pressures on a grid, linear between its points; returns
@@ -57,9 +58,8 @@ std::optional<double> distance_at(const Surface& surface, const contact::Vector2
     // A contact that is longer than the grid along the rolling has no such distance.
     const double longest = surface.n_x * surface.spacing[0] + surface.n_y * surface.spacing[1];
     for (double way = step; way < longest; way += step) {
-        const contact::Vector2 ahead{way * direction[0], way * direction[1]};
-        lower(surface, pressure, least, ahead);
-        const double now = lower(surface, pressure, least, {-ahead[0], -ahead[1]}) / whole;
+        lower(surface, pressure, least, way * direction);
+        const double now = lower(surface, pressure, least, -way * direction) / whole;
         if (now <= f) return way - step * (f - now) / (share - now);
         share = now;
     }

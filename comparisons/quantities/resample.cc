@@ -10,6 +10,7 @@ namespace tricontact::comparisons {
 
 namespace {
 
+using contact::operator+, contact::operator-, contact::operator*;
 using contact::Surface;
 using contact::Vector2;
 
@@ -20,10 +21,6 @@ constexpr std::array<std::array<int, 4>, 4> quarters{
     {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}}};
 
 using Corners = std::array<Vector2, 4>;
-
-Vector2 minus(const Vector2& a, const Vector2& b) {
-    return {a[0] - b[0], a[1] - b[1]};
-}
 
 double cross(const Vector2& a, const Vector2& b) {
     return a[0] * b[1] - a[1] * b[0];
@@ -36,7 +33,7 @@ Corners corners_of(const Surface& s, const std::array<int, 4>& quad) {
 }
 
 double area(const Corners& c) {
-    return std::abs(cross(minus(c[2], c[0]), minus(c[3], c[1]))) / 2;
+    return std::abs(cross(c[2] - c[0], c[3] - c[1])) / 2;
 }
 
 std::array<double, 4> bilinear(double xi, double eta) {
@@ -50,12 +47,10 @@ std::optional<std::array<double, 4>> weights_at(const Corners& c, const Vector2&
     double xi = 0.5, eta = 0.5;
     for (int iteration = 0; iteration < 20; ++iteration) {
         const auto w = bilinear(xi, eta);
-        Vector2 miss = {-p[0], -p[1]}, by_xi{}, by_eta{};
-        for (int d = 0; d < 2; ++d) {
-            for (int k = 0; k < 4; ++k) miss[d] += w[k] * c[k][d];
-            by_xi[d] = (1 - eta) * (c[1][d] - c[0][d]) + eta * (c[2][d] - c[3][d]);
-            by_eta[d] = (1 - xi) * (c[3][d] - c[0][d]) + xi * (c[2][d] - c[1][d]);
-        }
+        Vector2 miss = -1 * p;
+        for (int k = 0; k < 4; ++k) miss = miss + w[k] * c[k];
+        const Vector2 by_xi = (1 - eta) * (c[1] - c[0]) + eta * (c[2] - c[3]);
+        const Vector2 by_eta = (1 - xi) * (c[3] - c[0]) + xi * (c[2] - c[1]);
         const double determinant = cross(by_xi, by_eta);
         if (determinant == 0) return {};
         const double d_xi = -cross(miss, by_eta) / determinant;

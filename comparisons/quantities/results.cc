@@ -89,12 +89,9 @@ void Results::set(const Quantity& q, QuantityValue value) {
     values_[&q] = std::move(value);
 }
 
-const std::vector<const Quantity*>& column_quantities() {
-    static const std::vector<const Quantity*> columns = [] {
-        std::vector<const Quantity*> list;
-        std::ranges::copy_if(all_quantities(), std::back_inserter(list), &Quantity::is_column);
-        return list;
-    }();
+std::vector<const Quantity*> column_quantities() {
+    std::vector<const Quantity*> columns;
+    std::ranges::copy_if(all_quantities(), std::back_inserter(columns), &Quantity::is_column);
     return columns;
 }
 

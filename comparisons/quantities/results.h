@@ -39,7 +39,7 @@ class Results {
 };
 
 /// Columns of results.csv: what is one value, and the same whenever it is computed.
-const std::vector<const Quantity*>& column_quantities();
+std::vector<const Quantity*> column_quantities();
 
 /// A row of a sweep's store: the columns as JSON, and back. What is no column's key is passed over.
 nlohmann::ordered_json stored_results(const Results& results);

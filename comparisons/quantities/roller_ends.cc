@@ -64,9 +64,8 @@ std::optional<RollerSection> section(const Surface& s, const Cells& row, double 
     const auto first = std::ranges::find_if(row, touches);
     if (first == row.end()) return {};
     const auto last = std::find_if(row.rbegin(), row.rend(), touches);
-    const auto nearest = std::ranges::min_element(row, [&](int i, int j) {
-        return std::abs(x_of(s, i) - s.offset[0]) < std::abs(x_of(s, j) - s.offset[0]);
-    });
+    const auto nearest = std::ranges::min_element(
+        row, {}, [&](int i) { return std::abs(x_of(s, i) - s.offset[0]); });
     const double left = edge(s, row, static_cast<int>(first - row.begin()), -1),
                  right = edge(s, row, static_cast<int>(row.rend() - last) - 1, 1);
     return RollerSection{std::max(0., length / 2 - std::abs(y_of(s, row.front()))),
@@ -105,11 +104,8 @@ std::optional<RollerEnds> roller_ends(const contact::Case& c, const contact::His
     if (c.indenter.shape != contact::Case::Shape::roller || !last) return {};
     const auto sections = roller_sections(last->surface, c.indenter.length);
     if (sections.empty()) return {};
-    const auto narrower = [](const RollerSection& a, const RollerSection& b) {
-        return a.half_width < b.half_width;
-    };
     const double middle = sections.back().half_width;
-    const auto most = std::ranges::max_element(sections, narrower);
+    const auto most = std::ranges::max_element(sections, {}, &RollerSection::half_width);
     return RollerEnds{middle, most->half_width / middle, distance_of_difference(sections, true),
                       distance_of_difference(sections, false)};
 }

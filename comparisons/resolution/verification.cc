@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {
@@ -20,7 +17,7 @@ std::string order_text(const VerificationRow& row) {
     return row.least_order > 0 ? fmt::format("{} (≥ {:.1f})", found, row.least_order) : found;
 }
 
-json to_json(const VerificationRow& row) {
+json row_json(const VerificationRow& row) {
     return {{"problem", row.problem},
             {"quantity", row.quantity},
             {"model", row.model},
@@ -37,24 +34,11 @@ json to_json(const VerificationRow& row) {
 
 }  // namespace
 
-double VerificationRow::error(std::size_t level) const {
-    return std::abs(values[level] / reference - 1);
-}
-
 std::optional<double> VerificationRow::order() const {
     if (sizes.size() < 2) return {};
     const double coarse = error(0), fine = error(values.size() - 1);
     if (std::min(coarse, fine) <= rounding) return {};
     return std::log(coarse / fine) / std::log(sizes.front() / sizes.back());
-}
-
-bool VerificationRow::passed() const {
-    const bool converges = least_order == 0 || order().value_or(least_order) >= least_order;
-    return error(values.size() - 1) <= tolerance && converges;
-}
-
-bool Verification::passed() const {
-    return std::ranges::all_of(rows, [](const auto& row) { return row.passed(); });
 }
 
 std::string verification_markdown(const Verification& verification) {
@@ -89,9 +73,9 @@ stand below.
 }
 
 json verification_json(const std::string& version, const Verification& verification) {
-    json rows = json::array();
-    for (const VerificationRow& row : verification.rows) rows.push_back(to_json(row));
-    return {{"version", version}, {"passed", verification.passed()}, {"rows", rows}};
+    return {{"version", version},
+            {"passed", verification.passed()},
+            {"rows", report::list_of(verification.rows, row_json)}};
 }
 
 }  // namespace tricontact::comparisons

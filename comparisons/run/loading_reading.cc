@@ -83,20 +83,11 @@ std::string half_space_sentence(const Case& c, const std::vector<std::string>& h
 
 std::string kinematics_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
     const bool linear = c.contact.kinematics == Case::Kinematics::linear;
-    return (linear ? std::string("Gap and normal are those of the undisplaced surface point "
-                                 "(contact.kinematics = linear).")
-                   : std::string("Gap and normal are taken where the surface point has moved to "
-                                 "(contact.kinematics = deformed).")) +
+    return fmt::format("Gap and normal are {} (contact.kinematics = {}).",
+                       linear ? "those of the undisplaced surface point"
+                              : "taken where the surface point has moved to",
+                       linear ? "linear" : "deformed") +
            change_text(variants, "contact.kinematics");
-}
-
-/// Uncoupled contact on an undisplaced surface has nothing to remember.
-bool remembers_pressing(const Case& c, const std::vector<std::string>& coupled,
-                        const std::vector<LoadingVariant>& variants) {
-    return (!coupled.empty() && c.contact.coupling) ||
-           c.contact.kinematics == Case::Kinematics::deformed ||
-           std::ranges::any_of(
-               variants, [](const LoadingVariant& v) { return v.key.starts_with("load.press"); });
 }
 
 std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
@@ -134,12 +125,13 @@ std::vector<std::string> treatment_sentences(const Case& c, const std::vector<st
     std::vector<std::string> result{coupling_sentence(c, coupled, variants),
                                     uncoupled_layer_sentence(models),
                                     half_space_sentence(c, half_spaces)};
-    if (!variants.empty() || (!coupled.empty() && c.contact.coupling) ||
-        c.contact.kinematics == Case::Kinematics::deformed) {
-        result.push_back(kinematics_sentence(c, variants));
-        if (remembers_pressing(c, coupled, variants))
-            result.push_back(pressing_sentence(c, variants));
-    }
+    // Uncoupled contact on an undisplaced surface has no pressing to remember.
+    const bool remembers = (!coupled.empty() && c.contact.coupling) ||
+                           c.contact.kinematics == Case::Kinematics::deformed;
+    const bool pressed_anew = std::ranges::any_of(
+        variants, [](const LoadingVariant& v) { return v.key.starts_with("load.press"); });
+    if (remembers || !variants.empty()) result.push_back(kinematics_sentence(c, variants));
+    if (remembers || pressed_anew) result.push_back(pressing_sentence(c, variants));
     std::erase(result, std::string());
     return result;
 }

@@ -1,6 +1,9 @@
 #include "comparisons/run/loading_study.h"
 
 #include "comparisons/quantities/quantities.h"
+#include "contact/special_values.h"
+#include "contact/verdict.h"
+#include "report/format.h"
 #include "report/json_number.h"
 
 namespace tricontact::comparisons {
@@ -8,6 +11,7 @@ namespace tricontact::comparisons {
 namespace {
 
 using contact::State;
+using report::Cell;
 using json = nlohmann::ordered_json;
 
 json outcome_json(const RunValues& outcome) {
@@ -30,6 +34,19 @@ json variant_json(const LoadingVariant& v) {
             {"why_none", v.other ? json() : json(v.why_none)}};
 }
 
+/// A shift [m]. Where the other has none to compare, its verdict stands in the place of a number.
+std::vector<Cell> row(const LoadingVariant& v, const std::string& what, double chosen,
+                      std::optional<double> changed, std::optional<double> error,
+                      const std::string& other_verdict = "") {
+    const report::Unit unit = report::fitting_unit(chosen, "m");
+    return {report::display_name(v.model) + ": " + what,
+            v.key + ": " + v.changed + " instead of " + v.chosen,
+            unit.symbol,
+            chosen / unit.factor,
+            other_verdict.empty() ? report::number_cell(changed, unit.factor) : other_verdict,
+            100 * error.value_or(contact::undefined)};
+}
+
 }  // namespace
 
 std::optional<double> LoadingVariant::rolled_error() const {
@@ -41,6 +58,38 @@ std::optional<double> LoadingVariant::rolled_error() const {
 
 json loading_json(const std::vector<LoadingVariant>& variants) {
     return report::list_of(variants, variant_json);
+}
+
+report::DocumentTable variants_table(const contact::Case& c,
+                                     const std::vector<LoadingVariant>& variants) {
+    report::DocumentTable table{
+        .id = "variants",
+        .title = "Shift with one choice changed",
+        .note =
+            std::string("Each row loads the case once more with one key changed.") +
+            (c.rolling ? " Contacts that shake down are rolled by turning points until nothing "
+                         "moves, or 40 periods, “this run” too, so that its value may differ from "
+                         "that of the case's own steps and periods; what ratchets is rolled as the "
+                         "case has it."
+                       : ""),
+        .columns = report::columns("quantity", "changed key", "unit", "this run", "changed")};
+    table.columns.push_back({.heading = "difference [%]", .change = true});
+    for (const LoadingVariant& v : variants) {
+        table.rows.push_back(row(v, "static shift", v.run.static_shift,
+                                 v.other ? std::optional(v.other->static_shift) : std::nullopt,
+                                 v.static_error()));
+        if (!v.run.state) continue;
+        const bool ratchets = *v.run.state == State::ratcheting;
+        const auto shift = ratchets ? &RunValues::increment : &RunValues::final_shift;
+        const char* const title = ratchets ? "shift per period while ratcheting"
+                                  : contact::settles(*v.run.state) ? "settled shift"
+                                                                   : "shift after the last period";
+        const bool differs = !v.rolled_error() && v.other && v.other->state;
+        table.rows.push_back(row(v, title, *(v.run.*shift),
+                                 v.other ? (*v.other).*shift : std::nullopt, v.rolled_error(),
+                                 differs ? contact::name_of(*v.other->state) : ""));
+    }
+    return table;
 }
 
 }  // namespace tricontact::comparisons

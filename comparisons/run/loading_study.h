@@ -39,8 +39,6 @@ std::vector<std::string> treatment_sentences(const contact::Case& c,
 /// Shifts after loading and, where it was computed, after rolling with one choice changed.
 report::DocumentTable variants_table(const contact::Case& c,
                                      const std::vector<LoadingVariant>& variants);
-/// What its rows are.
-std::string variants_note(const contact::Case& c);
 
 /// "151.6 µm instead of 150.6 µm (+0.64 %)": shifts [m], the error that of the changed one.
 std::string instead(std::optional<double> changed, std::optional<double> chosen,

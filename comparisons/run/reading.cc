@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "comparisons/quantities/reference.h"
@@ -129,18 +128,15 @@ std::string by_limit_sentence(const Summaries& summaries) {
         of_models(models, summaries));
 }
 
-/// "16.5 % higher than".
-std::string relation(double ratio) {
-    if (std::abs(ratio - 1) < 5e-4) return "as high as";
-    return report::apart(ratio, "higher than", "lower than");
-}
-
 /// "3.2 % higher than BEM's in metres (+1.2 % in U_max, each of its own)".
 std::string comparison_of(const Results& s, const Results& base, const Quantity& length,
                           const Quantity& ratio) {
     const double lengths = s.number(length).value_or(0) / base.number(length).value_or(0);
     const double ratios = s.number(ratio).value_or(0) / base.number(ratio).value_or(0);
-    return fmt::format("{} {}'s in metres ({} in U_max, each of its own)", relation(lengths),
+    const std::string relation = std::abs(lengths - 1) < 5e-4
+                                     ? "as high as"
+                                     : report::apart(lengths, "higher than", "lower than");
+    return fmt::format("{} {}'s in metres ({} in U_max, each of its own)", relation,
                        report::display_name(base.model), report::percent(ratios));
 }
 

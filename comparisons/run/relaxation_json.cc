@@ -13,28 +13,26 @@ namespace {
 using contact::Case;
 using json = nlohmann::ordered_json;
 
-json drive_json(const std::optional<DriveValues>& drive) {
-    if (!drive) return nullptr;
-    return {{quantities::amplitude.key, drive->amplitude},
-            {quantities::frequency.key, drive->frequency},
-            {quantities::storage_modulus.key, drive->storage},
-            {quantities::loss_modulus.key, drive->loss},
-            {"loss_tangent", drive->loss_tangent()},
-            {"deborah_numbers", drive->deborah}};
+json drive_json(const DriveValues& drive) {
+    return {{quantities::amplitude.key, drive.amplitude},
+            {quantities::frequency.key, drive.frequency},
+            {quantities::storage_modulus.key, drive.storage},
+            {quantities::loss_modulus.key, drive.loss},
+            {"loss_tangent", drive.loss_tangent()},
+            {"deborah_numbers", drive.deborah}};
 }
 
-json elastic_json(const std::optional<RunValues>& elastic) {
-    if (!elastic) return nullptr;
-    return {{"elastic_state", elastic->state ? json(contact::name_of(*elastic->state)) : json()},
-            {"elastic_static_shift_m", elastic->static_shift},
-            {"elastic_final_shift_m", elastic->final_shift},
-            {"elastic_shift_increment_m", elastic->increment},
-            {"elastic_limit_tangential_ratio", elastic->limit}};
+json elastic_json(const RunValues& elastic) {
+    return {{"elastic_state", elastic.state ? json(contact::name_of(*elastic.state)) : json()},
+            {"elastic_static_shift_m", elastic.static_shift},
+            {"elastic_final_shift_m", elastic.final_shift},
+            {"elastic_shift_increment_m", elastic.increment},
+            {"elastic_limit_tangential_ratio", elastic.limit}};
 }
 
 json twin_json(const TwinComparison& twin) {
-    return {{"drive", drive_json(twin.drive)},
-            {"elastic_twin", elastic_json(twin.other)},
+    return {{"drive", twin.drive ? drive_json(*twin.drive) : json()},
+            {"elastic_twin", twin.other ? elastic_json(*twin.other) : json()},
             {"why_no_twin", twin.other ? json() : json(twin.why_none)},
             {"static_shift_error", twin.static_error()},
             {"final_shift_error", twin.final_error()},

@@ -5,7 +5,6 @@
 #include "comparisons/half_space/layer_report.h"
 #include "comparisons/quantities/results.h"
 #include "comparisons/run/figures.h"
-#include "comparisons/run/loading_study.h"
 #include "comparisons/run/reading.h"
 #include "comparisons/run/relaxation_report.h"
 #include "comparisons/run/report_tables.h"

@@ -15,6 +15,51 @@ using Value = std::optional<double>;
 
 constexpr int most_open_periods = 12;  // longer tables start folded
 
+std::string results_note(const contact::Case& c, bool several_models) {
+    std::string text = "Ratios u are over each model's own U_max. ";
+    if (contact::is_hertz_round(c))
+        text +=
+            "The theory column is Hertz (pressed), Cattaneo and Mindlin (static shift) and, after "
+            "rolling, the closed form of the method of dimensionality reduction (MDR); its limit "
+            "f_T,lim = 1 − 3/2 w + 1/2 w^3 is exact for every uncoupled contact under Hertz' "
+            "pressure.";
+    else if (c.is_cylindrical())
+        text +=
+            "The theory column is the line contact of the half-space, without coupling: Hertz "
+            "(pressed), Cattaneo (static shift) and, after rolling, the exact solution of "
+            "docs/cylinder.md with the limit f_T,lim = (2/π) [arccos w − w (1 − w^2)^(1/2)].";
+    else
+        text +=
+            "The theory column is frictionless contact on the half-space (pressed), the "
+            "superposition of two normal contacts (static shift) and, after rolling, the method "
+            "of dimensionality reduction (MDR) where it holds; the limit f_T,lim is what the "
+            "least pressures over the path carry, exact for uncoupled contact.";
+    if (several_models) text += " Last columns: by how much a model differs from the last model.";
+    return text;
+}
+
+std::string rolling_note(const contact::Case& c) {
+    const bool round = contact::is_hertz_round(c);
+    std::string text;
+    if (round)
+        text +=
+            "Mapping parameter κ: from f_T = 1 − κ w u − (1 − u)^(3/2) with the settled shift u; "
+            "3/2 for MDR, about 1 along and 1.1 across the load for three-dimensional contact "
+            "(Wetter); only after shakedown. ";
+    text += "Ratcheting slope η: Δu/(w − w_lim) with the last period's Δu and ";
+    text += round ? "1 − 3/2 w_lim + 1/2 w_lim^3 = f_T" : "the half-space's limit w_lim at f_T";
+    text += "; only while ratcheting.";
+    if (c.is_cylindrical())
+        text +=
+            " W_0: frictional work of one cycle of a tangential force oscillating between ±f_T "
+            "μF_N in line contact, μ^2 2 F_N^2/(πE*L) [f (2 − f) + 2 (1 − f) ln(1 − f)].";
+    if (round)
+        text +=
+            " W_0: frictional work of one cycle of a tangential force oscillating between ±f_T "
+            "μF_N, after Mindlin and Deresiewicz, with each model's own F_N and a.";
+    return text;
+}
+
 /// Rows over the same models, with the same columns of theory and differences.
 class RowMaker {
   public:

@@ -21,11 +21,6 @@ report::DocumentTable derived_table(const contact::Case& c);
 std::vector<report::DocumentTable> results_tables(const contact::Case& c,
                                                   const std::vector<Results>& results);
 
-/// What columns and symbols of these tables mean for a case.
-std::string derived_note(const contact::Case& c);
-std::string results_note(const contact::Case& c, bool several_models);
-std::string rolling_note(const contact::Case& c);
-
 /// u, its increment and the frictional work after each period.
 report::DocumentTable period_table(const std::vector<Results>& results);
 

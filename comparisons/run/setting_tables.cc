@@ -137,18 +137,6 @@ void add_oscillation(const std::string& what, double ratio, double phase, Settin
     settings.add_angle(what + " phase", phase);
 }
 
-void add_steps(const Case::Rolling& rolling, Settings& settings) {
-    switch (rolling.steps) {
-        case Case::Steps::increment:
-            return settings.add("step ΔW at most", rolling.increment, "m");
-        case Case::Steps::turning_points:
-            return settings.add("steps", "turning points only");
-        case Case::Steps::per_quarter:
-            return settings.add("steps per quarter period",
-                                std::to_string(rolling.steps_per_quarter));
-    }
-}
-
 void add_rolling(const Case& c, Settings& settings) {
     if (!c.rolling) return settings.add("rolling", "none");
     const Case::Rolling& rolling = *c.rolling;
@@ -160,7 +148,12 @@ void add_rolling(const Case& c, Settings& settings) {
                  rolling.amplitude_ratio);
     settings.add_angle("angle of rolling to load", rolling.angle);
     settings.add(rolling.run_all ? "periods" : "periods at most", std::to_string(rolling.periods));
-    add_steps(rolling, settings);
+    if (rolling.steps == Case::Steps::increment)
+        settings.add("step ΔW at most", rolling.increment, "m");
+    else if (rolling.steps == Case::Steps::turning_points)
+        settings.add("steps", "turning points only");
+    else
+        settings.add("steps per quarter period", std::to_string(rolling.steps_per_quarter));
 }
 
 void add_load(const Case& c, Settings& settings) {
@@ -175,6 +168,23 @@ void add_load(const Case& c, Settings& settings) {
     add_treatment(c, settings);
     add_times(c, settings);
     add_rolling(c, settings);
+}
+
+std::string derived_note(const Case& c) {
+    if (c.is_cylindrical())
+        return "Hertz' line contact of the half width a on the half-space; indentation and shift "
+               "are those of a strip of the length L, at half length (docs/cylinder.md).";
+    const std::string body =
+        contact::is_hertz_round(c)
+            ? "Hertz' solution of the case's paraboloid; a sphere counts as the paraboloid that "
+              "touches it."
+            : "The case's body pressed without friction on the half-space.";
+    const std::string ellipse =
+        c.indenter.shape == Case::Shape::ellipsoid
+            ? ", μ [d + (E*/G* − 1) a_x^2/R] of an ellipse, whose a is the geometric mean of its "
+              "half axes"
+            : "";
+    return body + " The unit of shift is U_max = μ (E*/G*) d" + ellipse + ".";
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace tricontact::comparisons {
 
 namespace {
 
+using contact::operator/;
 using contact::ContactState;
 using contact::History;
 using contact::Snapshot;
@@ -84,8 +85,7 @@ report::Figure zone_figure(const contact::Case& c, const History& history) {
         reach_y = std::max(reach_y, std::abs(snapshot->surface.offset[1]) / a);
     }
     const contact::HalfSpaceScales scales = contact::half_space_scales(c);
-    const contact::Vector2 half = {scales.half_widths[0] / scales.contact_radius,
-                                   scales.half_widths[1] / scales.contact_radius};
+    const contact::Vector2 half = scales.half_widths / scales.contact_radius;
     const double half_x = 1.12 * half[0] + reach_x, half_y = 1.12 * half[1] + reach_y;
     const bool nothing_slips =
         history.verdict.state == contact::State::shakedown && history.steps.back().slip_area == 0;

@@ -5,10 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
-
-#include "comparisons/run/sweep_figures.h"
-#include "report/format.h"
 
 namespace tricontact::comparisons {
 
@@ -31,11 +27,6 @@ std::string range_of(const Sweep& sweep, std::size_t axis, const SweepScale& sca
     if (scale.values.size() == 1) return first + unit;
     return fmt::format("{} ... {}{}, {} values", first, report::as_given(*scale.values.rbegin()),
                        unit, scale.values.size());
-}
-
-report::Cell in_unit(const report::Cell& value, const SweepScale& scale) {
-    const auto* number = std::get_if<double>(&value);
-    return number ? report::number_cell(*number, scale.unit.factor) : value;
 }
 
 /// What `plotted` quantities some point knows.
@@ -75,8 +66,11 @@ report::DocumentTable table_of(const Sweep& sweep, const std::vector<SweepScale>
         if (failures && (!point.error || table.rows.size() == most_rows)) continue;
         std::vector<report::Cell>& row = table.rows.emplace_back();
         row.emplace_back(name_of(point, sweep));
-        for (std::size_t i = 0; i < scales.size(); ++i)
-            row.push_back(in_unit(point.values[i], scales[i]));
+        for (std::size_t i = 0; i < scales.size(); ++i) {
+            const auto* number = std::get_if<double>(&point.values[i]);
+            row.push_back(number ? report::number_cell(*number, scales[i].unit.factor)
+                                 : point.values[i]);
+        }
         row.emplace_back(failures ? *point.error : state_of(point));
         if (!failures)
             for (const Quantity* q : shown) row.emplace_back(point.results.told(*q).value_or(NAN));

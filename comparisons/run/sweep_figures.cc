@@ -1,5 +1,3 @@
-#include "comparisons/run/sweep_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "comparisons/run/sweep_document.h"
 #include "contact/special_values.h"
 #include "report/csv.h"
 

@@ -37,7 +37,8 @@ report::Document fit_document(const StudyFit& fit) {
                         "small w u_sd small errors of u_sd are large ones of κ: what counts is how "
                         "far off u_sd a κ is."},
          .figures = mapping_figures(fit),
-         .tables = {mapping_use_table(fit), mapping_table(fit)}});
+         .tables = {mapping_use_table(fit),
+                    form_table("kappa_fits", "Fits of κ", mapping_rows(fit))}});
     add(document,
         {.id = "ratcheting",
          .heading = "Beyond the limit: the ratcheting slope η",
@@ -45,7 +46,8 @@ report::Document fit_document(const StudyFit& fit) {
                         "of the steps to first order: it is extrapolated where the study varies "
                         "it, else it has no error bar."},
          .figures = increment_residual_figures(fit),
-         .tables = {ratcheting_table(fit)}});
+         .tables = {form_table("ratcheting_fits", "Fits of limits and of the shift per period",
+                               ratcheting_rows(fit))}});
     add(document,
         {.id = "models",
          .heading = "Models side by side",

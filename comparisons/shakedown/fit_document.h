@@ -13,24 +13,27 @@
 
 namespace tricontact::comparisons {
 
-/// One fit of a study, for tables. The form lives as long as the study's fit.
+/// One parameter of a fit of a study, for tables. The form lives as long as the study's fit.
 struct FitRow {
     std::string model;
     std::string group;  ///< with the load where the fit belongs to one: "parallel, f_T = 0.8"
     const FittedForm* form = nullptr;
+    std::size_t parameter = 0;
 };
 
-/// All fits that could be made: kappa, its plane, limits, eta per load, roots.
-std::vector<FitRow> fit_rows(const StudyFit& fit);
+/// Of all fits that could be made: kappa and its plane;
+std::vector<FitRow> mapping_rows(const StudyFit& fit);
+/// limits, eta per load, roots.
+std::vector<FitRow> ratcheting_rows(const StudyFit& fit);
 
 /// Parts of fit_document: what the fits say in sentences,
 std::vector<report::Verdict> fit_verdicts(const StudyFit& fit);
 
-/// and in tables: fits of kappa, shifts by one kappa, fits of limits and ratcheting, models side
-/// by side. Empty tables are left out by their user.
-report::DocumentTable mapping_table(const StudyFit& fit);
+/// and in tables: fits, shifts by one kappa, models side by side. Empty tables are left out by
+/// their user.
+report::DocumentTable form_table(const std::string& id, const std::string& title,
+                                 const std::vector<FitRow>& rows);
 report::DocumentTable mapping_use_table(const StudyFit& fit);
-report::DocumentTable ratcheting_table(const StudyFit& fit);
 report::DocumentTable difference_table(const StudyFit& fit);
 
 /// Every difference of every point.

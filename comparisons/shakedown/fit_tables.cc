@@ -7,35 +7,13 @@ namespace tricontact::comparisons {
 
 namespace {
 
-report::DocumentTable form_table(const std::string& id, const std::string& title,
-                                 const std::vector<FitRow>& rows) {
-    report::DocumentTable table{
-        .id = id,
-        .title = title,
-        .note =
-            "Of the form's left side: SSE, the sum of squared errors (observed minus fitted), as "
-            "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
-            "minus mean); R² = SSR/(SSR + SSE). Residuals of a model are no noise: the interval "
-            "says how well the form describes the model.",
-        .columns =
-            report::columns("model", "group", "form", "parameter", "value:5", "standard error:2",
-                            "low:5", "high:5", "SSE:3", "SSR:3", "R²:6", "points")};
-    for (const FitRow& row : rows)
-        for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
-            const statistics::Estimate& e = row.form->fit.parameters[k];
-            const Goodness& g = row.form->of_left_side;
-            table.rows.push_back({report::display_name(row.model), row.group, row.form->form,
-                                  row.form->parameters[k], e.value, e.standard_error, e.low, e.high,
-                                  g.residual, g.explained, g.r_squared,
-                                  static_cast<int>(row.form->fit.fitted.size())});
-        }
-    return table;
-}
-
 void add(std::vector<FitRow>& rows, const std::string& model, const std::string& group,
          const std::optional<FittedForm>& form) {
-    if (form) rows.push_back({model, group, &*form});
+    for (std::size_t k = 0; form && k < form->parameters.size(); ++k)
+        rows.push_back({model, group, &*form, k});
 }
+
+}  // namespace
 
 std::vector<FitRow> mapping_rows(const StudyFit& fit) {
     std::vector<FitRow> rows;
@@ -59,15 +37,27 @@ std::vector<FitRow> ratcheting_rows(const StudyFit& fit) {
     return rows;
 }
 
-}  // namespace
-
-report::DocumentTable mapping_table(const StudyFit& fit) {
-    return form_table("kappa_fits", "Fits of κ", mapping_rows(fit));
-}
-
-report::DocumentTable ratcheting_table(const StudyFit& fit) {
-    return form_table("ratcheting_fits", "Fits of limits and of the shift per period",
-                      ratcheting_rows(fit));
+report::DocumentTable form_table(const std::string& id, const std::string& title,
+                                 const std::vector<FitRow>& rows) {
+    report::DocumentTable table{
+        .id = id,
+        .title = title,
+        .note =
+            "Of the form's left side: SSE, the sum of squared errors (observed minus fitted), as "
+            "in table A.1.1 of the thesis; SSR, the sum of squares of the regression (fitted "
+            "minus mean); R² = SSR/(SSR + SSE). Residuals of a model are no noise: the interval "
+            "says how well the form describes the model.",
+        .columns =
+            report::columns("model", "group", "form", "parameter", "value:5", "standard error:2",
+                            "low:5", "high:5", "SSE:3", "SSR:3", "R²:6", "points")};
+    for (const auto& [model, group, form, k] : rows) {
+        const statistics::Estimate& e = form->fit.parameters[k];
+        const Goodness& g = form->of_left_side;
+        table.rows.push_back({report::display_name(model), group, form->form, form->parameters[k],
+                              e.value, e.standard_error, e.low, e.high, g.residual, g.explained,
+                              g.r_squared, static_cast<int>(form->fit.fitted.size())});
+    }
+    return table;
 }
 
 report::DocumentTable mapping_use_table(const StudyFit& fit) {
@@ -134,12 +124,6 @@ report::DocumentTable point_difference_table(const StudyFit& fit) {
         }
     }
     return table;
-}
-
-std::vector<FitRow> fit_rows(const StudyFit& fit) {
-    std::vector<FitRow> rows = mapping_rows(fit);
-    for (FitRow& row : ratcheting_rows(fit)) rows.push_back(std::move(row));
-    return rows;
 }
 
 }  // namespace tricontact::comparisons

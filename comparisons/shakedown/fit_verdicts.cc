@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -120,8 +119,8 @@ void add_root(std::vector<report::Verdict>& verdicts, const RatchetingGroup& gro
     verdicts.push_back(
         {*least > 0.9 && *most < 1.1 ? Standing::holds : Standing::fails,
          fmt::format("{}: the thesis' formula gives {} of Δu in the median, {} to {}",
-                     name_of(group), report::share(median(ratios)), report::share(*least),
-                     report::share(*most))});
+                     name_of(group), report::share(statistics::median(ratios)),
+                     report::share(*least), report::share(*most))});
 }
 
 /// The thesis' limit is 1 - w, or 1 - 1.1 w + 0.1 w^3.

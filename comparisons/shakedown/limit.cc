@@ -8,6 +8,7 @@
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/reference.h"
 #include "contact/error.h"
+#include "contact/load_path.h"
 #include "contact/root.h"
 #include "theory/layer/elastic_layer.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -60,17 +61,15 @@ std::optional<double> layer_limit(const Case& c, LimitVariable variable) {
     const auto layer = layer_limits(c);
     if (!layer) return {};
     const double radius = layer->radius;
-    const double reference_radius =
-        c.rolling->amplitude_reference == Case::AmplitudeReference::model
-            ? radius
-            : contact::half_space_scales(c).contact_radius;
     if (variable == LimitVariable::load) {
-        const double w = contact::rolling_amplitude(*c.rolling, reference_radius) / radius;
+        const double w = contact::path_amplitude(c, radius) / radius;
         return in_unit_range(w) ? std::optional(layer->of_load(w)) : std::nullopt;
     }
     const double f = tangential_ratio(c, layer->normal_force);
     if (!in_unit_range(f)) return {};
-    return layer->of_amplitude(f) * radius / reference_radius;
+    const bool own = c.rolling->amplitude_reference == Case::AmplitudeReference::model;
+    return layer->of_amplitude(f) * radius /
+           (own ? radius : contact::half_space_scales(c).contact_radius);
 }
 
 }  // namespace

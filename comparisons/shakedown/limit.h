@@ -30,11 +30,6 @@ struct LimitRun {
     double slowest_shift_ratio = 0;
 };
 
-/// A value between two others.
-struct BracketedValue {
-    double value = 0, low = 0, high = 0;
-};
-
 /// The limit of shakedown of one model.
 struct ModelLimit {
     std::string model;

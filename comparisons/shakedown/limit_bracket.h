@@ -8,6 +8,11 @@
 
 namespace tricontact::comparisons {
 
+/// A value between two others.
+struct BracketedValue {
+    double value = 0, low = 0, high = 0;
+};
+
 /// Between which values shakedown ends.
 struct LimitBracket {
     double last_shakedown = 0, first_ratcheting = 0;

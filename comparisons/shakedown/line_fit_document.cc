@@ -5,7 +5,6 @@
 #include <set>
 
 #include "comparisons/shakedown/fit_document.h"
-#include "comparisons/shakedown/study_fit.h"
 #include "report/format.h"
 #include "theory/oscillating_cylinder.h"
 

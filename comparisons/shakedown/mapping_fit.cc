@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "comparisons/quantities/reference.h"
-#include "comparisons/shakedown/rolling_points.h"
+#include "contact/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {
@@ -21,24 +20,19 @@ constexpr double telling = 0.1;
 /// By which a fitted kappa may exceed 3/2, MDR's own value and the largest that theory takes.
 constexpr double rounding_of_kappa = 1e-6;
 
-Computed mapping_of(double w, double f, const Computed& u) {
-    const double kappa = theory::mapping_parameter(w, f, u.value);
-    const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
-    return {kappa, std::abs(slope) * u.error};
-}
-
 MappingPoint mapping_point(const RollingPoint& p) {
     const double w = p.amplitude_ratio, f = p.tangential_ratio;
     const Computed& u = p.at(quantities::settled_shift_ratio);
+    const double kappa = theory::mapping_parameter(w, f, u.value);
+    const double slope = (1.5 * std::sqrt(1 - u.value) - kappa * w) / (w * u.value);
     MappingPoint point{.at = p,
                        .limit_ratio = f / p.at(quantities::limit_tangential_ratio).value,
                        .low = std::nan(""),
                        .high = std::nan(""),
-                       .kappa = mapping_of(w, f, u)};
+                       .kappa = {kappa, std::abs(slope) * u.error}};
     if (!u.has_bar()) return point;
     const double below = u.value - u.error, above = std::min(1., u.value + u.error);
-    const double lower = below > 0 ? theory::mapping_parameter(w, f, below)
-                                   : -std::numeric_limits<double>::infinity();
+    const double lower = below > 0 ? theory::mapping_parameter(w, f, below) : -contact::infinity;
     point.low = std::min(lower, point.kappa.value);
     point.high = std::max(theory::mapping_parameter(w, f, above), point.kappa.value);
     return point;
@@ -88,7 +82,7 @@ MappingUse use_of(const MappingGroup& group, const std::string& name, double kap
         }
     }
     use.n = static_cast<int>(magnitudes.size());
-    use.median = median(magnitudes);
+    use.median = statistics::median(magnitudes);
     return use;
 }
 
@@ -106,8 +100,7 @@ void add_uses(MappingGroup& group) {
 }
 
 OneMapping one_of(const MappingGroup& group) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    OneMapping one{.low = -infinity, .high = infinity};
+    OneMapping one{.low = -contact::infinity, .high = contact::infinity};
     for (const MappingPoint& p : group.points) {
         if (std::isnan(p.low)) continue;
         ++one.n_with_bars;

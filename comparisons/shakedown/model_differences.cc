@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "comparisons/shakedown/rolling_points.h"
 #include "report/format.h"
+#include "statistics/estimate.h"
 
 namespace tricontact::comparisons {
 
@@ -18,11 +17,6 @@ const Quantity* const compared_quantities[] = {
     &quantities::settled_shift,         &quantities::settled_shift_ratio,
     &quantities::shift_increment,       &quantities::shift_increment_ratio,
     &quantities::limit_tangential_ratio};
-
-struct ModelAndGroup {
-    std::string model, group;
-    double angle = 0;
-};
 
 /// What changes nothing of a limit: it is compared once per amplitude.
 bool is_repeated(const ModelDifference& difference, const PointDifference& candidate) {
@@ -61,15 +55,14 @@ ModelDifference compared(const Quantity& quantity, const std::vector<const Rolli
 double ModelDifference::median() const {
     std::vector<double> magnitudes;
     for (const PointDifference& p : points) magnitudes.push_back(std::abs(p.relative()));
-    return comparisons::median(magnitudes);
+    return statistics::median(magnitudes);
 }
 
 const PointDifference& ModelDifference::worst() const {
     const auto rank = [](const PointDifference& p) {
         return std::pair(differs(p.first, p.second), std::abs(p.relative()));
     };
-    return *std::ranges::max_element(
-        points, [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    return *std::ranges::max_element(points, {}, rank);
 }
 
 int ModelDifference::n_with_bars() const {
@@ -83,7 +76,7 @@ int ModelDifference::n_different() const {
 }
 
 std::vector<ModelDifference> model_differences(const std::vector<RollingPoint>& points) {
-    const auto groups = groups_of<ModelAndGroup>(points);
+    const auto groups = groups_of<RollingPoint>(points);
     std::vector<ModelDifference> result;
     for (std::size_t i = 0; i < groups.size(); ++i)
         for (std::size_t j = i + 1; j < groups.size(); ++j) {

@@ -6,7 +6,6 @@
 #include <map>
 
 #include "comparisons/quantities/reference.h"
-#include "comparisons/shakedown/rolling_points.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons {

@@ -4,7 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include "comparisons/resolution/refinement.h"
 #include "report/format.h"
 
 namespace tricontact::comparisons {
@@ -76,18 +75,14 @@ RollingPoint point_of(const Runs& runs) {
     return p;
 }
 
-bool is_multiple_of_pi(double angle) {
-    return std::abs(std::remainder(angle, std::numbers::pi)) < 1e-9;  // rounding of "180 deg"
-}
-
 }  // namespace
 
 bool is_parallel(double angle) {
-    return is_multiple_of_pi(angle);
+    return std::abs(std::remainder(angle, std::numbers::pi)) < 1e-9;  // rounding of "180 deg"
 }
 
 bool is_perpendicular(double angle) {
-    return is_multiple_of_pi(angle - std::numbers::pi / 2);
+    return is_parallel(angle - std::numbers::pi / 2);
 }
 
 std::string direction_name(double angle) {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/statistics/univariate_statistics.hpp>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,8 +13,7 @@ namespace tricontact::comparisons {
 /// refinement, in steps of one length.
 struct RollingRun {
     std::string model;
-    std::string
-        group;  ///< direction of the load, then all else that is varied but w, f_T and steps
+    std::string group;  ///< direction of the load, then all that varies but w, f_T and steps
     std::string point;  ///< equal for the runs of one point, whatever the model, level and steps
     double angle = 0;   ///< between rolling and load [rad]
     int level = 0;
@@ -36,8 +33,7 @@ struct RollingPoint {
     /// finer than the turning points.
     ByQuantity<Computed> values = {};
 
-    /// Null where undefined.
-    const Computed* find(const Quantity& q) const { return found(values, &q); }
+    const Computed* find(const Quantity& q) const { return found(values, &q); }  ///< or null
     /// Throws std::out_of_range where undefined.
     const Computed& at(const Quantity& q) const { return values.at(&q); }
 };
@@ -88,12 +84,6 @@ std::vector<const RollingPoint*> points_of(const std::vector<RollingPoint>& poin
     for (const RollingPoint& p : points)
         if (p.model == group.model && p.group == group.group) result.push_back(&p);
     return result;
-}
-
-/// NaN of none.
-inline double median(std::vector<double> values) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    return boost::math::statistics::median(values);
 }
 
 }  // namespace tricontact::comparisons

@@ -184,16 +184,15 @@ std::string fits_csv(const StudyFit& fit) {
         {"model", "group", "form", "parameter", "value", "standard_error", "low", "high",
          "explained_sum_of_squares", "residual_sum_of_squares", "r_squared", "r_squared_about_zero",
          "observations", "degrees_of_freedom", "caveat"});
-    for (const FitRow& row : fit_rows(fit))
-        for (std::size_t k = 0; k < row.form->parameters.size(); ++k) {
-            const statistics::Fit& f = row.form->fit;
+    for (const auto& rows : {mapping_rows(fit), ratcheting_rows(fit)})
+        for (const auto& [model, group, form, k] : rows) {
+            const statistics::Fit& f = form->fit;
             const statistics::Estimate& e = f.parameters[k];
-            const Goodness& g = row.form->of_left_side;
-            text +=
-                report::csv_row(row.model, row.group, row.form->form, row.form->parameters[k],
-                                e.value, e.standard_error, e.low, e.high, g.explained, g.residual,
-                                g.r_squared, f.r_squared(), std::to_string(f.fitted.size()),
-                                std::to_string(f.degrees_of_freedom), fit.caveat);
+            const Goodness& g = form->of_left_side;
+            text += report::csv_row(model, group, form->form, form->parameters[k], e.value,
+                                    e.standard_error, e.low, e.high, g.explained, g.residual,
+                                    g.r_squared, f.r_squared(), std::to_string(f.fitted.size()),
+                                    std::to_string(f.degrees_of_freedom), fit.caveat);
         }
     return text;
 }

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "comparisons/run/sweep_figures.h"
 #include "report/document_csv.h"
 
 namespace tricontact::comparisons::sweep_document_test {
