@@ -123,7 +123,7 @@ double thesis_creep_ratio(const Case& c) {
     return theory::vermeulen_johnson_coefficient(nu) / theory::mdr_coefficient(nu);
 }
 
-std::vector<FreeCreepage> free_creepages(const Case& c) {
+std::vector<ClosedForm> free_creepages(const Case& c) {
     const double beta = c.materials().dundurs_beta();
     if (!c.is_line_contact() || !rolls_freely(c) || !comparisons::couples(c, "bem") || c.relaxation)
         return {};
@@ -134,9 +134,9 @@ std::vector<FreeCreepage> free_creepages(const Case& c) {
              slope * theory::smooth_free_creepage(beta)}};
 }
 
-std::vector<ResistanceTheory> resistance_theories(const Case& c) {
+std::vector<ClosedForm> resistance_theories(const Case& c) {
     if (!c.relaxation || !is_parabolic(c.indenter.shape)) return {};
-    std::vector<ResistanceTheory> theories;
+    std::vector<ClosedForm> theories;
     if (contact::relaxes_as_one(c))
         theories.push_back({"slow rolling", "slow",
                             theory::slow_resistance_ratio(*c.relaxation, c.tractive_rolling->speed,

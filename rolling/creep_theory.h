@@ -34,27 +34,21 @@ double thesis_creep_ratio(const contact::Case& c);
 /// along the rolling without spin.
 bool has_thesis_creep_ratio(const contact::Case& c);
 
-/// What dissimilar bodies creep without any tangential force.
-struct FreeCreepage {
+/// A number that a closed form has for the case.
+struct ClosedForm {
     std::string name;  ///< "Bentall and Johnson, all sticks"
     std::string key;   ///< in JSON
-    double creepage;   ///< xi [-]
+    double value;      ///< [-]
 };
 
-/// Of dissimilar elastic cylinders that roll freely the bounds of much and of little friction; none
-/// for other cases.
-std::vector<FreeCreepage> free_creepages(const contact::Case& c);
+/// What dissimilar elastic cylinders creep without any tangential force, xi: the bounds of much and
+/// of little friction; none for other cases.
+std::vector<ClosedForm> free_creepages(const contact::Case& c);
 
-/// What a closed form says of the resistance that a relaxing substrate puts up to rolling.
-struct ResistanceTheory {
-    std::string name;  ///< "Hunter"
-    std::string key;   ///< in JSON
-    double ratio;      ///< resistance over normal force [-]
-};
-
-/// Those that apply to the case's body: slow rolling of any substrate that relaxes as one; of a
-/// cylinder on the half-space of a standard solid Hunter's; of a round body that of MDR's springs.
-/// None where nothing relaxes. Friction plays no part in them.
-std::vector<ResistanceTheory> resistance_theories(const contact::Case& c);
+/// The resistance that a relaxing substrate puts up to rolling, over the normal force, by the forms
+/// that apply to the case's body: slow rolling of any substrate that relaxes as one; of a cylinder
+/// on the half-space of a standard solid Hunter's; of a round body that of MDR's springs. None
+/// where nothing relaxes. Friction plays no part in them.
+std::vector<ClosedForm> resistance_theories(const contact::Case& c);
 
 }  // namespace tricontact::rolling

@@ -10,6 +10,7 @@ namespace tricontact::rolling {
 
 namespace {
 
+using contact::operator*;
 using contact::TangentialField;
 using contact::Vector2;
 
@@ -33,8 +34,7 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
         TangentialField slip(points.size());
         for (const std::size_t i : active) {
             const Vector2 by_unit[] = {{1, 0}, {0, 1}, {-points.y[i], points.x[i] + ahead}};
-            slip.x[i] = by_unit[c][0];
-            slip.y[i] = by_unit[c][1];
+            slip.set(i, by_unit[c]);
         }
         const SteadySystem::Result result = system.solve(slip, {}, tolerance);
         if (!(result.residual <= tolerance))
@@ -43,7 +43,7 @@ LinearCreep linear_creep(const contact::Compliance& compliance,
                             "{} points in contact",
                             result.residual, tolerance, result.iterations, active.size()));
         for (const std::size_t i : active) {
-            const double f_x = points.area[i] * result.z.x[i], f_y = points.area[i] * result.z.y[i];
+            const auto [f_x, f_y] = points.area[i] * result.z.at(i);
             creep[0][c] += f_x;
             creep[1][c] += f_y;
             // Rolling backwards is the adjoint: what a turn slides by there is the arm here.

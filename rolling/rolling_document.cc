@@ -7,7 +7,6 @@
 
 #include "report/format.h"
 #include "rolling/creep_theory.h"
-#include "rolling/rolling_report.h"
 
 namespace tricontact::rolling {
 
@@ -43,11 +42,10 @@ std::string steady_sentence(const RollingReport& report, const RollingRun& run) 
 // Empty where there is nothing to say.
 
 std::string energy_sentence(const RollingReport& report) {
-    double worst = -1;
+    std::optional<double> worst;
     for (const RollingRun& run : report.runs)
-        if (const auto error = energy_error(run.history.steady, report.c.friction_coefficient))
-            worst = std::max(worst, *error);
-    if (worst < 0) return {};
+        worst = std::max(worst, energy_error(run.history.steady, report.c.friction_coefficient));
+    if (!worst) return {};
     return fmt::format(
         "What friction{} differs from what creepage, spin and resistance work by {} of it.",
         report.c.relaxation ? " and material dissipate" : " dissipates",
@@ -85,8 +83,8 @@ std::string free_sentence(const RollingReport& report, const RollingRun& run) {
     std::string text = fmt::format(
         "{} creeps under its normal load alone, ξ = {} units", report::display_name(run.model),
         report::significant(run.history.steady.creepage.longitudinal / unit, 4));
-    for (const FreeCreepage& bound : bounds)
-        text += fmt::format("; {}: {}", bound.name, report::significant(bound.creepage / unit, 4));
+    for (const ClosedForm& bound : bounds)
+        text += fmt::format("; {}: {}", bound.name, report::significant(bound.value / unit, 4));
     return text + ".";
 }
 

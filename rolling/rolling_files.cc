@@ -3,7 +3,6 @@
 #include "report/json_number.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_report.h"
 
 namespace tricontact::rolling {
 
@@ -82,28 +81,22 @@ Json run_json(const RollingReport& report, const RollingRun& run) {
 
 /// Creepage that each theory gives at the force of the case, or the force at its creepage.
 Json theories_json(const RollingReport& report) {
-    Json json = Json::array();
-    if (!straight(report.c) || report.runs.empty()) return json;
+    if (!straight(report.c) || report.runs.empty()) return Json::array();
     const RollingState& steady = report.runs.front().history.steady;
     const double f = force_ratio(steady, report.c.friction_coefficient);
     const double xi = steady.creepage.longitudinal;
-    for (const CreepTheory& theory : creep_theories(report.c)) {
-        Json one{{"theory", theory.key}};
+    return report::list_of(creep_theories(report.c), [&](const CreepTheory& theory) -> Json {
         if (by_creepage(report.c))
-            one["force_ratio"] = theory.force_ratio(xi);
-        else
-            one["longitudinal_creepage"] = std::abs(f) < 1 ? Json(theory.creepage(f)) : Json();
-        json.push_back(std::move(one));
-    }
-    return json;
+            return {{"theory", theory.key}, {"force_ratio", theory.force_ratio(xi)}};
+        return {{"theory", theory.key},
+                {"longitudinal_creepage", std::abs(f) < 1 ? Json(theory.creepage(f)) : Json()}};
+    });
 }
 
-Json creepage_json(const FreeCreepage& one) {
-    return {{"theory", one.key}, {"longitudinal_creepage", one.creepage}};
-}
-
-Json resistance_json(const ResistanceTheory& one) {
-    return {{"theory", one.key}, {"resistance_ratio", one.ratio}};
+Json closed_forms_json(const std::vector<ClosedForm>& forms, const char* quantity) {
+    return report::list_of(forms, [&](const ClosedForm& form) -> Json {
+        return {{"theory", form.key}, {quantity, form.value}};
+    });
 }
 
 }  // namespace
@@ -141,12 +134,13 @@ std::string creep_csv(const RollingReport& report) {
 
 Json rolling_json(const RollingReport& report) {
     const auto model = [&](const RollingRun& run) { return run_json(report, run); };
-    return {{"creepage_unit", creepage_unit(report.c)},
-            {"models", report::list_of(report.runs, model)},
-            {"theories", theories_json(report)},
-            {"free_creepages", report::list_of(free_creepages(report.c), creepage_json)},
-            {"resistances", report::list_of(resistance_theories(report.c), resistance_json)},
-            {"thesis_creep_ratio", thesis_creep_ratio(report.c)}};
+    return {
+        {"creepage_unit", creepage_unit(report.c)},
+        {"models", report::list_of(report.runs, model)},
+        {"theories", theories_json(report)},
+        {"free_creepages", closed_forms_json(free_creepages(report.c), "longitudinal_creepage")},
+        {"resistances", closed_forms_json(resistance_theories(report.c), "resistance_ratio")},
+        {"thesis_creep_ratio", thesis_creep_ratio(report.c)}};
 }
 
 }  // namespace tricontact::rolling

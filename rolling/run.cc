@@ -7,7 +7,6 @@
 
 #include "contact/error.h"
 #include "contact/special_values.h"
-#include "rolling/rolling_contact.h"
 
 namespace tricontact::rolling {
 

@@ -2,10 +2,11 @@
 
 #include <vector>
 
+#include "contact/history.h"
+#include "contact/solvers/compliance.h"
 #include "contact/substrates/substrate.h"
 #include "contact/surface_model.h"
 #include "rolling/rolling_contact.h"
-#include "rolling/steady_rolling.h"
 
 namespace tricontact::rolling {
 
@@ -40,9 +41,21 @@ class TransientRolling {
     int n_rolled_ = 0;          // cells
 };
 
+struct SteadyRolling {
+    RollingState state;
+    contact::Surface surface;  ///< slip [-] and dissipation [Pa] per rolled way
+    contact::Audit audit;
+};
+
 /// Rolls on over a relaxing substrate until nothing changes any more: the steady state that has no
 /// equation of its own. `states` are those from rest on. Throws contact::NotConverged.
 SteadyRolling roll_until_steady(TransientRolling& rolling, std::vector<RollingState> states);
+
+/// The steady state of elastic bodies, solved directly; coupled normal and tangential contact by
+/// staggered iteration (Panagiotopoulos 1975), accelerated (see contact::FixedPoint). Throws
+/// contact::InputError for points that form no grid or a force above the friction limit,
+/// contact::ContactAtEdge of the grid, contact::NotConverged.
+SteadyRolling steady_rolling(const contact::Compliance& compliance, const RollingProblem& problem);
 
 /// The steady state: of elastic bodies directly, over a relaxing substrate by rolling from rest.
 SteadyRolling steady_rolling(const contact::Substrate& substrate, const RollingProblem& problem);

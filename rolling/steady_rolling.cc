@@ -1,9 +1,6 @@
-#include "rolling/steady_rolling.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 
 #include "contact/error.h"
 #include "contact/solvers/contact_region.h"
@@ -11,11 +8,9 @@
 #include "contact/solvers/fixed_point.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/special_values.h"
-#include "contact/substrates/substrate.h"
 #include "contact/surface.h"
 #include "contact/surface_audit.h"
-#include "contact/surface_model.h"
-#include "rolling/rolling_contact.h"
+#include "rolling/run.h"
 #include "rolling/steady_solver.h"
 
 namespace tricontact::rolling {
@@ -87,7 +82,7 @@ class StaggeredIteration {
 
     RollingState state(const contact::Surface& s) const {
         RollingState state = state_of(s, *problem_.indenter);
-        state.distance = std::numeric_limits<double>::infinity();
+        state.distance = contact::infinity;
         state.creepage = steady_.creepage;
         state.indentation = normal_.indentation;
         state.iterations = iterations_;

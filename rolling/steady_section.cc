@@ -6,7 +6,6 @@
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_report.h"
 
 namespace tricontact::rolling {
 
@@ -100,12 +99,12 @@ report::DocumentTable resistance_theory_table(const RollingReport& report) {
             "docs/rolling.md.",
         .columns = {{"theory"}, {"W/F_N"}}};
     add_model_columns(report, table);
-    for (const ResistanceTheory& theory : resistance_theories(report.c)) {
-        std::vector<report::Cell> row{theory.name, theory.ratio};
+    for (const ClosedForm& theory : resistance_theories(report.c)) {
+        std::vector<report::Cell> row{theory.name, theory.value};
         for (const RollingRun& run : report.runs) {
             const auto& s = run.history.steady;
             row.emplace_back(s.resistance == 0 ? contact::undefined
-                                               : theory.ratio * s.normal_force / s.resistance);
+                                               : theory.value * s.normal_force / s.resistance);
         }
         table.rows.push_back(std::move(row));
     }

@@ -17,6 +17,7 @@ namespace tricontact::rolling {
 namespace {
 
 using contact::norm;
+using contact::operator+, contact::operator-, contact::operator*, contact::operator/;
 using contact::TangentialField;
 using contact::Vector2;
 
@@ -76,19 +77,9 @@ class Newton {
         return active;
     }
 
-    TangentialField& traction() { return solution_.traction; }
-    Vector2 traction_at(std::size_t i) const {
-        return {solution_.traction.x[i], solution_.traction.y[i]};
-    }
-    Vector2 slip_at(std::size_t i) const { return {solution_.slip.x[i], solution_.slip.y[i]}; }
-    void set_traction(std::size_t i, const Vector2& t) {
-        solution_.traction.x[i] = t[0];
-        solution_.traction.y[i] = t[1];
-    }
     /// t + s/alpha: inside the friction disc where the point sticks.
     Vector2 trial(std::size_t i) const {
-        const Vector2 t = traction_at(i), s = slip_at(i);
-        return {t[0] + s[0] / alpha_, t[1] + s[1] / alpha_};
+        return solution_.traction.at(i) + solution_.slip.at(i) / alpha_;
     }
 
     void check_force_is_carried() const {
@@ -105,10 +96,11 @@ class Newton {
 
     void start() {
         const std::size_t n = points_.size();
-        if (traction().size() != n) traction() = TangentialField(n);
+        TangentialField& t = solution_.traction;
+        if (t.size() != n) t = TangentialField(n);
         solution_.displacement = solution_.slip = TangentialField(n);
         for (std::size_t i = 0; i < n; ++i)
-            set_traction(i, contact::project_on_disc(traction_at(i), problem_.bound[i]));
+            t.set(i, contact::project_on_disc(t.at(i), problem_.bound[i]));
         Creepage& w = solution_.creepage;
         w.longitudinal = problem_.drive.creepage[0].value_or(w.longitudinal);
         w.lateral = problem_.drive.creepage[1].value_or(w.lateral);
@@ -130,13 +122,11 @@ class Newton {
     }
 
     void update_slip() {
-        compliance_.tangential(traction(), solution_.displacement);
+        compliance_.tangential(solution_.traction, solution_.displacement);
         ++solution_.iterations;
         TangentialField all = solution_.displacement;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all.x[i] += problem_.displacement.x[i];
-            all.y[i] += problem_.displacement.y[i];
-        }
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all.set(i, all.at(i) + problem_.displacement.at(i));
         solution_.slip = forward_gradient(points_, active_, all);
         const Creepage& w = solution_.creepage;
         const double ahead = contact::spin_point * points_.spacing[0];
@@ -150,11 +140,10 @@ class Newton {
         double worst = 0;
         Vector2 force{};
         for (const std::size_t i : active_) {
-            const Vector2 t = traction_at(i);
+            const Vector2 t = solution_.traction.at(i);
             const Vector2 p = contact::project_on_disc(trial(i), problem_.bound[i]);
-            worst = contact::larger(worst, norm({t[0] - p[0], t[1] - p[1]}));
-            force[0] += points_.area[i] * t[0];
-            force[1] += points_.area[i] * t[1];
+            worst = contact::larger(worst, norm(t - p));
+            force = force + points_.area[i] * t;
         }
         solution_.residual = worst / mean_bound_;
         solution_.force_residual = 0;
@@ -172,10 +161,10 @@ class Newton {
         std::vector<double> curvature(active_.size(), 0.0);
         for (std::size_t k = 0; k < active_.size(); ++k) {
             if (!slipping_[k]) continue;
-            const Vector2 t = traction_at(active_[k]);
+            const Vector2 t = solution_.traction.at(active_[k]), s = solution_.slip.at(active_[k]);
             const double bound = problem_.bound[active_[k]];
             tangent[k] = {-t[1] / bound, t[0] / bound};
-            curvature[k] = std::max(0.0, contact::dot(slip_at(active_[k]), t) / bound) / bound;
+            curvature[k] = std::max(0.0, contact::dot(s, t) / bound) / bound;
         }
         // Zones still move while the residual is large: solve no more exactly than that deserves.
         const double forcing =
@@ -195,9 +184,8 @@ class Newton {
         solution_.creepage.lateral += result.creepage[1];
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            Vector2 t = {traction().x[i] + result.z.x[i], traction().y[i] + result.z.y[i]};
-            if (slipping_[k]) t = contact::onto_edge(t, problem_.bound[i]);
-            set_traction(i, t);
+            const Vector2 t = solution_.traction.at(i) + result.z.at(i);
+            solution_.traction.set(i, slipping_[k] ? contact::onto_edge(t, problem_.bound[i]) : t);
         }
     }
 
@@ -205,10 +193,10 @@ class Newton {
     void classify() {
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            const Vector2 y = trial(i);
+            const Vector2 y = trial(i), t = solution_.traction.at(i);
             slipping_[k] = norm(y) > problem_.bound[i];
-            set_traction(
-                i, contact::project_on_disc(slipping_[k] ? y : traction_at(i), problem_.bound[i]));
+            solution_.traction.set(
+                i, contact::project_on_disc(slipping_[k] ? y : t, problem_.bound[i]));
         }
     }
 

@@ -8,6 +8,7 @@ namespace tricontact::rolling {
 
 namespace {
 
+using contact::operator+, contact::operator-, contact::operator*, contact::operator/;
 using Eigen::VectorXd;
 
 constexpr int max_iterations = 400;
@@ -34,10 +35,7 @@ contact::TangentialField forward_gradient(const contact::ContactPoints& grid,
                                           const std::vector<std::size_t>& active,
                                           const contact::TangentialField& u) {
     contact::TangentialField gradient(u.size());
-    for (const std::size_t i : active) {
-        gradient.x[i] = (u.x[i + 1] - u.x[i]) / grid.spacing[0];
-        gradient.y[i] = (u.y[i + 1] - u.y[i]) / grid.spacing[0];
-    }
+    for (const std::size_t i : active) gradient.set(i, (u.at(i + 1) - u.at(i)) / grid.spacing[0]);
     return gradient;
 }
 
@@ -129,8 +127,7 @@ VectorXd SteadySystem::unrolled(const VectorXd& r) const {
     contact::TangentialField u(points.size()), t(points.size());
     for (Eigen::Index k = m - 1; k >= 0; --k) {
         const std::size_t i = active_[k];
-        u.x[i] = u.x[i + 1] + points.spacing[0] * r[k];
-        u.y[i] = u.y[i + 1] + points.spacing[0] * r[m + k];
+        u.set(i, u.at(i + 1) + points.spacing[0] * contact::Vector2{r[k], r[m + k]});
     }
     compliance_.precondition_tangential(u, t);
     return gathered(t, active_);

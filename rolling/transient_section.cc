@@ -8,7 +8,6 @@
 #include "report/format.h"
 #include "rolling/creep_theory.h"
 #include "rolling/rolling_document.h"
-#include "rolling/rolling_report.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/rolling/creep_law.h"
 

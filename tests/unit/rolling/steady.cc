@@ -10,7 +10,6 @@
 #include "contact/substrates/substrate.h"
 #include "rolling/linear_creep.h"
 #include "rolling/run.h"
-#include "rolling/steady_rolling.h"
 #include "tests/unit/rolling/kalker_force.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/layer/layer_stack.h"

@@ -259,9 +259,9 @@ Case relaxing(Case c, double way) {
     return c;
 }
 
-std::vector<std::string> keys_of(const std::vector<ResistanceTheory>& theories) {
+std::vector<std::string> keys_of(const std::vector<ClosedForm>& theories) {
     std::vector<std::string> keys;
-    for (const ResistanceTheory& theory : theories) keys.push_back(theory.key);
+    for (const ClosedForm& theory : theories) keys.push_back(theory.key);
     return keys;
 }
 
@@ -271,14 +271,14 @@ TEST(ResistanceTheories, AreThoseOfTheBody) {
     const Case sphere = relaxing(rubber(.5), 1e-4);
     const auto round = resistance_theories(sphere);
     ASSERT_EQ(keys_of(round), (std::vector<std::string>{"slow", "mdr_closed_form"}));
-    EXPECT_NEAR(round[1].ratio / round[0].ratio, 2, 1e-3);
+    EXPECT_NEAR(round[1].value / round[0].value, 2, 1e-3);
     Case cylinder = rubber(.5);
     cylinder.indenter.shape = Case::Shape::cylinder;
     cylinder.indenter.length = .1;
     cylinder = relaxing(cylinder, 1e-4);
     const auto line = resistance_theories(cylinder);
     ASSERT_EQ(keys_of(line), (std::vector<std::string>{"slow", "hunter"}));
-    EXPECT_NEAR(line[1].ratio / line[0].ratio, 1, 1e-3);
+    EXPECT_NEAR(line[1].value / line[0].value, 1, 1e-3);
     // Where the bulk does not relax no closed form is known.
     Case partly = relaxing(rubber(.3), 1);
     partly.relaxation->bulk = contact::Relaxation::Bulk::elastic;
@@ -320,8 +320,8 @@ TEST(FreeCreepages, StandBesideDissimilarCylindersWithoutForce) {
     const auto bounds = free_creepages(c);
     ASSERT_EQ(bounds.size(), 2U);
     EXPECT_TRUE(creep_theories(c).empty());
-    EXPECT_LT(bounds[0].creepage, 0);
-    EXPECT_LT(bounds[1].creepage, bounds[0].creepage);
+    EXPECT_LT(bounds[0].value, 0);
+    EXPECT_LT(bounds[1].value, bounds[0].value);
     EXPECT_EQ(rolling_json({.c = c, .runs = {}}).at("free_creepages").size(), 2U);
     c.contact.coupling = false;
     EXPECT_TRUE(free_creepages(c).empty());

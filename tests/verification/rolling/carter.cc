@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "rolling/steady_rolling.h"
+#include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/rolling/creep_law.h"
 

@@ -10,7 +10,6 @@
 #include "contact/substrates/substrate.h"
 #include "io/case/case_reader.h"
 #include "rolling/run.h"
-#include "rolling/steady_rolling.h"
 #include "tests/unit/rolling/problems.h"
 #include "tests/verification/contact_program_prints.h"
 

@@ -8,7 +8,7 @@
 
 #include "contact/substrates/substrate.h"
 #include "rolling/linear_creep.h"
-#include "rolling/steady_rolling.h"
+#include "rolling/run.h"
 #include "tests/unit/rolling/problems.h"
 #include "theory/layer/layer_stack.h"
 #include "theory/rolling/creep_law.h"

@@ -14,7 +14,7 @@
 #include "bem/model.h"
 #include "rolling/creep_theory.h"
 #include "rolling/linear_creep.h"
-#include "rolling/steady_rolling.h"
+#include "rolling/run.h"
 
 namespace tricontact::rolling_kalker_test {
 namespace {
