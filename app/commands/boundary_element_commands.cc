@@ -6,7 +6,6 @@
 #include "bem/grid_compliance.h"
 #include "bem/influence_file.h"
 #include "bem/model.h"
-#include "io/contact_program/case_text.h"
 #include "io/contact_program/sequence.h"
 #include "io/keys/input_file.h"
 

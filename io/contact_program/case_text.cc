@@ -1,5 +1,3 @@
-#include "io/contact_program/case_text.h"
-
 #include <fmt/format.h>
 
 #include <cmath>

@@ -13,6 +13,72 @@ constexpr double newton_per_square_mm = 1e6;  // 1 N/mm^2 in Pa
 constexpr int module_number = 3;
 constexpr int most_cells_along = 100000;
 
+/// A digit, what it may be, why not something else, and its place among those that are read.
+struct Digit {
+    char letter;
+    std::string_view allowed, rule, remedy;
+    int CaseDigits::*place = nullptr;
+};
+
+constexpr std::string_view any = "0123456789";
+
+const std::vector<Digit> first_word = {
+    {'P', "02", "a case goes on from the one before or begins again", "give 0 or 2",
+     &CaseDigits::previous},
+    {'B', "0", "only the full normal problem is solved", "give 0"},
+    {'T', "01", "only shifts in world-fixed coordinates are cases here",
+     "give 0 or 1; what rolls on is computed by tricontact roll", &CaseDigits::tangential},
+    {'N', "01", "depth or normal force is prescribed", "give 0 or 1", &CaseDigits::normal},
+    {'F', "012", "shifts or forces are prescribed", "give 0, 1 or 2", &CaseDigits::force},
+    {'S', "0", "stresses inside are asked for by output.volume of the case", "give 0"},
+};
+const std::vector<Digit> second_word = {
+    {'V', "0", "friction is the same everywhere", "give 0"},
+    {'L', "01", "only Coulomb friction is a case here", "give 0, or 1 to keep it",
+     &CaseDigits::friction},
+    {'D', "02", "cells are new or kept", "give 0 or 2", &CaseDigits::cells},
+    {'C', "02",
+     "only half-spaces with constant tractions per cell are read; coefficients of a "
+     "file do not tell the layer",
+     "give 0 or 2", &CaseDigits::influence},
+    {'M', "0", "only elastic bodies are cases here", "give 0"},
+    {'Z', "02", "undeformed distances are new or kept", "give 0 or 2", &CaseDigits::distance},
+    {'E', "0", "no further term of slip is a case here", "give 0"},
+};
+const std::vector<Digit> third_word = {
+    {'X', "0", "debug output has lines of its own", "give 0"},
+    {'H', "0", "no temperatures are computed", "give 0"},
+    {'G', "01", "settings of other solvers have no counterpart", "give 0 or 1",
+     &CaseDigits::solver},
+    {'I', any, "", ""},
+    {'A', any, "", ""},
+    {'O', any, "", ""},
+    {'W', any, "", ""},
+    {'R', "01", "every case is computed", "give 0 or 1", &CaseDigits::after},
+};
+
+void read_word(InputLines& lines, const std::vector<Digit>& declared, CaseDigits& digits) {
+    std::string letters;
+    for (const Digit& digit : declared) letters += digit.letter;
+    const std::vector<int> values = lines.digits(declared.size(), letters);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const Digit& digit = declared[k];
+        if (digit.allowed.find(static_cast<char>('0' + values[k])) == std::string_view::npos)
+            lines.refuse(fmt::format("{} = {}", digit.letter, values[k]), digit.rule, digit.remedy);
+        if (digit.place) digits.*digit.place = values[k];
+    }
+}
+
+/// What no case file here says is refused with the digit's letter.
+CaseDigits read_digits(InputLines& lines) {
+    CaseDigits digits;
+    read_word(lines, first_word, digits);
+    digits.line = lines.line();
+    read_word(lines, second_word, digits);
+    read_word(lines, third_word, digits);
+    return digits;
+}
+
 /// Reads one case after the other; what is not given again is that of the case before.
 class CaseReading {
   public:

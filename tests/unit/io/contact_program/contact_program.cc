@@ -10,7 +10,6 @@
 #include "bem/model.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
-#include "io/contact_program/case_text.h"
 #include "io/contact_program/program_case.h"
 #include "io/contact_program/sequence.h"
 #include "tests/unit/io/sphere_case.h"
