@@ -1,6 +1,5 @@
 #pragma once
 
-// With what most commands use: cases, texts, output.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +12,7 @@
 #include "app/options.h"
 #include "io/case/case_reader.h"
 
+// Files of commands take from here what most of them need: texts, output, options, cases.
 namespace tricontact::app {
 
 /// A subcommand of the program, its options in the order in which the help names them.

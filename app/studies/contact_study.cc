@@ -5,7 +5,6 @@
 #include "app/case_run.h"
 #include "app/roll_models.h"
 #include "app/studies/point_key.h"
-#include "app/studies/study_combinations.h"
 #include "app/studies/study_kind.h"
 #include "io/case/case_reader.h"
 #include "report/format.h"

@@ -1,9 +1,6 @@
-#include "app/studies/study_combinations.h"
-
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "contact/error.h"
+#include "app/studies/study_kind.h"
 #include "statistics/latin_hypercube.h"
 
 namespace tricontact::app {

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "app/studies/point_key.h"
-#include "app/studies/study_combinations.h"
 #include "app/studies/study_kind.h"
 #include "files/version.h"
 #include "io/results/atomic_file.h"
