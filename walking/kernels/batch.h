@@ -1,14 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <optional>
 #include <span>
-#include <thread>
 #include <vector>
 
 #include "walking/kernels/kernel.h"
@@ -17,28 +13,6 @@
 #include "walking/machine/stretch_recorder.h"
 
 namespace tricontact::walking {
-
-/// work(i) for i below n, by so many threads. The first exception is thrown again.
-template <class Work>
-void in_parallel(std::size_t n, int n_threads, const Work& work) {
-    std::atomic<std::size_t> next = 0;
-    std::atomic_flag failed;
-    std::exception_ptr failure;
-    const auto run = [&] {
-        try {
-            for (std::size_t i = next++; i < n; i = next++) work(i);
-        } catch (...) {
-            if (!failed.test_and_set()) failure = std::current_exception();
-            next = n;
-        }
-    };
-    std::vector<std::jthread> threads;
-    const auto n_workers = std::min(n, static_cast<std::size_t>(std::max(1, n_threads)));
-    for (std::size_t i = 1; i < n_workers; ++i) threads.emplace_back(run);
-    run();
-    threads.clear();  // joins
-    if (failure) std::rethrow_exception(failure);
-}
 
 /// Whether kernels know the machine's model, mechanisms and loads; see Batch.
 bool fits_lane(const Machine& machine);
@@ -76,15 +50,9 @@ class Lane {
     std::array<double, kernels::n_sums> sums_;
 };
 
-struct BatchOptions {
-    Kernel kernel = best_kernel();
-    int n_threads = 1;
-};
-
 /// Many machines at once by velocity Verlet, each in a lane of the processor's vectors: the motion
 /// that VelocityVerlet computes, but for rounding. What a machine does until it tilts depends
-/// neither on the others, nor on the number of threads, nor on how the steps are shared among
-/// calls.
+/// neither on the others nor on how the steps are shared among calls.
 class Batch {
   public:
     /// One start per machine; `step` > 0, in units of sqrt(m/k_x). Throws std::invalid_argument for
@@ -92,7 +60,7 @@ class Batch {
     /// coupling, excitation, kappa1 or mu not above 0; and for a start with another number of
     /// spots.
     Batch(std::span<const Machine> machines, std::span<const Motion> starts, double step,
-          const BatchOptions& options = {});
+          Kernel kernel = best_kernel());
 
     std::size_t size() const { return lanes_.size(); }
     double step() const { return step_; }
@@ -109,11 +77,9 @@ class Batch {
     std::optional<double> tilted(std::size_t machine) const;
 
   private:
-    void advance_groups(std::int64_t n_steps, std::span<StretchSums> sums);
-
     std::vector<Lane> lanes_;
     double step_;
-    BatchOptions options_;
+    Kernel kernel_;
 };
 
 }  // namespace tricontact::walking

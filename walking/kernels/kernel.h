@@ -95,8 +95,6 @@ struct LaneFunctions {
     void (*advance[2])(double* fields, std::int64_t n_steps);
 };
 
-LaneFunctions plain_lanes();
-LaneFunctions sse2_lanes();
 LaneFunctions avx2_lanes();
 LaneFunctions avx512_lanes();
 LaneFunctions functions_of(Kernel kernel);

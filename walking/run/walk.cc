@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "contact/special_values.h"
 #include "walking/machine/velocity_verlet.h"
 #include "walking/run/limit_cycle.h"
 #include "walking/run/lyapunov.h"
@@ -196,7 +197,7 @@ void add_step_error(const Machine& machine, const Motion& motion, double step, W
     const std::span<const SectionReturn> all(recorder.returns());
     const auto n = static_cast<std::size_t>(averaged * points + 1);
     if (all.size() < enough) {  // another motion at half the step: nothing is known of the mean
-        result.mu_e_error = result.period_error = std::numeric_limits<double>::quiet_NaN();
+        result.mu_e_error = result.period_error = contact::undefined;
         return;
     }
     const LimitCycle finer = mean_cycle(machine, all.last(n), points, step / 2);
@@ -238,7 +239,7 @@ Walk walk(const WalkCase& walk_case, const Recording& recording) {
 }
 
 std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& recording,
-                             const BatchOptions& options) {
+                             Kernel kernel) {
     if (cases.empty()) return {};
     const double began = processor_time();
     std::vector<Machine> machines;
@@ -250,10 +251,10 @@ std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& r
         starts.push_back(motion_at_start(each.machine, each.start));
     }
     const WalkSteps steps = steps_of(cases[0], recording);
-    Batch batch(machines, starts, cases[0].time.step, options);
+    Batch batch(machines, starts, cases[0].time.step, kernel);
     std::vector<Walk> walks(cases.size());
     const Ends ends = run_lanes(batch, steps, walks);
-    in_parallel(cases.size(), options.n_threads, [&](std::size_t i) {
+    for (std::size_t i = 0; i < cases.size(); ++i) {
         Walk& walk = walks[i];
         if (batch.tilted(i))
             conclude_lane(cases[i], steps, batch.motion(i), steps.run, true, walk);
@@ -261,7 +262,7 @@ std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& r
             conclude_lane(cases[i], steps, ends.judged[i], steps.judged, false, walk);
         else
             conclude_lane(cases[i], steps, ends.tail[i], steps.followed, false, walk);
-    });
+    }
     const double cpu_s = processor_time() - began;
     for (Walk& walk : walks) walk.cpu_s = cpu_s / static_cast<double>(walks.size());
     return walks;

@@ -135,13 +135,12 @@ struct Recording {
 /// Throws std::invalid_argument if step or end are not positive.
 Walk walk(const WalkCase& walk_case, const Recording& recording = {});
 
-/// Runs cases of one step and one end side by side in a batch, each as walk() does: it depends
-/// neither on the others nor on the number of threads. Returns are recorded only where the extremes
-/// of the motion repeat, so that there may be a limit cycle; the time of computing is an equal
-/// share of the whole. Throws std::invalid_argument for what a batch does not know, and for cases
-/// that differ in step or end.
+/// Runs cases of one step and one end side by side in a batch, each as walk() does: it does not
+/// depend on the others. Returns are recorded only where the extremes of the motion repeat, so that
+/// there may be a limit cycle; the time of computing is an equal share of the whole. Throws
+/// std::invalid_argument for what a batch does not know, and for cases that differ in step or end.
 std::vector<Walk> walk_batch(std::span<const WalkCase> cases, const Recording& recording = {},
-                             const BatchOptions& options = {});
+                             Kernel kernel = best_kernel());
 
 /// Adds to the errors of a limit cycle's mu_e and period what the integration's step contributes:
 /// the cycle is followed once more with half the step. Velocity Verlet makes errors of second

@@ -21,7 +21,7 @@ class WalkingBatch : public testing::TestWithParam<Kernel> {
         std::vector<Motion> motions;
         for (const Start& start : starts) motions.push_back(motion_at_start(machine, start));
         const std::vector<Machine> machines(starts.size(), machine);
-        Batch batch(machines, motions, step, {.kernel = GetParam()});
+        Batch batch(machines, motions, step, GetParam());
         std::vector<StretchSums> sums(starts.size());
         batch.advance(std::llround(window_begin / step), {});
         batch.advance(std::llround((end - window_begin) / step), sums);
@@ -108,7 +108,7 @@ Shares shares_of_map() {
         machines.push_back({.kappas = kappas});
         starts.push_back(motion_at_start(machines.back()));
     }
-    Batch batch(machines, starts, step, {.n_threads = 2});
+    Batch batch(machines, starts, step);
     std::vector<StretchSums> sums(machines.size());
     batch.advance(2'000'000, {});
     batch.advance(2'000'000, sums);

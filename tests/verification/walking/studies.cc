@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <thread>
 
+#include "tests/verification/walking/side_by_side.h"
 #include "walking/run/walk.h"
 #include "walking/study/walk_sweep.h"
 
@@ -15,8 +15,7 @@ namespace {
 constexpr Kappas set_b{2, 1.2, 0.5, 1e-4, 0.68, 1e-4, 0.42, 1.18};
 
 std::vector<Walk> walks_of(const std::vector<WalkCase>& cases) {
-    const int n_threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    return walk_batch(cases, {.tail = 1, .interval = 0.1}, {.n_threads = n_threads});
+    return walks_side_by_side(cases, {.tail = 1, .interval = 0.1});
 }
 
 /// 40 x 40 machines over kappa8 in [0, 2] and mu in [0.1, 2], T = 4000, tilting beyond |phi| =

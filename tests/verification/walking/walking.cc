@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/verification/walking/side_by_side.h"
 #include "walking/kernels/batch.h"
 #include "walking/run/walk.h"
 
@@ -37,7 +38,7 @@ TEST(Walking, SetBIsOneLimitCycleForAllStepsAndStarts) {
     for (const double step : {0.9e-3, 1e-3, 1.1e-3}) {
         std::vector<WalkCase> cases(8, case_of(walks, step, 20000));
         for (std::size_t i = 1; i < cases.size(); ++i) cases[i].start = random_start(generator);
-        for (const Walk& walk : walk_batch(cases, {}, {.n_threads = 2})) {
+        for (const Walk& walk : walks_side_by_side(cases)) {
             const WalkResult& result = walk.result;
             ASSERT_EQ(result.regime, Regime::limit_cycle) << step;
             EXPECT_TRUE(result.transient_over);
@@ -56,7 +57,7 @@ TEST(Walking, SetBIsOneLimitCycleForAllStepsAndStarts) {
 TEST(Walking, SetBIsTheSameLimitCycleForAllKernels) {
     for (const Kernel kernel : available_kernels()) {
         const std::vector<WalkCase> cases(2, case_of(walks, 1e-3, 10000));
-        const WalkResult result = walk_batch(cases, {}, {.kernel = kernel})[0].result;
+        const WalkResult result = walk_batch(cases, {}, kernel)[0].result;
         EXPECT_EQ(result.regime, Regime::limit_cycle);
         EXPECT_NEAR(result.mu_e, 0.044006, 1e-6);
     }
@@ -97,7 +98,7 @@ TEST(Walking, TransientsOfSetBLiveAsLongAsKnown) {
     std::vector<WalkCase> cases(300, case_of(walks, 1e-3, 4300));
     for (WalkCase& each : cases)
         each.start = {level(), level(), level(), level(), level(), level(), level()};
-    const std::vector<Walk> runs = walk_batch(cases, {}, {.n_threads = 2});
+    const std::vector<Walk> runs = walks_side_by_side(cases);
     const double n = static_cast<double>(runs.size());
     for (const auto& [time, share] :
          {std::pair{500., 0.18}, {1000., 0.45}, {2000., 0.75}, {4000., 0.94}}) {
@@ -120,7 +121,7 @@ TEST(Walking, IntervalsOfChaosHoldTheMean) {
         kappas.kappa8 = kappa8;
         std::vector<WalkCase> cases(64, case_of(kappas, 1e-3, 20000));
         for (WalkCase& each : cases) each.start = random_start(generator);
-        const std::vector<Walk> runs = walk_batch(cases, {}, {.n_threads = 2});
+        const std::vector<Walk> runs = walks_side_by_side(cases);
         double mean = 0;
         for (const Walk& run : runs) mean += run.result.mu_e / static_cast<double>(runs.size());
         int n_over = 0, n_held = 0;

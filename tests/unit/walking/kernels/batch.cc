@@ -34,8 +34,8 @@ std::vector<Motion> starts_of(std::span<const Machine> machines) {
     return starts;
 }
 
-Batch batch_of(std::span<const Machine> machines, const BatchOptions& options = {}) {
-    return {machines, starts_of(machines), step, options};
+Batch batch_of(std::span<const Machine> machines, Kernel kernel = best_kernel()) {
+    return {machines, starts_of(machines), step, kernel};
 }
 
 class BatchOf : public testing::TestWithParam<Kernel> {};
@@ -65,7 +65,7 @@ constexpr double rounding = 1e-9;
 TEST_P(BatchOf, MovesEveryMachineAsVelocityVerletDoes) {
     for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
         const std::vector<Machine> all = machines(model);
-        Batch batch = batch_of(all, {.kernel = GetParam()});
+        Batch batch = batch_of(all, GetParam());
         batch.advance(5000, {});
         for (std::size_t i = 0; i < all.size(); i += 7) {
             VelocityVerlet one(all[i], starts_of(all)[i], step);
@@ -80,7 +80,7 @@ TEST_P(BatchOf, MechanismsCanBeTakenAway) {
          {Mechanisms{.vertical = false}, Mechanisms{.rotation = false}}) {
         const Machine machine{.kappas = set_b(), .mechanisms = mechanisms};
         const Motion start = motion_at_start(machine, {.z = 1.1});
-        Batch batch(std::span(&machine, 1), std::span(&start, 1), step, {.kernel = GetParam()});
+        Batch batch(std::span(&machine, 1), std::span(&start, 1), step, GetParam());
         batch.advance(5000, {});
         VelocityVerlet one(machine, start, step);
         for (int n = 0; n < 5000; ++n) one.advance();
@@ -113,7 +113,7 @@ TEST_P(BatchOf, SumsUpTheStepsOfEveryMachineAsTheRecorderDoes) {
     constexpr int n = 5000, before = 1000;
     for (const auto model : {Machine::Model::two_spot, Machine::Model::prism}) {
         const std::vector<Machine> all = machines(model);
-        Batch batch = batch_of(all, {.kernel = GetParam()});
+        Batch batch = batch_of(all, GetParam());
         std::vector<StretchSums> sums(all.size());
         batch.advance(before, {});
         batch.advance(1, sums);
@@ -132,10 +132,10 @@ TEST_P(BatchOf, SumsUpTheStepsOfEveryMachineAsTheRecorderDoes) {
     }
 }
 
-TEST_P(BatchOf, ThreadsAndStretchesDoNotChangeABit) {
+TEST_P(BatchOf, StretchesDoNotChangeABit) {
     const std::vector<Machine> all = machines();
-    Batch one = batch_of(all, {.kernel = GetParam()});
-    Batch two = batch_of(all, {.kernel = GetParam(), .n_threads = 3});
+    Batch one = batch_of(all, GetParam());
+    Batch two = batch_of(all, GetParam());
     one.advance(5000, {});
     for (const int n : {1, 2999, 1500, 500}) two.advance(n, {});
     for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(one.motion(i), two.motion(i)) << i;
@@ -143,12 +143,12 @@ TEST_P(BatchOf, ThreadsAndStretchesDoNotChangeABit) {
 
 TEST_P(BatchOf, AMachineThatTiltsTroublesNobody) {
     std::vector<Machine> all = machines();
-    Batch alone = batch_of(all, {.kernel = GetParam()});
+    Batch alone = batch_of(all, GetParam());
     for (std::size_t i = 0; i < all.size(); i += 3) {
         all[i].kappas.kappa5 = all[i].kappas.kappa8 = 1.9;
         all[i].kappas.kappa6 = 1e-2;
     }
-    Batch batch = batch_of(all, {.kernel = GetParam()});
+    Batch batch = batch_of(all, GetParam());
     std::vector<StretchSums> sums(all.size());
     constexpr int n = 20000;
     batch.advance(n, sums);
@@ -178,7 +178,7 @@ TEST(Batch, VectorsWithFusedMultiplyAddAgreeToTheBitAndSoDoThoseWithout) {
         const std::vector<Machine> all = machines(model);
         std::vector<std::vector<Motion>> motions;
         for (const Kernel kernel : available_kernels()) {
-            Batch batch = batch_of(all, {.kernel = kernel});
+            Batch batch = batch_of(all, kernel);
             batch.advance(50000, {});
             motions.emplace_back();
             for (std::size_t i = 0; i < all.size(); ++i) motions.back().push_back(batch.motion(i));

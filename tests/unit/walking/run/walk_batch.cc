@@ -53,14 +53,14 @@ TEST(WalkBatch, JudgesAsARunAlone) {
     EXPECT_NEAR(walks[2].result.phi_min, falling.result.phi_min, 1e-5);
 }
 
-TEST(WalkBatch, DependsOnNeitherOthersNorThreads) {
+TEST(WalkBatch, DoesNotDependOnOthers) {
     std::vector<WalkCase> cases;
     for (const double kappa8 : {0.4, 0.9, 1.0, 1.1, 1.18, 1.2, 1.3, 1.4, 1.5}) {
         Kappas kappas = set_b();
         kappas.kappa8 = kappa8;
         cases.push_back(case_of(kappas, 300));
     }
-    const auto together = walk_batch(cases, {}, {.n_threads = 2});
+    const auto together = walk_batch(cases);
     const auto few = walk_batch(std::span(cases).first(2));
     for (std::size_t i = 0; i < few.size(); ++i) {
         EXPECT_EQ(together[i].result.mu_e, few[i].result.mu_e);
