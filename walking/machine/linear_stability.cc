@@ -72,7 +72,8 @@ std::pair<Row, Row> derivatives(const Machine& machine, const Spot& spot, const 
     return {normal, tangential};
 }
 
-// Of x'', z'', phi''.
+// Of x'', z'', phi'' while every spot in contact slips forwards, u = mu kappa2 n. Friction makes it
+// unsymmetric.
 Eigen::Matrix3d jacobian(const Machine& machine, const Motion& motion) {
     const Kappas& k = machine.kappas;
     const double square = k.kappa3 * k.kappa3, phi = motion.phi;
@@ -97,20 +98,14 @@ Eigen::Matrix3d jacobian(const Machine& machine, const Motion& motion) {
     return all;
 }
 
-// What may move, of x, z, phi.
-std::vector<Eigen::Index> freedoms(const Machine& machine) {
-    std::vector<Eigen::Index> free{0};
-    if (machine.mechanisms.vertical) free.push_back(1);
-    if (machine.mechanisms.rotation) free.push_back(2);
-    return free;
-}
-
 // The first-order system of displacements, velocities and, in the prism, deflections u_s of the
 // spots in contact: u_s' = (z' - p phi'/kappa3)/sqrt(2) - kappa6/bound u_s, as slip at kappa6 along
 // the motion turns the deflection back.
 Eigen::MatrixXd system_matrix(const Machine& machine, const Motion& motion) {
     const Kappas& k = machine.kappas;
-    const std::vector<Eigen::Index> free = freedoms(machine);
+    std::vector<Eigen::Index> free{0};  // to move, of x, z, phi
+    if (machine.mechanisms.vertical) free.push_back(1);
+    if (machine.mechanisms.rotation) free.push_back(2);
     const std::vector<Spot> spots = springs_of(machine);
     std::vector<std::size_t> turning;
     if (machine.model == Machine::Model::prism)
@@ -187,14 +182,6 @@ std::optional<Motion> steady_sliding(const Machine& machine) {
     }
     phi = root(moment, std::min(before, phi), std::max(before, phi));
     return sliding_motion(machine, carried_at(machine, phi), phi);
-}
-
-std::array<std::array<double, 3>, 3> sliding_jacobian(const Machine& machine,
-                                                      const Motion& motion) {
-    std::array<std::array<double, 3>, 3> rows{};
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows.front().data()) =
-        jacobian(machine, motion);
-    return rows;
 }
 
 std::vector<std::complex<double>> sliding_eigenvalues(const Machine& machine,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <complex>
 #include <optional>
 #include <vector>
@@ -29,11 +28,6 @@ Motion sliding_motion(const Machine& machine, double z, double phi);
 /// critical_friction, in the prism above 1/sqrt(2) of it (normal_load_factor), but for a share of
 /// the order of kappa4.
 std::optional<Motion> steady_sliding(const Machine& machine);
-
-/// Derivatives of x'', z'' and phi'' with respect to x, z and phi while every spot in contact slips
-/// forwards, u = mu kappa2 n; row by row. Friction makes it unsymmetric.
-/// `motion`: a sliding_motion.
-std::array<std::array<double, 3>, 3> sliding_jacobian(const Machine& machine, const Motion& motion);
 
 /// Eigenvalues [sqrt(k_x/m)] of small disturbances of `motion`, a sliding_motion; a disturbance
 /// grows as exp(Re t) and turns with Im. Two for each way the body may move; in the prism one more

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <vector>
 
 #include "tests/unit/walking/sets.h"
 #include "walking/machine/event_driven.h"
@@ -19,8 +21,57 @@ Machine off_centre() {
         .kappas = set_b(), .model = Machine::Model::spots, .spots = {{-0.7, 0, 1}, {1.3, 0, 0.9}}};
 }
 
-// Displacements so large that the terms of second order in phi count.
-TEST(SlidingJacobian, IsTheDerivativeOfTheAcceleration) {
+using Matrix = std::vector<std::vector<double>>;
+
+/// Differences of the accelerations at a sliding motion: of x, z, phi, then of what turns on the
+/// flanks of a prism.
+Matrix differences(const Machine& machine, const Motion& at) {
+    const double h = 1e-4 * static_displacement(machine);
+    const bool prism = machine.model == Machine::Model::prism;
+    const std::size_t n_turning = prism ? at.spots.size() : 0;
+    Matrix rows(3, std::vector<double>(3 + n_turning));
+    for (std::size_t j = 0; j < 3 + n_turning; ++j) {
+        const auto moved = [&](double by) {
+            Motion motion =
+                sliding_motion(machine, at.z + (j == 1 ? by : 0), at.phi + (j == 2 ? by : 0));
+            motion.base = at.base;
+            motion.x = j == 0 ? by : 0;
+            if (j > 2) motion.spots[j - 3].flank = by;
+            return acceleration(machine, spots_of(machine), motion);
+        };
+        const Acceleration ahead = moved(h), behind = moved(-h);
+        rows[0][j] = (ahead.x - behind.x) / (2 * h);
+        rows[1][j] = (ahead.z - behind.z) / (2 * h);
+        rows[2][j] = (ahead.phi - behind.phi) / (2 * h);
+    }
+    return rows;
+}
+
+/// Of positions, velocities and what turns: a flank's deflection follows z - p phi/kappa3 over
+/// sqrt(2), and slip at kappa6 turns it back.
+Matrix system_of(const Machine& machine, const Motion& at) {
+    const Matrix rows = differences(machine, at);
+    const std::size_t n_turning = rows[0].size() - 3, n = 6 + n_turning;
+    Matrix system(n, std::vector<double>(n));
+    for (std::size_t i = 0; i < 3; ++i) {
+        system[i][3 + i] = 1;
+        for (std::size_t j = 0; j < rows[i].size(); ++j)
+            system[3 + i][j < 3 ? j : 3 + j] = rows[i][j];
+    }
+    const auto spots = spots_of(machine);
+    for (std::size_t i = 0; i < n_turning; ++i) {
+        std::vector<double>& row = system[6 + i];
+        row[4] = 1 / std::sqrt(2.);
+        row[5] = -spots[i].position / machine.kappas.kappa3 / std::sqrt(2.);
+        row[6 + i] = -machine.kappas.kappa6 / at.spots[i].tangential;
+    }
+    return system;
+}
+
+/// Sums of the powers of the eigenvalues, which are the traces of the matrix' powers, tell a
+/// matrix' characteristic polynomial. Displacements so large that the terms of second order in phi
+/// count.
+TEST(SlidingEigenvalues, AreThoseOfTheDerivativesOfTheAcceleration) {
     Machine rounded = off_centre();
     rounded.kappas.kappa4 = 0.1;
     for (Spot& spot : rounded.spots) spot.offset = 0.05, spot.tip_radius = 0.3;
@@ -30,21 +81,26 @@ TEST(SlidingJacobian, IsTheDerivativeOfTheAcceleration) {
     for (const Machine& machine : {off_centre(), rounded, prism, uncoupled}) {
         const double rest = static_displacement(machine);
         const Motion at = sliding_motion(machine, 1.1 * rest, 0.07 * rest);
-        const auto jacobian = sliding_jacobian(machine, at);
-        const double h = 1e-4 * rest;
-        for (int j = 0; j < 3; ++j) {
-            const auto moved = [&](double by) {
-                Motion motion =
-                    sliding_motion(machine, at.z + (j == 1 ? by : 0), at.phi + (j == 2 ? by : 0));
-                motion.base = at.base;
-                motion.x = j == 0 ? by : 0;
-                return acceleration(machine, spots_of(machine), motion);
-            };
-            const Acceleration ahead = moved(h), behind = moved(-h);
+        const Matrix system = system_of(machine, at);
+        const std::size_t n = system.size();
+        const auto eigenvalues = sliding_eigenvalues(machine, at);
+        ASSERT_EQ(eigenvalues.size(), n);
+        Matrix power = system;
+        for (std::size_t k = 1; k <= n; ++k) {
+            double trace = 0, size = 1;
+            std::complex<double> sum = 0;
+            for (std::size_t i = 0; i < n; ++i) trace += power[i][i];
+            for (const std::complex<double>& value : eigenvalues) {
+                sum += std::pow(value, static_cast<double>(k));
+                size += std::pow(std::abs(value), static_cast<double>(k));
+            }
             // Quadratic in the displacements but for products of three: h^2.
-            EXPECT_NEAR((ahead.x - behind.x) / (2 * h), jacobian[0][j], 1e-7);
-            EXPECT_NEAR((ahead.z - behind.z) / (2 * h), jacobian[1][j], 1e-7);
-            EXPECT_NEAR((ahead.phi - behind.phi) / (2 * h), jacobian[2][j], 1e-7);
+            EXPECT_NEAR(sum.real(), trace, 1e-6 * size) << k;
+            Matrix next(n, std::vector<double>(n));
+            for (std::size_t i = 0; i < n; ++i)
+                for (std::size_t j = 0; j < n; ++j)
+                    for (std::size_t l = 0; l < n; ++l) next[i][j] += power[i][l] * system[l][j];
+            power = next;
         }
     }
 }
