@@ -21,15 +21,12 @@ std::pair<std::string_view, std::optional<std::string_view>> split(std::string_v
     return {io::trimmed(text), {}};
 }
 
-std::string example_with_error(io::Dimension dimension) {
-    return "write " + std::string(io::name_of(dimension)) + " such as " +
-           io::toml_string(io::example_of(dimension)) + ", with an error \"1.55 ± 0.13" +
-           (dimension == io::Dimension::none ? "" : " " + std::string(io::si_unit(dimension))) +
-           '"';
-}
-
 [[noreturn]] void refuse(const std::string& rule, io::Dimension dimension) {
-    throw io::QuantityError{rule, example_with_error(dimension)};
+    const bool pure = dimension == io::Dimension::none;
+    throw io::QuantityError{
+        rule, "write " + std::string(io::name_of(dimension)) + " such as " +
+                  io::toml_string(io::example_of(dimension)) + ", with an error \"1.55 ± 0.13" +
+                  (pure ? "" : " " + std::string(io::si_unit(dimension))) + '"'};
 }
 
 // The digits of a number at the begin of a text, and what stands behind.

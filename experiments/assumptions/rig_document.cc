@@ -16,9 +16,9 @@ using report::Figure;
 using report::Verdict;
 using Agreement = PrintedCheck::Agreement;
 
-// What follows, and what is missing.
+// What is claimed, what follows, and what is missing.
 std::vector<std::string> remarks(const Assumption& assumption) {
-    std::vector<std::string> parts;
+    std::vector<std::string> parts{assumption.claim + '.'};
     if (!assumption.consequence.empty()) parts.push_back(assumption.consequence);
     if (!assumption.missing.empty())
         parts.push_back(fmt::format("Not given: {}.", fmt::join(assumption.missing, ", ")));
@@ -28,9 +28,8 @@ std::vector<std::string> remarks(const Assumption& assumption) {
 Verdict verdict_on(const Assumption& assumption) {
     std::string text = finding_of(assumption.standing());
     text.front() = static_cast<char>(std::toupper(text.front()));
-    text += ": " + assumption.claim + '.';
-    for (const std::string& part : remarks(assumption)) text += ' ' + part;
-    return {assumption.standing(), text};
+    return {assumption.standing(),
+            fmt::format("{}: {}", text, fmt::join(remarks(assumption), " "))};
 }
 
 DocumentTable criteria_table(const Assumption& assumption) {
@@ -63,7 +62,6 @@ DocumentSection section_of(const Assumption& assumption) {
         .id = assumption.name,
         .heading = fmt::format("{}: {}", assumption.title, finding_of(assumption.standing())),
         .paragraphs = remarks(assumption)};
-    section.paragraphs.insert(section.paragraphs.begin(), assumption.claim + '.');
     if (!assumption.criteria.empty()) section.tables.push_back(criteria_table(assumption));
     if (!assumption.background.empty()) section.tables.push_back(background_table(assumption));
     return section;
@@ -93,20 +91,20 @@ DocumentSection printed_section(const std::vector<PrintedCheck>& printed) {
         .id = "printed_numbers",
         .title = "Print and arithmetic",
         .note =
-            "Agrees: equal when rounded to the printed digits. Each value that stands in the "
-            "last column would alone lead to the print.",
+            "Agrees: equal when rounded to the printed digits. Each value that stands in the last "
+            "column would alone lead to the print.",
         .columns = report::columns("quantity", "source", "printed", "computed", "formula", "with",
                                    "printed/computed", "verdict", "follows from")};
     for (const PrintedCheck& check : printed) {
         const bool known = check.calculation.has_value();
+        const Calculation& c =
+            known ? *check.calculation : Calculation{.symbol = check.printed.name};
         std::string verdict = word_of(check.agreement);
         if (const std::string error = error_text(check); !error.empty()) verdict += "; " + error;
-        table.rows.push_back(
-            {known ? check.calculation->symbol : check.printed.name, check.printed.source,
-             check.printed.text,
-             known ? text_of(check.calculation->result, check.calculation->unit) : "",
-             known ? check.calculation->formula : "", known ? given_text(*check.calculation) : "",
-             known ? Cell(check.ratio) : Cell(""), verdict, substitutes_text(check)});
+        table.rows.push_back({c.symbol, check.printed.source, check.printed.text,
+                              known ? text_of(c.result, c.unit) : "", c.formula, given_text(c),
+                              known ? Cell(check.ratio) : Cell(""), verdict,
+                              substitutes_text(check)});
     }
     section.tables.push_back(std::move(table));
     return section;
@@ -176,10 +174,9 @@ std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
         sentences.push_back(fmt::format("{} of {} printed numbers can be computed from the others.",
                                         n_computed, printed.size()));
     if (n_computed > 0 && n_differ == 0)
-        sentences.push_back(
-            fmt::format("All that can be computed ({}) follow from the others, rounded or within "
-                        "their errors.",
-                        n_computed));
+        sentences.push_back(fmt::format(
+            "All that can be computed ({}) follow from the others, rounded or within their errors.",
+            n_computed));
     if (n_differ > 0)
         sentences.push_back(
             fmt::format("{} of {} printed numbers do not follow from the others: {}.", n_differ,
@@ -193,14 +190,13 @@ std::string printed_sentences(const std::vector<PrintedCheck>& printed) {
 }  // namespace
 
 report::Document rig_document(const RigReport& report) {
-    report::Document document{
-        .kind = "Assumptions of an experiment",
-        .title = report.title,
-        .lead =
-            "What the evaluation of this rig takes for granted, each with the number that "
-            "decides, its threshold and what follows; and the published numbers beside what "
-            "follows from the others.",
-        .files = {{"all numbers (JSON)", "rig.json"}}};
+    report::Document document{.kind = "Assumptions of an experiment",
+                              .title = report.title,
+                              .lead =
+                                  "What the evaluation of this rig takes for granted, each with "
+                                  "the number that decides, its threshold and what follows; and "
+                                  "the published numbers beside what follows from the others.",
+                              .files = {{"all numbers (JSON)", "rig.json"}}};
     for (const Assumption& assumption : report.assumptions) {
         document.verdicts.push_back(verdict_on(assumption));
         document.sections.push_back(section_of(assumption));

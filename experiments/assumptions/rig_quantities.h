@@ -4,11 +4,16 @@
 #include <string_view>
 #include <vector>
 
+#include "contact/number_text.h"
 #include "experiments/assumptions/assumption.h"
 #include "experiments/assumptions/rig.h"
 
 // The quantities of a rig by their symbols, and its formulas with these put in.
 namespace tricontact::experiments {
+
+using contact::quantity;
+using contact::significant;
+using contact::with_error;
 
 /// What follows from a rig's data, where these do not state it themselves.
 struct DerivedQuantity {

@@ -114,11 +114,6 @@ const io::Key& shape_key() {
     return key;
 }
 
-// Sections that a rig may lack.
-bool is_optional(std::string_view section) {
-    return section == "pivot" || section == "oscillation";
-}
-
 void read_data(Rig& rig, const io::Document& document) {
     const auto& keys = rig_keys(rig.kind);
     const io::Key* const title = io::find_key("title");
@@ -136,7 +131,8 @@ void read_data(Rig& rig, const io::Document& document) {
             const Estimate quantity = measured(*entry, key.dimension).value;
             check_range(*entry, key, quantity);
             rig.data[std::string(key.symbol)] = quantity;
-        } else if (key.required && (!is_optional(section) || document.find_section(section))) {
+        } else if (const bool may_lack = section == "pivot" || section == "oscillation";
+                   key.required && (!may_lack || document.find_section(section))) {
             io::refuse_missing(key, document, all);
         }
     }
@@ -148,9 +144,8 @@ void read_data(Rig& rig, const io::Document& document) {
 void read_shape(Rig& rig, const io::Document& document) {
     io::read_field(shape_key(), document.required("roller.shape", "add shape = \"sphere\""),
                    io::Field(&rig.kind));
-    const io::Entry* length = document.find("roller.length");
-    if (length && rig.kind == Rig::Kind::sphere)
-        io::fail(length->place, length->subject(), "a sphere has no length", "omit this key");
+    if (document.find("roller.length") && rig.kind == Rig::Kind::sphere)
+        io::refuse(document, "roller.length", "a sphere has no length", "omit this key");
     if (rig.kind == Rig::Kind::cylinder)
         document.required("roller.length", "add length = \"80 mm\"");
 }

@@ -3,16 +3,12 @@
 
 #include <cmath>
 
-#include "contact/number_text.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/hertz.h"
 
 namespace tricontact::experiments {
 
 namespace {
-
-using contact::quantity;
-using contact::significant;
 
 constexpr const char* hertz_source = "(2.1.8), (2.1.9)";
 
@@ -78,16 +74,6 @@ constexpr Formula modulus_factors[] = {
                        (1 - x[4] * x[4]) / x[3];
             })};
 
-std::string layer_sentence(const Rig& rig) {
-    const auto beside = [&](std::size_t i) { return beside_hertz(ratio(quantities[i], rig)); };
-    return fmt::format(
-        "Indentation is {}: E from force and indentation would be {} times the true one. The "
-        "stiffness is {} times Hertz', the peak pressure {}, the unit of shift {}. The contact "
-        "radius is {}.",
-        beside(1), significant(calculate(rig, modulus_factors[0]).result.value, 3),
-        significant(ratio(quantities[4], rig), 3), beside(2), beside(3), beside(0));
-}
-
 /// Both diameters [m] beside the measured one.
 std::string measured_sentence(const Rig& rig) {
     const double hertz = 2 * given(rig, "a").front().value.value,
@@ -106,12 +92,19 @@ std::string measured_sentence(const Rig& rig) {
                                                    : "fits neither";
     const auto unit = contact::fitting_prefix(size);
     return fmt::format("The measured diameter of {} {}m {}: {} on the layer, {} by Hertz.",
-                       contact::with_error(size / unit.factor, error / unit.factor), unit.symbol,
-                       verdict, quantity(layer, "m", 3), quantity(hertz, "m", 3));
+                       with_error(size / unit.factor, error / unit.factor), unit.symbol, verdict,
+                       quantity(layer, "m", 3), quantity(hertz, "m", 3));
 }
 
 std::string layer_sentences(const Rig& rig) {
-    return layer_sentence(rig) + (rig.has("D_c") ? ' ' + measured_sentence(rig) : "");
+    const auto beside = [&](std::size_t i) { return beside_hertz(ratio(quantities[i], rig)); };
+    const std::string measured = rig.has("D_c") ? ' ' + measured_sentence(rig) : "";
+    return fmt::format(
+        "Indentation is {}: E from force and indentation would be {} times the true one. The "
+        "stiffness is {} times Hertz', the peak pressure {}, the unit of shift {}. The contact "
+        "radius is {}.{}",
+        beside(1), significant(calculate(rig, modulus_factors[0]).result.value, 3),
+        significant(ratio(quantities[4], rig), 3), beside(2), beside(3), beside(0), measured);
 }
 
 }  // namespace
@@ -120,14 +113,13 @@ Assumption half_space_assumption(const Rig& rig, Calculation thickness_ratio,
                                  std::span<const ComparedQuantity> compared,
                                  const LayerTheory& theory) {
     using enum Criterion::Relation;
-    Assumption a{.name = "half_space",
-                 .title = "Half-space",
-                 .claim = is_thesis_rig(rig)
-                              ? "The substrate is a half-space, since b >= D_c suffices"
-                              : "The substrate is a half-space",
-                 .criteria = {{std::move(thickness_ratio), at_least, 1,
-                               "the rule of Wetter (2016), section 5.1.5: necessary, not "
-                               "sufficient"}}};
+    Assumption a{
+        .name = "half_space",
+        .title = "Half-space",
+        .claim = is_thesis_rig(rig) ? "The substrate is a half-space, since b >= D_c suffices"
+                                    : "The substrate is a half-space",
+        .criteria = {{std::move(thickness_ratio), at_least, 1,
+                      "the rule of Wetter (2016), section 5.1.5: necessary, not sufficient"}}};
     const bool rigid = roller_is_rigid(rig);
     if (!rigid) a.missing = {theory_of_elastic_roller};
     a.consequence = rigid ? theory.consequence(rig)

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/number_text.h"
 #include "experiments/assumptions/rolling_parts.h"
 #include "theory/sharp_edge.h"
 
@@ -12,8 +11,6 @@ namespace tricontact::experiments {
 
 namespace {
 
-using contact::quantity;
-using contact::significant;
 using std::numbers::pi;
 
 constexpr ComparedQuantity line_quantities[] = {

@@ -3,14 +3,11 @@
 
 #include <cmath>
 
-#include "contact/number_text.h"
 #include "experiments/assumptions/rolling_parts.h"
 
 namespace tricontact::experiments {
 
 namespace {
-
-using contact::significant;
 
 // Inertia changes an amplitude by (f_0/f_1)^2: 1 % at 10.
 constexpr double least_frequency_ratio = 10;

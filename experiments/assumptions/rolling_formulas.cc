@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "contact/bodies/half_space_scales.h"
-#include "contact/number_text.h"
 #include "experiments/assumptions/rolling_parts.h"
 
 namespace tricontact::experiments {
@@ -99,7 +98,7 @@ bool roller_is_rigid(const Rig& rig) {
 }
 
 std::string percent_text(double share, int digits) {
-    return contact::significant(100 * share, digits) + " %";
+    return significant(100 * share, digits) + " %";
 }
 
 std::string beside_hertz(double ratio) {

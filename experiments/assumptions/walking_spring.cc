@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/number_text.h"
 #include "experiments/assumptions/walking_parts.h"
 
 namespace tricontact::experiments {
 
 namespace {
 
-using contact::significant;
 using enum Criterion::Relation;
 using std::numbers::pi;
 
@@ -75,10 +73,9 @@ Assumption similar_stiffness(const Rig& rig) {
                          {kappa, at_most, largest_kappa1, reason}},
             .background = {spring_stiffness(rig)},
             .consequence = fmt::format(
-                "kappa_1 is {}.",
-                kappa.result.standard_error > 0
-                    ? contact::with_error(kappa.result.value, kappa.result.standard_error)
-                    : significant(kappa.result.value, 3))};
+                "kappa_1 is {}.", kappa.result.standard_error > 0
+                                      ? with_error(kappa.result.value, kappa.result.standard_error)
+                                      : significant(kappa.result.value, 3))};
 }
 
 Assumption rigid_sensor(const Rig& rig) {
