@@ -55,7 +55,7 @@ double BestSumOfSquares::at(const Properties& properties) const {
     double sum = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double residual = task_.observed[i] - values[i];
-        sum += (weights_.empty() ? 1 : weights_[i]) * residual * residual;
+        sum += weight(i) * residual * residual;
     }
     return std::isfinite(sum) ? sum : contact::infinity;
 }
@@ -67,9 +67,8 @@ double BestSumOfSquares::scaled_young(double guess, double friction) const {
         const auto values = task_.model({std::exp(log_young), friction});
         double ym = 0, mm = 0;
         for (std::size_t i = 0; i < values.size(); ++i) {
-            const double weight = weights_.empty() ? 1 : weights_[i];
-            ym += weight * task_.observed[i] * values[i];
-            mm += weight * values[i] * values[i];
+            ym += weight(i) * task_.observed[i] * values[i];
+            mm += weight(i) * values[i] * values[i];
         }
         if (!(ym > 0))
             throw contact::NotConverged("identification: the observations have the wrong sign");

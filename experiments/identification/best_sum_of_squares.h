@@ -31,6 +31,7 @@ class BestSumOfSquares {
     int n_free() const { return task_.young_is_free + task_.friction_is_free; }
     /// 1/variance of each observation; empty: equal.
     const std::vector<double>& weights() const { return weights_; }
+    double weight(std::size_t i) const { return weights_.empty() ? 1 : weights_[i]; }
 
   private:
     double scaled_young(double guess, double friction) const;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "contact/error.h"
@@ -152,20 +151,18 @@ statistics::Estimate estimate_of(double value, const statistics::Estimate* linea
 void add_goodness(const IdentificationTask& task, const BestSumOfSquares& squares,
                   Identification& found) {
     found.fitted = task.model(found.best);
-    const auto& weights = squares.weights();
-    const auto weight = [&](std::size_t i) { return weights.empty() ? 1 : weights[i]; };
     double mean = 0, sum_of_weights = 0, total = 0;
     for (std::size_t i = 0; i < task.observed.size(); ++i) {
         found.residuals.push_back(task.observed[i] - found.fitted[i]);
-        mean += weight(i) * task.observed[i];
-        sum_of_weights += weight(i);
+        mean += squares.weight(i) * task.observed[i];
+        sum_of_weights += squares.weight(i);
     }
     mean /= sum_of_weights;
     for (std::size_t i = 0; i < task.observed.size(); ++i)
-        total += weight(i) * std::pow(task.observed[i] - mean, 2);
+        total += squares.weight(i) * std::pow(task.observed[i] - mean, 2);
     found.r_squared = 1 - found.sum_of_squares / total;
     found.residual_standard_deviation = std::sqrt(found.sum_of_squares / found.degrees_of_freedom);
-    if (!weights.empty())
+    if (!squares.weights().empty())
         found.goodness = gsl_cdf_chisq_Q(found.sum_of_squares, found.degrees_of_freedom);
 }
 
@@ -239,7 +236,7 @@ std::vector<double> sums_of_squares(const IdentificationTask& task,
         for (const double modulus : young) {
             const double sum =
                 mu < task.least_friction ? contact::infinity : squares.at({modulus, mu});
-            sums.push_back(std::isfinite(sum) ? sum : std::numeric_limits<double>::quiet_NaN());
+            sums.push_back(std::isfinite(sum) ? sum : contact::undefined);
         }
     return sums;
 }

@@ -60,8 +60,7 @@ report::Figure fit_figure(const IdentificationStudy& study) {
         .id = "fit",
         .title = "What was measured, and the models at their best",
         .caption = fmt::format(
-            "Bands: where the fitted curves lie with a confidence of "
-            "{:g} %{}.",
+            "Bands: where the fitted curves lie with a confidence of {:g} %{}.",
             100 * study.models.front().found.confidence,
             study.input.standard_errors.empty() ? "" : "; bars: the same of the observed values"),
         .x = {given.label(columns.given.axis)},
@@ -98,14 +97,13 @@ report::Figure residual_figure(const IdentificationStudy& study) {
         all.insert(all.end(), model.found.residuals.begin(), model.found.residuals.end());
     const auto& columns = columns_of(study.input.measurement);
     const Scaled given(study.input.given, columns.given.unit), scale(all, columns.observed.unit);
-    report::Figure figure{
-        .id = "residuals",
-        .title = "What the models leave unexplained",
-        .caption =
-            "Observed minus fitted. Without a pattern the rest is noise; a wave or "
-            "a bend is a model that does not fit.",
-        .x = {given.label(columns.given.axis)},
-        .y = {scale.label("residual")}};
+    report::Figure figure{.id = "residuals",
+                          .title = "What the models leave unexplained",
+                          .caption =
+                              "Observed minus fitted. Without a pattern the rest is noise; a wave "
+                              "or a bend is a model that does not fit.",
+                          .x = {given.label(columns.given.axis)},
+                          .y = {scale.label("residual")}};
     for (const IdentifiedModel& model : study.models)
         figure.curves.push_back({.name = model.name,
                                  .x = given(study.input.given),
@@ -139,11 +137,11 @@ std::optional<report::Figure> profile_figure(const IdentificationStudy& study, P
     report::Figure figure{
         .id = young ? "profile_E" : "profile_mu",
         .title = young ? "Profile of E" : "Profile of mu",
-        .caption = fmt::format("Sum of squares with this value held and what else is free at its "
-                               "best: 0 at the best, 1 at the edges of the {:g} % interval of the "
-                               "likelihood. A parabola where the linearised interval would do; a "
-                               "curve that stays below 1 tells no bound.",
-                               100 * study.models.front().found.confidence),
+        .caption = fmt::format(
+            "Sum of squares with this value held and what else is free at its best: 0 at the best, "
+            "1 at the edges of the {:g} % interval of the likelihood. A parabola where the "
+            "linearised interval would do; a curve that stays below 1 tells no bound.",
+            100 * study.models.front().found.confidence),
         .x = {young ? scale.label("modulus E") : "friction coefficient mu"},
         .y = {"excess of the sum of squares"}};
     for (const IdentifiedModel& model : study.models)
@@ -172,10 +170,10 @@ report::Figure map_figure(const IdentifiedModel& model) {
     report::Figure figure{
         .id = "map_" + report::id_of_model(model.name),
         .title = "E and mu together: " + model.name,
-        .caption = fmt::format("Sum of squares, 0 at the best values (point), 1 at the edge of the "
-                               "region that holds both with a confidence of {:g} %. {}White: the "
-                               "largest force would slide.",
-                               100 * found.confidence, correlation_text(found.correlation)),
+        .caption = fmt::format(
+            "Sum of squares, 0 at the best values (point), 1 at the edge of the region that holds "
+            "both with a confidence of {:g} %. {}White: the largest force would slide.",
+            100 * found.confidence, correlation_text(found.correlation)),
         .x = {scale.label("modulus E")},
         .y = {"friction coefficient mu"}};
     figure.map =
@@ -189,10 +187,6 @@ report::Figure map_figure(const IdentifiedModel& model) {
                              .y = {found.best.friction},
                              .kind = report::Curve::Kind::points});
     return figure;
-}
-
-report::Cell open_or(double value, double factor) {
-    return std::isfinite(value) ? report::Cell(value / factor) : report::Cell(std::string("open"));
 }
 
 /// One row per model and property.
@@ -216,16 +210,16 @@ report::DocumentTable value_table(const IdentificationStudy& study) {
             const auto& estimate = model.found[property];
             if (!estimate) continue;
             const double factor = young ? 1e6 : 1;
+            const auto open_or = [factor](double value) {
+                return std::isfinite(value) ? report::Cell(value / factor) : report::Cell("open");
+            };
             const Interval full = full_interval(model, property);
-            table.rows.push_back({model.name, std::string(young ? "E [MPa]" : "mu"),
-                                  estimate->value / factor, open_or(full.low, factor),
-                                  open_or(full.high, factor),
-                                  open_or(estimate->likelihood.low, factor),
-                                  open_or(estimate->likelihood.high, factor),
-                                  open_or(estimate->high - estimate->value, factor),
-                                  open_or(estimate->standard_error, factor),
-                                  input_standard_error(model, property) / factor,
-                                  open_or(combined_standard_error(model, property), factor)});
+            table.rows.push_back(
+                {model.name, young ? "E [MPa]" : "mu", estimate->value / factor, open_or(full.low),
+                 open_or(full.high), open_or(estimate->likelihood.low),
+                 open_or(estimate->likelihood.high), open_or(estimate->high - estimate->value),
+                 open_or(estimate->standard_error), input_standard_error(model, property) / factor,
+                 open_or(combined_standard_error(model, property))});
         }
     return table;
 }
@@ -235,11 +229,10 @@ report::DocumentTable goodness_table(const IdentificationStudy& study) {
     report::DocumentTable table{
         .id = "goodness",
         .title = "How well the models fit",
-        .note = known ? "chi^2: residuals over their standard errors, squared; "
-                        "p: how often noise alone exceeds it."
-                      : "Standard errors of the observed values are not stated: "
-                        "they are estimated from the residuals, and nothing says "
-                        "whether a model fits.",
+        .note = known ? "chi^2: residuals over their standard errors, squared; p: how often noise "
+                        "alone exceeds it."
+                      : "Standard errors of the observed values are not stated: they are estimated "
+                        "from the residuals, and nothing says whether a model fits.",
         .columns =
             report::columns("model", known ? "chi^2" : "sum of squares [SI]", "degrees of freedom",
                             "p", "R^2:6", "correlation of E and mu:3", "interpolation error:2")};
@@ -259,9 +252,7 @@ std::optional<report::DocumentTable> input_table(const IdentificationStudy& stud
     report::DocumentTable table{
         .id = "inputs",
         .title = "Errors of the rig's data",
-        .note =
-            "Change of the property by one standard error of the input, to "
-            "first order.",
+        .note = "Change of the property by one standard error of the input, to first order.",
         .columns = report::columns("model", "input", "standard error [SI]", "change of E [MPa]:3",
                                    "change of mu:3")};
     for (const IdentifiedModel& model : study.models)
@@ -277,19 +268,17 @@ std::optional<report::DocumentTable> input_table(const IdentificationStudy& stud
 }  // namespace
 
 report::Document identification_document(const IdentificationStudy& study) {
-    report::Document document{
-        .kind = "Identification",
-        .title = study.title,
-        .lead =
-            "Which Young's modulus, and which friction, do the measured values have? Every model "
-            "is fitted by least squares on its own.",
-        .verdicts = identification_verdicts(study),
-        .settings = study.settings,
-        .files = {{"all numbers (JSON)", "identify.json"}}};
+    report::Document document{.kind = "Identification",
+                              .title = study.title,
+                              .lead =
+                                  "Which Young's modulus, and which friction, do the measured "
+                                  "values have? Every model is fitted by least squares on its own.",
+                              .verdicts = identification_verdicts(study),
+                              .settings = study.settings,
+                              .files = {{"all numbers (JSON)", "identify.json"}}};
     if (study.models.size() > 1)
         document.lead +=
-            " The differences between their answers are what the simpler one leaves "
-            "out.";
+            " The differences between their answers are what the simpler one leaves out.";
     report::DocumentSection fit{.id = "fit_section",
                                 .heading = "Fit",
                                 .figures = {fit_figure(study), residual_figure(study)},

@@ -68,10 +68,8 @@ json identification_json(const IdentificationStudy& study) {
                 model.found.best.friction / reference.found.best.friction;
         result["models"][model.name] = std::move(values);
     }
-    std::vector<std::string> sentences;
-    for (const report::Verdict& verdict : identification_verdicts(study))
-        sentences.push_back(verdict.sentence);
-    result["verdicts"] = sentences;
+    result["verdicts"] = report::list_of(identification_verdicts(study),
+                                         [](const auto& verdict) { return verdict.sentence; });
     return result;
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
+#include <set>
 
 #include "contact/error.h"
 #include "io/case/case_reader.h"
@@ -92,27 +94,25 @@ double quantity_of(const io::Document& document, std::string_view path) {
 /// closed forms of the half-space need none.
 std::vector<std::string> case_models(const Input& input) {
     const bool sheared = input.measurement == Measurement::static_shift;
-    std::vector<std::string> models;
+    std::set<std::string> models;
     for (const std::string& model : input.models)
         if (model != "half-space")
-            models.push_back(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
-    if (models.empty()) models.emplace_back("mdr");
-    std::ranges::sort(models);
-    models.erase(std::unique(models.begin(), models.end()), models.end());
-    return models;
+            models.insert(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
+    if (models.empty()) models.insert("mdr");
+    return {models.begin(), models.end()};
 }
 
 void check_models(const Input& input, const io::Document& document) {
-    const io::Entry& entry = *document.find("models");
     for (const std::string& model : input.models) {
         if (model != "half-space" && !document.find("substrate.thickness"))
-            io::fail(entry.place, entry.subject(),
-                     model + " is a model of a layer, but substrate.thickness is missing",
-                     "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
+            io::refuse(
+                document, "models",
+                model + " is a model of a layer, but substrate.thickness is missing",
+                "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
         if (model == "bem-layer" && input.measurement != Measurement::static_shift)
-            io::fail(entry.place, entry.subject(),
-                     "without tangential force bem-layer approximates what layer knows exactly",
-                     "write \"layer\" instead");
+            io::refuse(document, "models",
+                       "without tangential force bem-layer approximates what layer knows exactly",
+                       "write \"layer\" instead");
     }
 }
 
@@ -136,16 +136,16 @@ double guessed_young(const Input& input, double radius, double normal_force) {
 }
 
 /// Lengths of a contact are small against the indenter's radius, unless their unit is wrong.
-void check_lengths(const Input& input, double radius, const io::Entry& data) {
+void check_lengths(const Input& input, double radius, const io::Document& document) {
     const bool deep = input.measurement == Measurement::force_indentation;
     const MeasuredColumns& columns = columns_of(input.measurement);
     const double largest = std::ranges::max(deep ? input.given : input.observed);
     if (largest >= radius)
-        io::fail(data.place, data.subject(),
-                 std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
-                     io::shortest(largest) + " m, the indenter's radius is " +
-                     io::shortest(radius) + " m: small deformations are assumed",
-                 "check the units of the table and of indenter.radius");
+        io::refuse(document, "data",
+                   std::string(deep ? columns.given.name : columns.observed.name) + " reaches " +
+                       io::shortest(largest) + " m, the indenter's radius is " +
+                       io::shortest(radius) + " m: small deformations are assumed",
+                   "check the units of the table and of indenter.radius");
 }
 
 /// Hertz' theory is one of the models, and the others are laid over its radius.
@@ -154,17 +154,9 @@ void check_round(const io::Document& document) {
     if (!shape) return;
     const auto* word = std::get_if<std::string>(&shape->value);
     if (word && (*word == "paraboloid" || *word == "sphere")) return;
-    io::fail(shape->place, shape->subject(),
-             "material constants are identified under a round indenter",
-             "take \"paraboloid\" or \"sphere\"");
-}
-
-/// A refusal of the case names its models; the file calls them otherwise.
-std::string in_words_of_the_file(std::string text) {
-    constexpr std::string_view springs = "mdr-layer";
-    for (auto at = text.find(springs); at != std::string::npos; at = text.find(springs))
-        text.replace(at, springs.size(), "layer");
-    return text;
+    io::refuse(document, "indenter.shape",
+               "material constants are identified under a round indenter",
+               "take \"paraboloid\" or \"sphere\"");
 }
 
 /// The rig as a case: what is to be found has a guess.
@@ -176,44 +168,42 @@ contact::Case rig_of(const Input& input, const io::Document& document) {
     std::erase_if(rig.sections, [](const io::Document::Section& section) {
         return section.name == errors_section || is_nested_in_measurement(section.name);
     });
-    const std::string& place = input.data_file;
     const bool sheared = input.measurement == Measurement::static_shift;
     check_round(document);
     const double radius = quantity_of(document, "indenter.radius");
-    check_lengths(input, radius, *document.find("data"));
+    check_lengths(input, radius, document);
     std::vector<io::Entry> guesses{
-        io::overriding("models", case_models(input), document.find("models")->place),
-        io::overriding("load.tangential_ratio", 0., place)};
+        io::overriding("models", case_models(input), document.find("models")->place)};
+    const auto guess = [&](const char* path, io::Value value) {
+        guesses.push_back(io::overriding(path, std::move(value), input.data_file));
+    };
+    guess("load.tangential_ratio", 0.);
     double normal_force = 0;
     if (sheared) {
         normal_force = quantity_of(document, "load.normal_force");
     } else {
-        if (const io::Entry* entry = document.find("load.normal_force"))
-            io::fail(entry->place, entry->subject(), "the normal force is in the table",
-                     "omit this key");
+        if (document.find("load.normal_force"))
+            io::refuse(document, "load.normal_force", "the normal force is in the table",
+                       "omit this key");
         const bool given = input.measurement == Measurement::contact_radius;
         normal_force = std::ranges::max(given ? input.given : input.observed);
-        guesses.push_back(
-            io::overriding("load.normal_force", io::shortest(normal_force) + " N", place));
-        // Frictionless contact knows no coupling.
-        guesses.push_back(io::overriding("contact.coupling", false, place));
+        guess("load.normal_force", io::shortest(normal_force) + " N");
     }
+    // Frictionless contact knows no coupling, and the half-space's closed forms have none.
     const auto n_half_spaces = std::ranges::count(input.models, "half-space");
-    if (sheared && n_half_spaces == std::ssize(input.models))
-        guesses.push_back(io::overriding("contact.coupling", false, place));
+    if (!sheared || n_half_spaces == std::ssize(input.models)) guess("contact.coupling", false);
     if (input.young_is_free)
-        guesses.push_back(io::overriding(
-            "substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa",
-            place));
+        guess("substrate.young", io::shortest(guessed_young(input, radius, normal_force)) + " Pa");
     if (!document.find("friction.coefficient")) {
         const double largest = std::ranges::max(input.given);
-        guesses.push_back(io::overriding("friction.coefficient",
-                                         sheared ? 1.5 * largest / normal_force : 1., place));
+        guess("friction.coefficient", sheared ? 1.5 * largest / normal_force : 1.);
     }
     try {
         return io::resolve_case(rig, guesses);
     } catch (const contact::InputError& error) {
-        throw contact::InputError(in_words_of_the_file(error.what()));
+        // It names the case's models; the file calls them otherwise.
+        throw contact::InputError(
+            boost::replace_all_copy(std::string(error.what()), "mdr-layer", "layer"));
     }
 }
 
@@ -242,15 +232,14 @@ std::vector<Input::RigError> read_rig_errors(const io::Document& document) {
 
 /// Sliding contacts have no static shift.
 void check_friction(const Input& input, const io::Document& document) {
-    const io::Entry* entry = document.find("friction.coefficient");
-    if (input.measurement != Measurement::static_shift || !entry) return;
+    if (input.measurement != Measurement::static_shift || input.friction_is_free) return;
     const double largest = std::ranges::max(input.given);
     const double limit = input.rig.friction_coefficient * *input.rig.load.normal_force;
     if (largest >= limit)
-        io::fail(entry->place, entry->subject(),
-                 "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
-                     " N, mu F_N is " + io::shortest(limit) + " N",
-                 "correct it, or omit it to have it identified");
+        io::refuse(document, "friction.coefficient",
+                   "the contact would slide: F_T of the table reaches " + io::shortest(largest) +
+                       " N, mu F_N is " + io::shortest(limit) + " N",
+                   "correct it, or omit it to have it identified");
 }
 
 }  // namespace
@@ -275,9 +264,8 @@ Input read_identification(const std::string& path) {
     input.friction_is_free =
         input.measurement == Measurement::static_shift && !document.find("friction.coefficient");
     if (!input.young_is_free && !input.friction_is_free)
-        io::fail(document.find("substrate.young")->place,
-                 document.find("substrate.young")->subject(), "nothing is left to be identified",
-                 "omit the key that is to be found");
+        io::refuse(document, "substrate.young", "nothing is left to be identified",
+                   "omit the key that is to be found");
 
     io::told_at(document, "data", [&] { read_measured_table(input); });
     input.rig = rig_of(input, document);

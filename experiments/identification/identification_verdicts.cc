@@ -98,10 +98,10 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
                     report::quantity(half_space->found.best.young, "Pa", 3), reference.name,
                     report::quantity(reference.found.best.young, "Pa", 3));
     if (overlap(*half_space, reference, Property::young))
-        return Verdict{cannot_tell,
-                       sentence +
-                           "their intervals overlap, the measurement does not tell how far "
-                           "they are apart."};
+        return Verdict{
+            cannot_tell,
+            sentence +
+                "their intervals overlap, the measurement does not tell how far they are apart."};
     sentence += off(ratio);
     if (study.thickness_ratio)
         sentence += fmt::format("; the layer is {} contact widths thick",
@@ -115,12 +115,12 @@ std::optional<Verdict> bias(const IdentificationStudy& study) {
 Verdict explains(const IdentifiedModel& model) {
     const Identification& found = model.found;
     const bool good = *found.goodness >= least_goodness;
-    return {good ? holds : fails,
-            fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom, {} by "
-                        "chance.",
-                        model.name, good ? "explains" : "does not explain",
-                        report::significant(found.sum_of_squares, 3), found.degrees_of_freedom,
-                        report::p_value(*found.goodness))};
+    return {
+        good ? holds : fails,
+        fmt::format("{} {} the measurement: chi^2 = {} with {} degrees of freedom, {} by chance.",
+                    model.name, good ? "explains" : "does not explain",
+                    report::significant(found.sum_of_squares, 3), found.degrees_of_freedom,
+                    report::p_value(*found.goodness))};
 }
 
 /// A fit that looks good is no proof of the half-space.
@@ -189,10 +189,9 @@ std::vector<Verdict> identification_verdicts(const IdentificationStudy& study) {
     for (const IdentifiedModel& model : study.models) {
         if (model.found.goodness) verdicts.push_back(explains(model));
         if (model.found.friction && std::isinf(model.found.friction->likelihood.high))
-            verdicts.push_back(
-                {cannot_tell,
-                 model.name + " cannot tell mu: all larger ones are as likely. Measure at larger "
-                              "forces, closer to sliding."});
+            verdicts.push_back({cannot_tell, model.name +
+                                                 " cannot tell mu: all larger ones are as likely. "
+                                                 "Measure at larger forces, closer to sliding."});
     }
     if (auto verdict = fit_tells_nothing(study)) verdicts.push_back(std::move(*verdict));
     return verdicts;

@@ -139,13 +139,12 @@ Stage known_stage(const Record& record, const Experiment& experiment) {
     Stage stage{drive.amplitude.value_or(0), {}};
     for (int n = 0; n <= *drive.periods; ++n) stage.upright.push_back(*drive.start + n * period);
     if (stage.upright.front() < record.time.front() || stage.upright.back() > record.time.back())
-        refuse_record(
-            record,
-            fmt::format("{} periods of {:.4g} s from {:.4g} s on do not lie in the record, which "
-                        "is from {:.4g} s to {:.4g} s",
-                        *drive.periods, period, *drive.start, record.time.front(),
-                        record.time.back()),
-            "correct start, period or periods in [drive]");
+        refuse_record(record,
+                      fmt::format("{} periods of {:.4g} s from {:.4g} s on do not lie in the "
+                                  "record, which is from {:.4g} s to {:.4g} s",
+                                  *drive.periods, period, *drive.start, record.time.front(),
+                                  record.time.back()),
+                      "correct start, period or periods in [drive]");
     return stage;
 }
 
@@ -175,9 +174,9 @@ void check_sampling(const Record& record, const DriveTimeline& timeline) {
             if (to - from < fewest_samples)
                 refuse_record(
                     record,
-                    fmt::format("the period from {:.4g} s to {:.4g} s has {} samples, fewer "
-                                "than {}",
-                                stage.upright[k - 1], stage.upright[k], to - from, fewest_samples),
+                    fmt::format(
+                        "the period from {:.4g} s to {:.4g} s has {} samples, fewer than {}",
+                        stage.upright[k - 1], stage.upright[k], to - from, fewest_samples),
                     "sample faster");
         }
 }
@@ -186,10 +185,6 @@ void check_sampling(const Record& record, const DriveTimeline& timeline) {
 
 void refuse_record(const Record& record, const std::string& rule, const std::string& remedy) {
     throw contact::InputError(fmt::format("{}: {}; {}", record.name, rule, remedy));
-}
-
-double DriveTimeline::Stage::period() const {
-    return (upright.back() - upright.front()) / periods();
 }
 
 DriveTimeline drive_timeline(const Record& record, const Experiment& experiment) {

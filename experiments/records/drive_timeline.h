@@ -14,7 +14,8 @@ struct DriveTimeline {
         std::vector<double> upright;  ///< when: before the first period and after each [s]
 
         int periods() const { return static_cast<int>(upright.size()) - 1; }
-        double period() const;  ///< mean [s]
+        /// Mean [s].
+        double period() const { return (upright.back() - upright.front()) / periods(); }
     };
 
     std::vector<Stage> stages;

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
 
@@ -47,9 +47,9 @@ report::Figure periods_figure(const ExperimentEvaluation& e) {
     return {.id = "shift_over_periods",
             .title = "Shift over the rolling periods",
             .caption = fmt::format(
-                "U with the roller upright, before the first period (n = 0) and after each; "
-                "bars: {:.4g} %, by the scatter of the runs or, for one run, by noise and "
-                "drift. Lines: the models on the case, same amplitude and periods.",
+                "U with the roller upright, before the first period (n = 0) and after each; bars: "
+                "{:.4g} %, by the scatter of the runs or, for one run, by noise and drift. Lines: "
+                "the models on the case, same amplitude and periods.",
                 100 * e.confidence),
             .x = {"period n [-]"},
             .y = {"shift U [µm]"},
@@ -62,7 +62,7 @@ std::vector<double> growth(const std::vector<double>& shift) {
     std::vector<double> result;
     for (std::size_t n = 1; n < shift.size(); ++n) {
         const double d = um * (shift[n] - shift[n - 1]);
-        result.push_back(d > least_drawn ? d : std::numeric_limits<double>::quiet_NaN());
+        result.push_back(d > least_drawn ? d : contact::undefined);
     }
     return result;
 }
@@ -71,8 +71,8 @@ report::Figure increments_figure(const ExperimentEvaluation& e) {
     return {.id = "increments",
             .title = "Growth per period",
             .caption = fmt::format(
-                "u_n - u_(n-1): a transient falls along a straight line, ratcheting stays "
-                "at its level. Bars: {:.4g} %; values that do not grow are left out.",
+                "u_n - u_(n-1): a transient falls along a straight line, ratcheting stays at its "
+                "level. Bars: {:.4g} %; values that do not grow are left out.",
                 100 * e.confidence),
             .x = {"period n [-]"},
             .y = {"growth in the period [µm]", true},
@@ -113,9 +113,8 @@ report::Figure records_figure(const ExperimentEvaluation& e) {
     report::Figure figure{
         .id = "records",
         .title = "Records",
-        .caption = fmt::format("U(t) of each run, rid of the drift; at most {} of the "
-                               "samples are drawn.",
-                               most_drawn),
+        .caption = fmt::format(
+            "U(t) of each run, rid of the drift; at most {} of the samples are drawn.", most_drawn),
         .x = {"time t [s]"},
         .y = {"shift U [µm]"}};
     for (const RunEvaluation& run : e.runs) {
@@ -143,8 +142,8 @@ report::Figure limit_figure(const RunEvaluation& run, const LimitReading& limit)
         .id = "limit",
         .title = "The last amplitude that shakes down, the first that ratchets",
         .caption = fmt::format(
-            "{}: values upright of both intervals, W = {} mm and {} mm, and the straight "
-            "lines of least squares through them (5.1.9); they meet at U_lim (5.1.10).",
+            "{}: values upright of both intervals, W = {} mm and {} mm, and the straight lines of "
+            "least squares through them (5.1.9); they meet at U_lim (5.1.10).",
             run.name, report::significant(mm * before.amplitude, 4),
             report::significant(mm * after.amplitude, 4)),
         .x = {"time t [s]"},
@@ -175,19 +174,19 @@ report::DocumentSection values_section(const ExperimentEvaluation& e) {
 }
 
 report::DocumentSection criteria_section(const ExperimentEvaluation& e) {
-    return {.id = "criteria",
-            .heading = "Shakedown or ratcheting",
-            .paragraphs =
-                {fmt::format(
-                     "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values upright; "
-                     "shakedown if the upper end of the {:.4g} % interval of the walk Du adds less "
-                     "than {:.4g} % of the shift over the interval, else ratcheting if its lower "
-                     "end is positive, else it is undecided.",
-                     100 * verdict_confidence, 100 * negligible_walk),
-                 "The thesis takes the sign of a parabola's curvature. Steady ratcheting has none: "
-                 "the sign is then that of the noise, or of the transient before it."},
-            .figures = {criterion_figure(e)},
-            .tables = {criteria_table(e)}};
+    return {
+        .id = "criteria",
+        .heading = "Shakedown or ratcheting",
+        .paragraphs = {fmt::format(
+                           "Verdict: u_n = u_0 + A (1 - qⁿ) + Du n is fitted to the values "
+                           "upright; shakedown if the upper end of the {:.4g} % interval of the "
+                           "walk Du adds less than {:.4g} % of the shift over the interval, else "
+                           "ratcheting if its lower end is positive, else it is undecided.",
+                           100 * verdict_confidence, 100 * negligible_walk),
+                       "The thesis takes the sign of a parabola's curvature. Steady ratcheting has "
+                       "none: the sign is then that of the noise, or of the transient before it."},
+        .figures = {criterion_figure(e)},
+        .tables = {criteria_table(e)}};
 }
 
 }  // namespace
@@ -207,12 +206,8 @@ report::Document experiment_document(const ExperimentEvaluation& e) {
     if (e.amplitude > 0)
         document.settings.push_back({limit ? "first amplitude W" : "amplitude W",
                                      report::significant(mm * e.amplitude, 4) + " mm"});
-    if (limit) {
-        document.sections.push_back(limit_section(e));
-    } else {
-        document.sections.push_back(values_section(e));
-        document.sections.push_back(criteria_section(e));
-    }
+    document.sections =
+        limit ? std::vector{limit_section(e)} : std::vector{values_section(e), criteria_section(e)};
     document.sections.push_back({.id = "measurement",
                                  .heading = "Records and their noise",
                                  .figures = {records_figure(e)},

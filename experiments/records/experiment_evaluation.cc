@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "statistics/estimate.h"
 
 namespace tricontact::experiments {
@@ -82,6 +83,12 @@ void put_together(ExperimentEvaluation& e) {
     e.increment = over_runs([](auto& run) { return run.stages.front().increment; });
 }
 
+statistics::Fit line_of(const StageEvaluation& stage, double origin, double confidence) {
+    std::vector<double> time = stage.time;
+    for (double& t : time) t -= origin;
+    return fit_polynomial(time, stage.shift, 1, confidence);
+}
+
 void read_limits(ExperimentEvaluation& e) {
     std::vector<Estimate> middle, low, shift;
     for (const RunEvaluation& run : e.runs) {
@@ -113,6 +120,60 @@ void read_limits(ExperimentEvaluation& e) {
 }
 
 }  // namespace
+
+LineIntersection intersect(const StageEvaluation& before, const StageEvaluation& after,
+                           double confidence) {
+    const double origin = after.time.front();  // near the intersection
+    const statistics::Fit lines[] = {line_of(before, origin, confidence),
+                                     line_of(after, origin, confidence)};
+    std::vector<Estimate> numbers;
+    std::vector<double> p;
+    std::vector<std::vector<double>> correlation(4, std::vector<double>(4, 0.));
+    for (std::size_t l = 0; l < 2; ++l)
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Estimate& number = numbers.emplace_back(lines[l].parameters[k]);
+            p.push_back(number.value);
+            for (std::size_t j = 0; j < 2; ++j) {
+                const double both = number.standard_error * lines[l].parameters[j].standard_error;
+                correlation[2 * l + k][2 * l + j] =
+                    both > 0 ? lines[l].covariance[k][j] / both : (j == k ? 1. : 0.);
+            }
+        }
+    const auto time = [](const std::vector<double>& x) { return (x[2] - x[0]) / (x[1] - x[3]); };
+    const auto shift = [&](const std::vector<double>& x) { return x[0] + x[1] * time(x); };
+
+    LineIntersection result;
+    result.slopes[0] = p[1];
+    result.slopes[1] = p[3];
+    result.time = origin + time(p);
+    result.shift = {shift(p), contact::undefined, contact::undefined, contact::undefined};
+    // First order fails where the difference of the slopes is not well above its error.
+    const double difference = std::abs(p[3] - p[1]);
+    if (difference < 3 * std::hypot(numbers[1].standard_error, numbers[3].standard_error))
+        return result;
+    const double error = statistics::propagate(shift, numbers, correlation).result.standard_error;
+    const int freedom = std::min(lines[0].degrees_of_freedom, lines[1].degrees_of_freedom);
+    result.shift =
+        statistics::with_interval(shift(p), error, statistics::student_t(confidence, freedom));
+    return result;
+}
+
+std::optional<LimitReading> read_limit(const RunEvaluation& run, State StageEvaluation::*verdict,
+                                       double confidence) {
+    const auto& stages = run.stages;
+    const auto first = std::ranges::find(stages, State::ratcheting, verdict);
+    if (first == stages.end()) return {};
+    const auto last = std::find_if(std::make_reverse_iterator(first), stages.rend(),
+                                   [&](const auto& s) { return s.*verdict == State::shakedown; });
+    if (last == stages.rend()) return {};
+    LimitReading reading;
+    reading.ratcheting = static_cast<std::size_t>(first - stages.begin());
+    reading.shakedown = static_cast<std::size_t>(stages.rend() - last) - 1;
+    reading.amplitude_low = last->amplitude;
+    reading.amplitude_high = first->amplitude;
+    reading.lines = intersect(*last, *first, confidence);
+    return reading;
+}
 
 std::optional<bool> Deviation::differs() const {
     if (!has_errors || rest_is_missing) return {};

@@ -8,7 +8,6 @@
 
 #include "contact/case.h"
 #include "experiments/records/experiment.h"
-#include "experiments/records/experiment_limit.h"
 #include "experiments/records/experiment_run.h"
 #include "statistics/error_propagation.h"
 
@@ -19,6 +18,20 @@ namespace tricontact::experiments {
 struct Repeated {
     Estimate at_confidence, at_95;
     int runs = 0;  ///< that have it
+};
+
+/// Two straight lines of least squares and where they meet.
+struct LineIntersection {
+    double time = 0;            ///< [s]
+    Estimate shift;             ///< U_lim [m]
+    double slopes[2] = {0, 0};  ///< before and after [m/s]
+};
+
+/// The shakedown limit of a run whose amplitude rises in steps.
+struct LimitReading {
+    std::size_t shakedown = 0, ratcheting = 0;     ///< stages: last and first of the kind
+    double amplitude_low = 0, amplitude_high = 0;  ///< theirs: W_lim lies between [m]
+    LineIntersection lines;
 };
 
 /// A number of the case with its standard error.
@@ -128,6 +141,17 @@ struct ExperimentEvaluation {
 /// Evaluates all records and puts the runs together. Throws contact::InputError, also if the
 /// amplitudes of runs differ by more than 2 %.
 ExperimentEvaluation evaluate_experiment(const Experiment& experiment);
+
+/// The stage of the first ratcheting and the last shakedown before it, by one of the verdicts of
+/// stages; stages in between that cannot be told widen the interval. Empty if either is missing.
+std::optional<LimitReading> read_limit(const RunEvaluation& run,
+                                       contact::State StageEvaluation::*verdict, double confidence);
+
+/// Intersection of the straight lines through the values at the ends of periods of two stages
+/// (thesis 5.1.9, 5.1.10), errors of both lines propagated; Student's t of the line with the fewer
+/// values. NaN error and interval where the lines are nearly parallel.
+LineIntersection intersect(const StageEvaluation& before, const StageEvaluation& after,
+                           double confidence);
 
 /// The case with F_T [N] and W [m] in place of their ratios, which stand for this F_N [N] and W:
 /// what a rig sets is a force and a length, which an error of mu or F_N does not move.

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparisons/quantities/quantities.h"
+#include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/json_number.h"
 
@@ -30,8 +31,7 @@ static json uncertain(const Estimate& u) {
 
 static json predicted_json(const Deviation& d) {
     if (d.has_errors) return d.predicted;
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return Estimate{d.predicted.value, none, none, none};
+    return Estimate{d.predicted.value, contact::undefined, contact::undefined, contact::undefined};
 }
 
 static json rolled_json(const ExperimentEvaluation& e) {

@@ -117,12 +117,11 @@ std::vector<ExperimentInput::CaseError> read_errors(const io::Document& document
 
 // What the drive did, if no column says it.
 void check_drive(const Experiment& e, const io::Document& document) {
-    const bool all =
-        std::ranges::all_of(e.records, [](const Record& r) { return !r.drive.empty(); });
-    const bool none =
-        std::ranges::all_of(e.records, [](const Record& r) { return r.drive.empty(); });
+    const auto n_recorded =
+        std::ranges::count_if(e.records, [](const Record& r) { return !r.drive.empty(); });
+    const bool all = n_recorded == std::ssize(e.records);
     const std::string place = document.place_of("drive.start");
-    if (!all && !none)
+    if (!all && n_recorded > 0)
         io::fail(place, "", "some runs have a column drive, others have not",
                  "add it to all, or evaluate them in two files");
     if (all && document.find_section("drive"))

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
 
@@ -22,10 +22,6 @@ std::string shift(const Estimate& e) {
 std::string shift(const Repeated& r) {
     return shift(r.at_confidence);
 }
-std::string between(const Estimate& e) {
-    return fmt::format("between {} and {}", report::significant(um * e.low, 3),
-                       report::significant(um * e.high, 3));
-}
 
 std::string runs(const ExperimentEvaluation& e) {
     return e.runs.size() == 1 ? "one run" : fmt::format("{} runs", e.runs.size());
@@ -42,12 +38,14 @@ std::string walk(const ExperimentEvaluation& e) {
     const auto high = [](const RunEvaluation& r) { return r.stages[0].settling.increment.high; };
     const StageEvaluation& stage = std::ranges::max_element(e.runs, {}, high)->stages.front();
     const Estimate& increment = stage.settling.increment;
-    if (e.state == State::ratcheting)
-        return fmt::format("the residual ratcheting beside the transient is {} per period ({})",
-                           shift(increment), level(verdict_confidence));
-    if (e.state == State::undecided)
-        return fmt::format("the residual ratcheting beside the transient is {} µm per period ({})",
-                           between(increment), level(verdict_confidence));
+    if (e.state != State::shakedown)
+        return fmt::format(
+            "the residual ratcheting beside the transient is {} per period ({})",
+            e.state == State::ratcheting
+                ? shift(increment)
+                : fmt::format("between {} and {} µm", report::significant(um * increment.low, 3),
+                              report::significant(um * increment.high, 3)),
+            level(verdict_confidence));
     const double added = std::max(0., increment.high * stage.periods());
     return fmt::format(
         "residual ratcheting contributes at most {:.2g} % of the shift in {} periods ({})",
@@ -58,11 +56,10 @@ Verdict state_verdict(const ExperimentEvaluation& e) {
     const std::size_t n = e.runs.size();
     const bool expected = (e.kind == Experiment::Kind::shakedown) == (e.state == State::shakedown);
     if (e.state == State::undecided)
-        return {cannot_tell,
-                fmt::format("Cannot tell shakedown from ratcheting after {} periods: {}; of {}, "
-                            "{} settle and {} ratchet.",
-                            e.periods, walk(e), runs(e), count(e, State::shakedown),
-                            count(e, State::ratcheting))};
+        return {cannot_tell, fmt::format("Cannot tell shakedown from ratcheting after {} periods: "
+                                         "{}; of {}, {} settle and {} ratchet.",
+                                         e.periods, walk(e), runs(e), count(e, State::shakedown),
+                                         count(e, State::ratcheting))};
     const std::string state = e.state == State::shakedown ? "Shakedown" : "Ratcheting";
     const std::string where = n == 1 ? "" : fmt::format(" in {} of {} runs", count(e, e.state), n);
     return {expected ? holds : fails, state + where + ": " + walk(e) + "."};
@@ -73,9 +70,9 @@ Verdict curvature_verdict(const ExperimentEvaluation& e) {
     const State state = e.runs.front().stages.front().by_curvature;
     std::string sentence = fmt::format(
         "The thesis' criterion, the curvature of a parabola through U(t) (5.1.5-5.1.8), says "
-        "\"{}\" in the first run: {} by the values of periods ({} of {}).",
+        "\"{}\" in the first run: {} by the values of periods ({} of {} to {}).",
         word(state), report::significant(c.value, 3), level(verdict_confidence),
-        fmt::format("{} to {}", report::significant(c.low, 3), report::significant(c.high, 3)));
+        report::significant(c.low, 3), report::significant(c.high, 3));
     if (e.state == State::ratcheting && state == State::shakedown)
         sentence += " It sees the transient bend, not the walk behind it, which is straight.";
     if (e.state == State::ratcheting && state == State::undecided)
@@ -99,10 +96,9 @@ Verdict values_verdict(const ExperimentEvaluation& e) {
 
 Verdict limit_verdict(const ExperimentEvaluation& e) {
     if (!e.limit_amplitude)
-        return {
-            cannot_tell,
-            "No run has an amplitude that shakes down and a larger one that ratchets: the limit "
-            "is not in the record."};
+        return {cannot_tell,
+                "No run has an amplitude that shakes down and a larger one that ratchets: the "
+                "limit is not in the record."};
     const Estimate& w = e.limit_amplitude->at_confidence;
     const auto& first = **std::ranges::find_if(e.limits, [](const auto& l) { return bool(l); });
     const double ratio_limit = first.amplitude_low / w.value;
@@ -161,11 +157,10 @@ Verdict rest_verdict(const ExperimentEvaluation& e) {
                             "applied: the models rest under it for the {} that are recorded, the "
                             "rig rested longer. Give record.loading, or load.hold in the case.",
                             rest)};
-    return {finding,
-            fmt::format("The substrate relaxes: the models rest under F_T for {} before they roll, "
-                        "at {}, as {}.",
-                        rest, report::quantity(*e.rolled_as.speed, "m/s", 3),
-                        e.rest.is_whole ? "the record says" : "record and load.hold say")};
+    return {finding, fmt::format("The substrate relaxes: the models rest under F_T for {} before "
+                                 "they roll, at {}, as {}.",
+                                 rest, report::quantity(*e.rolled_as.speed, "m/s", 3),
+                                 e.rest.is_whole ? "the record says" : "record and load.hold say")};
 }
 
 // By the thesis' criterion, in the first run.
@@ -180,15 +175,14 @@ Verdict curvature_limit_verdict(const ExperimentEvaluation& e) {
                             report::significant(mm * limit->amplitude_high, 4))
               : fmt::format("finds no limit: it says ratcheting of {} of {} amplitudes", ratchets,
                             stages.size());
-    return {finding,
-            fmt::format("The thesis' criterion, the curvature of a parabola (5.1.5-5.1.8), {} in "
-                        "the first run, at {}.",
-                        found, level(verdict_confidence))};
+    return {finding, fmt::format("The thesis' criterion, the curvature of a parabola "
+                                 "(5.1.5-5.1.8), {} in the first run, at {}.",
+                                 found, level(verdict_confidence))};
 }
 
 Verdict model_limit_verdict(const ExperimentEvaluation& e, const PredictedLimit& limit) {
     const auto& stages = e.runs.front().stages;
-    double low = 0, high = std::numeric_limits<double>::infinity();
+    double low = 0, high = contact::infinity;
     for (std::size_t k = 0; k < stages.size() && !std::isfinite(high); ++k) {
         if (limit.states[k] == State::shakedown) low = stages[k].amplitude;
         if (limit.states[k] == State::ratcheting) high = stages[k].amplitude;
@@ -232,13 +226,11 @@ std::string pivot_text(const Estimate& height) {
 Verdict wobble_verdict(const ExperimentEvaluation& e, const ModelPrediction& p) {
     const Estimate height = pivot_height(e, p.wobble);
     const Estimate& slope = e.wobble->at_confidence;
-    return {
-        finding,
-        fmt::format("The shift follows the drive by {} µm/mm, of which {} has {} itself; by the "
-                    "rest {} (5.1.11, one standard error).",
-                    report::with_error(mm * slope.value, mm * slope.half_width(), 3),
-                    report::display_name(p.model), report::significant(mm * p.wobble, 3),
-                    pivot_text(height))};
+    return {finding, fmt::format("The shift follows the drive by {} µm/mm, of which {} has {} "
+                                 "itself; by the rest {} (5.1.11, one standard error).",
+                                 report::with_error(mm * slope.value, mm * slope.half_width(), 3),
+                                 report::display_name(p.model),
+                                 report::significant(mm * p.wobble, 3), pivot_text(height))};
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/error.h"
 #include "contact/verdict.h"
 #include "statistics/estimate.h"
 
@@ -78,12 +77,11 @@ class Corrections {
         const double from = experiment.loading ? (loading_ + timeline.start()) / 2 : first;
         rest_ = rest(from, timeline.start());
         if (rest_.time.size() < fewest_rest_samples)
-            refuse_record(
-                record,
-                fmt::format("there are {} samples of rest under load before rolling begins at "
-                            "{:.4g} s, fewer than {}",
-                            rest_.time.size(), timeline.start(), fewest_rest_samples),
-                "record the static shift longer");
+            refuse_record(record,
+                          fmt::format("there are {} samples of rest under load before rolling "
+                                      "begins at {:.4g} s, fewer than {}",
+                                      rest_.time.size(), timeline.start(), fewest_rest_samples),
+                          "record the static shift longer");
         run.noise = noise_of(rest_, experiment.resolution.value_or(smallest_step(record.shift)));
         run.degrees_of_freedom =
             std::max(1, static_cast<int>(static_cast<double>(rest_.time.size()) /

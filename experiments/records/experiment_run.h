@@ -9,7 +9,6 @@
 #include "experiments/records/experiment.h"
 #include "experiments/records/record_noise.h"
 #include "experiments/records/settling_fit.h"
-#include "statistics/regression.h"
 
 namespace tricontact::experiments {
 

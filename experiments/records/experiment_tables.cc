@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <limits>
-
+#include "contact/special_values.h"
 #include "experiments/records/experiment_report.h"
 #include "report/format.h"
 
@@ -32,10 +31,9 @@ report::DocumentTable values_table(const ExperimentEvaluation& e) {
         .id = "values",
         .title = "Values",
         .note =
-            "Half widths of the intervals behind ±. u_stat: before rolling. "
-            "u_sd: upright after the last period. u_inf: where the transient of "
-            "the second half of the periods leads. Du: slope over the second "
-            "half of the periods.",
+            "Half widths of the intervals behind ±. u_stat: before rolling. u_sd: upright after "
+            "the last period. u_inf: where the transient of the second half of the periods leads. "
+            "Du: slope over the second half of the periods.",
         .columns =
             report::columns("quantity", level(e.confidence) + " [µm]", "95 % [µm]", "runs:1")};
     const auto add = [&](const char* name, const Repeated& r) {
@@ -56,9 +54,8 @@ report::DocumentTable normalised_table(const ExperimentEvaluation& e) {
         .id = "normalised",
         .title = "Over Hertz' scales of the case",
         .note =
-            "One standard error behind ±: of the measured value and of the "
-            "case's numbers, first order, independent; F_T and W are what the "
-            "rig sets. Errors of the case: " +
+            "One standard error behind ±: of the measured value and of the case's numbers, first "
+            "order, independent; F_T and W are what the rig sets. Errors of the case: " +
             numbers_with_errors(e) + ".",
         .columns = report::columns("quantity", "value")};
     const auto add = [&](const char* name, const Estimate& u, double factor = 1) {
@@ -125,9 +122,9 @@ report::DocumentTable limits_table(const ExperimentEvaluation& e) {
         .note = "U_lim: where the lines meet, half width of its interval behind ±.",
         .columns =
             report::columns("run", "last shakedown [mm]", "first ratcheting [mm]", "U_lim [µm]")};
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < e.runs.size(); ++i) {
-        table.rows.push_back({e.runs[i].name, nan, nan, nan});
+        table.rows.push_back(
+            {e.runs[i].name, contact::undefined, contact::undefined, contact::undefined});
         if (const auto& limit = e.limits[i])
             table.rows.back() = {e.runs[i].name, mm * limit->amplitude_low,
                                  mm * limit->amplitude_high,
@@ -156,10 +153,9 @@ report::DocumentTable wobble_table(const ExperimentEvaluation& e) {
         .id = "wobble",
         .title = "Shift that follows the drive",
         .note =
-            "dU/dW of whole periods. On a layer that couples normal and "
-            "tangential contact free rolling creeps, so that a model has a "
-            "wobble of its own; by what the measured one has beside it the "
-            "pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
+            "dU/dW of whole periods. On a layer that couples normal and tangential contact free "
+            "rolling creeps, so that a model has a wobble of its own; by what the measured one has "
+            "beside it the pivot sits Dh = R dU/dW too high (5.1.11), below zero too low; one "
             "standard error behind ±.",
         .columns = report::columns("beside", "its own dU/dW [µm/mm]", "Dh of the rest [µm]")};
     const auto add = [&](const std::string& name, double own) {
@@ -175,23 +171,21 @@ report::DocumentTable noise_table(const ExperimentEvaluation& e) {
         .id = "noise",
         .title = "Noise, drift and the table's wobble",
         .note =
-            "Noise: standard deviation in the rest before rolling; so many "
-            "neighbouring samples count as one. Drift: slope of the rest, one "
-            "standard error behind ±; the mean is subtracted. Wobble: what the "
-            "shift follows the drive by, dU/dW = Δh/R (5.1.11), half width of "
-            "its interval behind ±; it vanishes upright. It holds "
-            "what the contact itself does in step with the drive.",
+            "Noise: standard deviation in the rest before rolling; so many neighbouring samples "
+            "count as one. Drift: slope of the rest, one standard error behind ±; the mean is "
+            "subtracted. Wobble: what the shift follows the drive by, dU/dW = Δh/R (5.1.11), half "
+            "width of its interval behind ±; it vanishes upright. It holds what the contact itself "
+            "does in step with the drive.",
         .columns =
             report::columns("run", "resolution [nm]:3", "noise [nm]:3", "correlated samples:2",
                             "drift before [nm/s]:3", "drift after [nm/s]:3", "wobble [µm/mm]:3")};
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const RunEvaluation& run : e.runs) {
-        const Estimate after = run.after.value_or(Estimate{nan, nan});
-        table.rows.push_back(
-            {run.name, nm * run.noise.resolution, nm * run.noise.standard_deviation,
-             run.noise.correlated_samples(), with_standard_error(run.before, nm),
-             with_standard_error(after, nm),
-             run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm)) : report::Cell(nan)});
+        const Estimate after = run.after.value_or(Estimate{contact::undefined, contact::undefined});
+        table.rows.push_back({run.name, nm * run.noise.resolution,
+                              nm * run.noise.standard_deviation, run.noise.correlated_samples(),
+                              with_standard_error(run.before, nm), with_standard_error(after, nm),
+                              run.wobble ? report::Cell(with_half_width(*run.wobble, um / mm))
+                                         : report::Cell(contact::undefined)});
     }
     return table;
 }
@@ -210,10 +204,9 @@ report::DocumentTable criteria_table(const ExperimentEvaluation& e) {
         .id = "criteria_by_run",
         .title = "Both criteria",
         .note = "Intervals at " + level(verdict_confidence) +
-                ". Residual: of the values upright about transient and walk; "
-                "noise: what their errors explain. Curvature of all samples: as "
-                "the thesis takes it, without an interval, since neighbours in the "
-                "record are not independent.",
+                ". Residual: of the values upright about transient and walk; noise: what their "
+                "errors explain. Curvature of all samples: as the thesis takes it, without an "
+                "interval, since neighbours in the record are not independent.",
         .columns = report::columns("run", "walk Du [µm]", "verdict by the walk", "q:2",
                                    "residual [µm]:2", "noise [µm]:2", "curvature", "verdict by it",
                                    "curvature of all samples:3")};

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
+
+#include "contact/special_values.h"
 
 namespace tricontact::experiments {
 
@@ -51,8 +52,7 @@ Estimate profile(const std::vector<Slice>& all, std::size_t k, double confidence
     const double t = statistics::student_t(confidence, freedom);
     const double least = best.fit.residual_sum_of_squares;
     const double most = least * (1 + t * t / freedom);
-    Estimate e{best.fit.parameters[k].value, 0, std::numeric_limits<double>::infinity(),
-               -std::numeric_limits<double>::infinity()};
+    Estimate e{best.fit.parameters[k].value, 0, contact::infinity, -contact::infinity};
     for (const Slice& slice : all) {
         if (slice.fit.residual_sum_of_squares > most) continue;
         const double left = most - slice.fit.residual_sum_of_squares;
@@ -103,8 +103,8 @@ Estimate normalised_curvature(const std::vector<double>& time, const std::vector
         t.push_back((time[i] - time.front()) / duration);
         u.push_back((shift[i] - shift.front()) / rise);
     }
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    if (rise == 0) return {nan, nan, nan, nan};
+    if (rise == 0)
+        return {contact::undefined, contact::undefined, contact::undefined, contact::undefined};
     Estimate e = fit_polynomial(t, u, 2, confidence).parameters[2];
     for (double* value : {&e.value, &e.standard_error, &e.low, &e.high}) *value *= 2;
     return e;

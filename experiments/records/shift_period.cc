@@ -46,13 +46,6 @@ double autocorrelation(const std::vector<double>& signal, std::size_t lag) {
     return first > 0 && second > 0 ? product / std::sqrt(first * second) : 0;
 }
 
-// Between whole lags.
-double autocorrelation_at(const std::vector<double>& signal, double lag) {
-    const auto k = static_cast<std::size_t>(lag);
-    const double part = lag - std::floor(lag);
-    return (1 - part) * autocorrelation(signal, k) + part * autocorrelation(signal, k + 1);
-}
-
 }  // namespace
 
 double shift_period(const Record& record, double start, int periods) {
@@ -78,8 +71,12 @@ double shift_period(const Record& record, double start, int periods) {
 
     const auto loss = [&](double period) {
         double sum = 0;
-        for (int k = 1; k <= std::max(1, periods / 2); ++k)
-            sum -= autocorrelation_at(speeds, k * period / step);
+        for (int k = 1; k <= std::max(1, periods / 2); ++k) {
+            const double lag = k * period / step, part = lag - std::floor(lag);
+            const auto whole = static_cast<std::size_t>(lag);
+            sum -= (1 - part) * autocorrelation(speeds, whole) +
+                   part * autocorrelation(speeds, whole + 1);
+        }
         return sum;
     };
     constexpr int bits = 24;  // of the minimum's place: 1e-7, beyond what noise leaves
