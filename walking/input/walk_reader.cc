@@ -60,13 +60,11 @@ void check_kappas(const Kappas& k, const io::Document& document) {
 }
 
 void check_substrate(const io::Document& document) {
-    const io::Entry* young = document.find("contact.substrate_young");
-    const io::Entry* poisson = document.find("contact.substrate_poisson");
-    if (!young == !poisson) return;
-    const io::Entry& given = young ? *young : *poisson;
-    const std::string other = young ? "contact.substrate_poisson" : "contact.substrate_young";
-    io::fail(given.place, given.subject(), "has no effect without " + other + ", which is missing",
-             "give " + other + " too, or omit this key");
+    std::string given = "contact.substrate_young", other = "contact.substrate_poisson";
+    if (!document.find(given)) std::swap(given, other);
+    if (!document.find(given) || document.find(other)) return;
+    io::refuse(document, given, "has no effect without " + other + ", which is missing",
+               "give " + other + " too, or omit this key");
 }
 
 void check_excitation(const Excitation& excitation, const io::Document& document) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "contact/error.h"
+#include "contact/special_values.h"
 #include "walking/machine/linear_stability.h"
 
 namespace tricontact::walking {
@@ -172,19 +173,18 @@ State EventDriven::after(double step) const {
 
 double EventDriven::crossing_of(std::size_t guard, const Guard& start, const Guard& end,
                                 double step) const {
-    constexpr double never = std::numeric_limits<double>::infinity();
     const auto at = [&](double elapsed) {
         return flow_.guards(after(elapsed), modes_, time_ + elapsed)[guard];
     };
     const auto value = [&](double elapsed) { return at(elapsed).value; };
     if (end.value < 0)
         return start.value > 0 ? upper_root(value, 0, step, start.value, end.value) : 0;
-    if (!(start.value > 0 && start.rate < 0 && end.rate > 0)) return never;
+    if (!(start.value > 0 && start.rate < 0 && end.rate > 0)) return contact::infinity;
     // Positive at both ends, it may have dipped below zero between them.
     const double lowest =
         upper_root([&](double elapsed) { return at(elapsed).rate; }, 0, step, start.rate, end.rate);
     const double least = value(lowest);
-    return least < 0 ? upper_root(value, 0, lowest, start.value, least) : never;
+    return least < 0 ? upper_root(value, 0, lowest, start.value, least) : contact::infinity;
 }
 
 EventDriven::Crossing EventDriven::first_crossing(const State& end, double step) const {

@@ -8,10 +8,6 @@
 
 namespace tricontact::walking {
 
-double resting_indentation(double load) {
-    return 1.5 * load;
-}
-
 std::vector<Spot> bed_springs(const Bed& bed, const Spot& spot, double load) {
     const double depth = resting_indentation(load);
     const double contact_radius = std::sqrt(bed.radius * depth);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contact/special_values.h"
+
 namespace tricontact::walking {
 
 namespace {
@@ -79,7 +81,7 @@ double correlation(const SpotSums& spot, std::int64_t steps) {
     constexpr double rounding = 1e-12;
     if (!(normal > rounding * spot.normal_squared) ||
         !(velocity > rounding * spot.velocity_squared))
-        return std::numeric_limits<double>::quiet_NaN();
+        return contact::undefined;
     return covariance / std::sqrt(normal * velocity);
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "walking/machine/machine.h"
+#include "contact/special_values.h"
 #include "walking/machine/motion.h"
 #include "walking/machine/velocity_verlet.h"
 
@@ -47,10 +46,8 @@ struct StretchSums {
     std::int64_t steps = 0;
     double spring_force = 0;    ///< f_s
     double kinetic_energy = 0;  ///< (x'^2 + z'^2 + kappa7/kappa3^2 phi'^2)/2
-    double z_min = std::numeric_limits<double>::infinity();
-    double z_max = -std::numeric_limits<double>::infinity();
-    double phi_min = std::numeric_limits<double>::infinity();
-    double phi_max = -std::numeric_limits<double>::infinity();
+    double z_min = contact::infinity, z_max = -contact::infinity;
+    double phi_min = contact::infinity, phi_max = -contact::infinity;
     std::vector<SpotSums> spots;  ///< in the order of spots_of; empty where they were left out
 
     /// Throws std::invalid_argument if the other has another number of spots.
@@ -84,8 +81,7 @@ class StretchRecorder {
     };
 
     Machine machine_;
-    double step_;
-    double rotational_;  // kappa7/kappa3^2
+    double step_, rotational_;  // the latter: kappa7/kappa3^2
     std::vector<SpotPath> paths_;
     StretchSums sums_;
 };

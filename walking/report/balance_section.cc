@@ -45,9 +45,9 @@ report::Verdict energy_verdict(const WalkReport& report, const EnergyStretch& en
     const bool holds = lost <= bound;
     return {holds ? report::Verdict::Standing::holds : report::Verdict::Standing::fails,
             fmt::format(
-                "Energy over {}: work of {} and geometric work = dissipation + change of "
-                "stored energy, to {} of the greatest of them{}. The geometric work, of "
-                "moments without potential in the model's equations, is {} of it.",
+                "Energy over {}: work of {} and geometric work = dissipation + change of stored "
+                "energy, to {} of the greatest of them{}. The geometric work, of moments without "
+                "potential in the model's equations, is {} of it.",
                 report.walk.result.period ? "a period" : report::significant(energy.length, 3),
                 energy.balance.excitation != 0 ? "base, excitation" : "the base",
                 report::significant(lost, 2), holds ? "" : "; a smaller [time] step makes it less",
@@ -60,9 +60,9 @@ report::DocumentSection energy_section(const EnergyStretch& energy) {
         .title = fmt::format("Works over {} units of time from the end of the run",
                              report::significant(energy.length, 4)),
         .note =
-            "Geometric: moments of first order in φ to which no potential "
-            "belongs, a property of Wetter's (2016) eq. 4.1.19. Lost: where a "
-            "spot lands or lifts off within a step, by its square.",
+            "Geometric: moments of first order in φ to which no potential belongs, a property of "
+            "Wetter's (2016) eq. 4.1.19. Lost: where a spot lands or lifts off within a step, by "
+            "its square.",
         .columns = {{"energy"}, {"[k_x b²]"}, {"share of the greatest"}}};
     const auto add = [&](const char* name, double value) {
         table.rows.push_back({name, value, value / energy.scale});
@@ -93,8 +93,8 @@ bool is_neutral(const Eigenvalues& stability) {
 report::Verdict stability_verdict(const WalkReport& report, const Eigenvalues& stability) {
     if (stability.empty())
         return {.sentence =
-                    "There is no steady sliding: the moments about the centre of gravity lift "
-                    "the trailing spot off."};
+                    "There is no steady sliding: the moments about the centre of gravity lift the "
+                    "trailing spot off."};
     const std::complex<double>& leading = stability.front();
     if (leading.real() > neutral) {
         const std::string rate = report::significant(leading.real(), 3);
@@ -105,10 +105,10 @@ report::Verdict stability_verdict(const WalkReport& report, const Eigenvalues& s
                                         "exp({} t) at {} cycles per √(m/k_x).",
                                         rate, report::significant(frequency(leading), 3))};
     }
-    std::string text = leading.real() < -neutral
-                           ? "Steady sliding is stable: small disturbances decay."
-                           : "Steady sliding is linearly neutral: small disturbances neither grow "
-                             "nor decay.";
+    std::string text =
+        leading.real() < -neutral
+            ? "Steady sliding is stable: small disturbances decay."
+            : "Steady sliding is linearly neutral: small disturbances neither grow nor decay.";
     const Regime regime = report.walk.result.regime;
     if (regime == Regime::limit_cycle || regime == Regime::chaotic)
         text += " What vibrates here was set off by one that made a spot stick or lift off.";
@@ -116,13 +116,12 @@ report::Verdict stability_verdict(const WalkReport& report, const Eigenvalues& s
 }
 
 report::DocumentSection stability_section(const Eigenvalues& stability) {
-    report::DocumentTable table{
-        .id = "eigenvalues",
-        .title = "Eigenvalues of steady sliding",
-        .note =
-            "A disturbance while all spots slip forwards grows as exp(growth t); "
-            "frequency in cycles per √(m/k_x).",
-        .columns = {{"growth [√(k_x/m)]"}, {"frequency [√(k_x/m)]"}}};
+    report::DocumentTable table{.id = "eigenvalues",
+                                .title = "Eigenvalues of steady sliding",
+                                .note =
+                                    "A disturbance while all spots slip forwards grows as "
+                                    "exp(growth t); frequency in cycles per √(m/k_x).",
+                                .columns = {{"growth [√(k_x/m)]"}, {"frequency [√(k_x/m)]"}}};
     for (const std::complex<double>& value : stability)  // rounding is no growth
         table.rows.push_back(
             {std::abs(value.real()) > neutral ? value.real() : 0., std::max(0., frequency(value))});

@@ -27,14 +27,6 @@ std::string name_of(const WalkSweep& sweep, const std::vector<std::size_t>& axes
     return name;
 }
 
-/// [sqrt(k_x/m)] of the disturbance of steady sliding that grows fastest; NaN: there is no steady
-/// sliding.
-double growth_rate(const Machine& machine) {
-    const Eigenvalues eigenvalues = sliding_stability(machine);
-    if (eigenvalues.empty()) return NAN;
-    return is_neutral(eigenvalues) ? 0 : eigenvalues.front().real();
-}
-
 /// What is drawn over each axis.
 struct CurveQuantity {
     const char* id;
@@ -68,7 +60,9 @@ constexpr CurveQuantity quantities[] = {
      "Real part of the leading eigenvalue: above 0 small disturbances grow, at 0 they neither grow "
      "nor decay. A gap: there is no steady sliding.",
      [](const WalkGroup& group) {
-         return report::WithError{growth_rate(group.machine()), 0};
+         const Eigenvalues fastest_first = sliding_stability(group.machine());
+         if (fastest_first.empty()) return report::WithError{NAN, 0};
+         return report::WithError{is_neutral(fastest_first) ? 0 : fastest_first.front().real(), 0};
      }},
 };
 

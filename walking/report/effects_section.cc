@@ -33,8 +33,8 @@ report::DocumentTable main_table(const Response& response, const FactorialDesign
         .id = std::string("main_effects_") + response.id,
         .title = std::string("Main effects: ") + response.title,
         .note =
-            "Errors, 95 %, from the scatter of the runs at a level. Share: of "
-            "the variance that the factor alone accounts for.",
+            "Errors, 95 %, from the scatter of the runs at a level. Share: of the variance that "
+            "the factor alone accounts for.",
         .columns = {{"factor"}, {"level"}, {"mean"}, {"runs"}, {"share [%]", 3}}};
     const std::vector<MainEffect> effects = main_effects(design);
     for (std::size_t k = 0; k < effects.size(); ++k)
@@ -51,8 +51,8 @@ report::DocumentTable interaction_table(const Response& response, const Factoria
         .id = std::string("interactions_") + response.id,
         .title = std::string("Effects of pairs: ") + response.title,
         .note =
-            "How far two factors together depart from the sum of what they do alone: the "
-            "largest departure, where it is, and the pair's share of the variance.",
+            "How far two factors together depart from the sum of what they do alone: the largest "
+            "departure, where it is, and the pair's share of the variance.",
         .columns = {{"pair"}, {"levels"}, {"largest effect"}, {"share [%]", 3}}};
     for (const Interaction& interaction : analysis.interactions) {
         const Factor &first = design.factors[interaction.first],
@@ -78,8 +78,7 @@ report::Figure pair_figure(const Response& response, const FactorialDesign& desi
                           interaction.second + 1),
         .title = over.name + " and " + by.name + ": " + response.title,
         .caption =
-            "Means over all runs at a pair of levels. Parallel lines: the two do "
-            "not interact.",
+            "Means over all runs at a pair of levels. Parallel lines: the two do not interact.",
         .x = {over.name, over.levels.front() > 0 && over.levels.back() > 50 * over.levels.front()},
         .y = {response.name}};
     for (std::size_t j = 0; j < by.levels.size(); ++j) {
@@ -102,13 +101,12 @@ report::Figure pair_figure(const Response& response, const FactorialDesign& desi
 /// Last level minus first, of each factor, rule by rule.
 report::DocumentTable rule_table(const std::vector<WalkGroup>& groups,
                                  const WalkFactorial& factorial) {
-    report::DocumentTable table{
-        .id = "exclusion_rules",
-        .title = "What the effects owe to the rule that excludes runs",
-        .note =
-            "Each factor's main effect on μ_e, second half of the run: mean at its last level "
-            "minus mean at its first.",
-        .columns = {{"excluded"}, {"runs kept"}, {"mean μ_e"}}};
+    report::DocumentTable table{.id = "exclusion_rules",
+                                .title = "What the effects owe to the rule that excludes runs",
+                                .note =
+                                    "Each factor's main effect on μ_e, second half of the run: "
+                                    "mean at its last level minus mean at its first.",
+                                .columns = {{"excluded"}, {"runs kept"}, {"mean μ_e"}}};
     for (const Factor& factor : factorial.factors) table.columns.push_back({factor.name});
     for (const ExclusionRule& rule : exclusion_rules()) {
         const FactorialDesign design = factorial.design(groups, rule, responses[0].value);

@@ -117,8 +117,8 @@ report::Figure regime_figure(const WalkSweep& sweep, const WalkGrid& grid) {
         .id = "map_regime",
         .title = "What becomes of each machine",
         .caption =
-            "Steady sliding, a limit cycle, chaos that has not ended within the "
-            "run, tilting, or sticking, where the run ends before the machine slides.",
+            "Steady sliding, a limit cycle, chaos that has not ended within the run, tilting, or "
+            "sticking, where the run ends before the machine slides.",
         .x = {label_of(sweep, grid.x_axis)},
         .y = {label_of(sweep, grid.y_axis)}};
     for (const Regime regime : {Regime::steady, Regime::limit_cycle, Regime::chaotic,
@@ -143,8 +143,8 @@ report::DocumentTable region_table(const WalkGrid& grid) {
         .title = "Shares of the map",
         .note =
             "Errors, 95 %: where in a cell a region ends, which a finer grid would tell. Second "
-            "half: plain means over it, the reading that gives the numbers of Wetter (2016); "
-            "as judged: after the transient, whole periods of limit cycles.",
+            "half: plain means over it, the reading that gives the numbers of Wetter (2016); as "
+            "judged: after the transient, whole periods of limit cycles.",
         .columns = {{"region"}, {"definition"}, {"as judged [%]"}, {"second half [%]"}}};
     for (std::size_t i = 0; i < judged.size(); ++i)
         table.rows.push_back({judged[i].name, judged[i].definition,
@@ -184,20 +184,17 @@ report::Verdict flutter_verdict(const WalkGrid& grid) {
         n_steady_above += !stable && steady;
     }
     if (is_nowhere(flutter) && n_agreeing == n)
-        return {.sentence = fmt::format(
-                    "Steady sliding flutters nowhere below μ_c, and all {} machines that do "
-                    "not tilt slide steadily.",
-                    n)};
+        return {.sentence = fmt::format("Steady sliding flutters nowhere below μ_c, and all {} "
+                                        "machines that do not tilt slide steadily.",
+                                        n)};
     if (is_nowhere(flutter))
-        return {.sentence = fmt::format(
-                    "Steady sliding flutters nowhere below μ_c, and yet {} of {} machines "
-                    "that do not tilt do not slide steadily: their vibration does not grow "
-                    "from small disturbances.",
-                    n - n_agreeing, n)};
+        return {.sentence = fmt::format("Steady sliding flutters nowhere below μ_c, and yet {} of "
+                                        "{} machines that do not tilt do not slide steadily: their "
+                                        "vibration does not grow from small disturbances.",
+                                        n - n_agreeing, n)};
     return {.sentence = fmt::format(
-                "Linear stability tells of {} of {} machines that do not tilt whether they "
-                "slide steadily; {} slide though sliding flutters, {} do not though it is "
-                "stable.",
+                "Linear stability tells of {} of {} machines that do not tilt whether they slide "
+                "steadily; {} slide though sliding flutters, {} do not though it is stable.",
                 n_agreeing, n, n_steady_above, n - n_agreeing - n_steady_above)};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "walking/report/walk_document.h"
 #include "walking/report/walk_readings.h"
@@ -128,7 +129,7 @@ const std::string course_time_label = "time t [√(m/k_x)]";
 
 /// Where the statistics begin; nothing if nothing follows.
 void mark_transient(report::Figure& figure, const WalkResult& result) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    double low = contact::infinity, high = -low;
     for (const report::Curve& curve : figure.curves)
         for (const double value : curve.y) {
             low = std::fmin(low, value);

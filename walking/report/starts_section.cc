@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "contact/special_values.h"
 #include "report/format.h"
 #include "statistics/regression.h"
 #include "walking/report/walk_sweep_document.h"
@@ -67,30 +67,24 @@ report::DocumentTable arrival_table(const Arrivals& arrivals) {
 }
 
 report::Figure arrival_figure(const Arrivals& arrivals) {
-    report::Figure figure{
-        .id = "arrivals_over_time",
-        .title = "Runs on their limit cycle",
-        .caption =
-            "Share of the runs that have reached their limit cycle. Dashed: chaos "
-            "that ends at a constant rate, of the mean life found.",
-        .x = {"t"},
-        .y = {"share"}};
-    report::Curve found{.name = "runs", .x = {0}, .y = {0}};
-    report::Curve decay{.name = "constant rate", .x = {0}, .y = {0}, .theory = true};
-    constexpr int n = 100;
+    report::Figure figure{.id = "arrivals_over_time",
+                          .title = "Runs on their limit cycle",
+                          .caption =
+                              "Share of the runs that have reached their limit cycle. Dashed: "
+                              "chaos that ends at a constant rate, of the mean life found.",
+                          .x = {"t"},
+                          .y = {"share"}};
+    report::Curve found{.name = "runs"}, decay{.name = "constant rate", .theory = true};
     const double life = arrivals.mean_life().value, end = arrivals.times.back();
-    for (int i = 1; i <= n; ++i) {
-        const double time = end * i / n;
-        found.add(time, arrivals.share_by(time).value);
-        decay.add(time, 1 - std::exp(-time / life));
-    }
+    found.sample(0, end, 100, [&](double time) { return arrivals.share_by(time).value; });
+    decay.sample(0, end, 100, [&](double time) { return 1 - std::exp(-time / life); });
     figure.curves = {found, decay};
     return figure;
 }
 
 /// Middle and half of what lies between the least and the largest of the limit cycles.
 report::WithError span_of(const WalkSweep& sweep, double (*value)(const WalkOutcome& outcome)) {
-    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    double least = contact::infinity, largest = -least;
     for (const WalkSweep::Point& point : sweep.points) {
         if (!point.outcome || point.outcome->result.regime != Regime::limit_cycle) continue;
         least = std::min(least, value(*point.outcome));
@@ -107,8 +101,8 @@ void add_arrivals(const WalkSweep& sweep, WalkSection& result) {
     const report::WithError life = arrivals.mean_life();
     result.verdicts.push_back(
         {.sentence = fmt::format(
-             "{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e "
-             "within {} ± {}. The mean life of the transient is {}.",
+             "{} of {} starts end on a limit cycle, all periods within {} ± {}, all μ_e within {} "
+             "± {}. The mean life of the transient is {}.",
              arrivals.times.size(), arrivals.n(), report::significant(period.value, 6),
              report::significant(period.error, 2), report::significant(friction.value),
              report::significant(friction.error, 2), report::with_error(life.value, life.error))});

@@ -23,9 +23,9 @@ report::Figure spectrum_figure(const Vibration& vibration) {
     return {.id = "spectrum",
             .title = "Spectrum of the spring force",
             .caption =
-                "Amplitudes of sines in f_s over the force of steady sliding, root mean "
-                "square over eight parts of the recorded end under a Hann window: twice the "
-                "modulus of Wetter (2016), eq. 5.2.31.",
+                "Amplitudes of sines in f_s over the force of steady sliding, root mean square "
+                "over eight parts of the recorded end under a Hann window: twice the modulus of "
+                "Wetter (2016), eq. 5.2.31.",
             .x = {"frequency [√(k_x/m)]"},
             .y = {"amplitude [-]"},
             .curves = {amplitudes,
@@ -56,13 +56,12 @@ report::Figure variance_figure(const Vibration& vibration) {
 
 /// Frequencies side by side, in hertz too where the case has dimensions.
 report::DocumentTable frequency_table(const WalkReport& report, const Vibration& vibration) {
-    report::DocumentTable table{
-        .id = "frequencies",
-        .title = "Characteristic frequency",
-        .note =
-            "Cycles per unit of time √(m/k_x); error: 95 % interval from eight "
-            "parts. Free flight: √(κ_1 (1 + κ_3² κ_8²/κ_7))/2π.",
-        .columns = {{"frequency"}, {"[√(k_x/m)]"}}};
+    report::DocumentTable table{.id = "frequencies",
+                                .title = "Characteristic frequency",
+                                .note =
+                                    "Cycles per unit of time √(m/k_x); error: 95 % interval from "
+                                    "eight parts. Free flight: √(κ_1 (1 + κ_3² κ_8²/κ_7))/2π.",
+                                .columns = {{"frequency"}, {"[√(k_x/m)]"}}};
     const auto& dimensional = report.walk_case.dimensional;
     const double second = dimensional ? 1 / characteristic_time(*dimensional) : 0;
     if (dimensional) table.columns.push_back({"[Hz]"});
@@ -98,13 +97,13 @@ report::DocumentSection vibration_section(const WalkReport& report, const Vibrat
                                     .figures = {spectrum_figure(vibration)},
                                     .tables = {frequency_table(report, vibration)}};
     if (is_set_5(report.walk_case.machine))
-        section.paragraphs.push_back(fmt::format(
-            "Wetter (2016), eq. 5.2.36, has 0.1 ± 0.006 for his simulations of set 5 and derives "
-            "the characteristic time and k_x = m/τ² of the rig from it. Here it is {}: the same "
-            "measured frequency gives a k_x that differs by the inverse square of the ratio of "
-            "both.",
-            report::with_error(vibration.characteristic.frequency,
-                               vibration.characteristic.error)));
+        section.paragraphs.push_back(
+            fmt::format("Wetter (2016), eq. 5.2.36, has 0.1 ± 0.006 for his simulations of set 5 "
+                        "and derives the characteristic time and k_x = m/τ² of the rig from it. "
+                        "Here it is {}: the same measured frequency gives a k_x that differs by "
+                        "the inverse square of the ratio of both.",
+                        report::with_error(vibration.characteristic.frequency,
+                                           vibration.characteristic.error)));
     if (!vibration.variances.empty()) section.figures.push_back(variance_figure(vibration));
     return section;
 }

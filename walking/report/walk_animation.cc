@@ -118,13 +118,6 @@ struct Units {
     std::string of_length = {}, of_force = {}, of_time = {};  // "_m", "_N", "_s"
 };
 
-Units units_of(const WalkCase& walk_case) {
-    if (!walk_case.dimensional) return {};
-    const auto& machine = *walk_case.dimensional;
-    return {
-        machine.half_width, force_unit(machine), characteristic_time(machine), "_m", "_N", "_s"};
-}
-
 vtkNew<vtkCellArray> cells_of(const std::vector<std::vector<int>>& cells) {
     vtkNew<vtkCellArray> array;
     for (const auto& cell : cells) {
@@ -191,7 +184,14 @@ double magnification(const Machine& machine, std::span<const Snapshot> snapshots
 
 void write_walk_animation(const std::string& folder, const WalkCase& walk_case,
                           std::span<const Snapshot> snapshots, const io::Provenance& provenance) {
-    const Units units = units_of(walk_case);
+    Units units;
+    if (const auto& machine = walk_case.dimensional)
+        units = {machine->half_width,
+                 force_unit(*machine),
+                 characteristic_time(*machine),
+                 "_m",
+                 "_N",
+                 "_s"};
     const double magnified = magnification(walk_case.machine, snapshots);
     io::VtkSeries series(folder, "machine", provenance);
     for (const Snapshot& snapshot : snapshots) {

@@ -9,6 +9,8 @@ namespace tricontact::walking {
 namespace {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
+using report::as_given;
+using report::significant;
 
 std::string model_of(const Machine& machine) {
     if (machine.model == Machine::Model::two_spot) return "two spots";
@@ -22,13 +24,11 @@ void add_machine(const Machine& machine, Settings& settings) {
     if (machine.bed) settings.back().second += ", beds of springs";
     settings.emplace_back(
         "κ_1 to κ_8",
-        fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", report::as_given(k1), report::as_given(k2),
-                    report::as_given(k3), report::as_given(k4), report::as_given(k5),
-                    report::as_given(k6), report::as_given(k7), report::as_given(k8)));
+        fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", as_given(k1), as_given(k2), as_given(k3),
+                    as_given(k4), as_given(k5), as_given(k6), as_given(k7), as_given(k8)));
     settings.emplace_back("z_stat, static displacement",
-                          report::significant(static_displacement(machine)) + " b");
-    settings.emplace_back("μ_c, critical friction",
-                          report::significant(critical_friction(machine)));
+                          significant(static_displacement(machine)) + " b");
+    settings.emplace_back("μ_c, critical friction", significant(critical_friction(machine)));
     std::vector<const char*> off;
     if (!machine.mechanisms.vertical) off.push_back("vertical motion");
     if (!machine.mechanisms.rotation) off.push_back("rotation");
@@ -36,11 +36,10 @@ void add_machine(const Machine& machine, Settings& settings) {
     if (!off.empty())
         settings.emplace_back("switched off", fmt::format("{}", fmt::join(off, ", ")));
     if (const auto& excitation = machine.excitation; excitation.frequency > 0)
-        settings.emplace_back(
-            "excitation",
-            fmt::format("moment {} k_x b², force {} k_x b, at ω = {} √(k_x/m)",
-                        report::as_given(excitation.moment), report::as_given(excitation.force),
-                        report::as_given(excitation.frequency)));
+        settings.emplace_back("excitation",
+                              fmt::format("moment {} k_x b², force {} k_x b, at ω = {} √(k_x/m)",
+                                          as_given(excitation.moment), as_given(excitation.force),
+                                          as_given(excitation.frequency)));
 }
 
 void add_dimensions(const DimensionalMachine& machine, Settings& settings) {
@@ -50,8 +49,7 @@ void add_dimensions(const DimensionalMachine& machine, Settings& settings) {
     add("mass m", machine.mass, "kg");
     add("half height a", machine.half_height, "m");
     add("half width b", machine.half_width, "m");
-    settings.emplace_back("moment of inertia Θ",
-                          report::significant(machine.moment_of_inertia) + " kg m²");
+    settings.emplace_back("moment of inertia Θ", significant(machine.moment_of_inertia) + " kg m²");
     add("spring k_s", machine.spring_stiffness, "N/m");
     add("contact k_z", machine.normal_stiffness, "N/m");
     add("contact k_x", machine.tangential_stiffness, "N/m");
@@ -66,9 +64,8 @@ std::string start_of(const Start& start) {
     if (start == Start{}) return "at rest on the ground";
     return fmt::format(
         "x, z, φ, x_s = {}, {}, {}, {} z_stat; velocities of x, z, φ = {}, {}, {} κ_6",
-        report::as_given(start.x), report::as_given(start.z), report::as_given(start.phi),
-        report::as_given(start.base), report::as_given(start.x_velocity),
-        report::as_given(start.z_velocity), report::as_given(start.phi_velocity));
+        as_given(start.x), as_given(start.z), as_given(start.phi), as_given(start.base),
+        as_given(start.x_velocity), as_given(start.z_velocity), as_given(start.phi_velocity));
 }
 
 /// What a case says, as name and value: kappas, what follows from them, dimensions, mechanisms that
@@ -78,9 +75,8 @@ Settings settings_of(const WalkCase& walk_case) {
     add_machine(walk_case.machine, settings);
     if (walk_case.dimensional) add_dimensions(*walk_case.dimensional, settings);
     settings.emplace_back("start", start_of(walk_case.start));
-    settings.emplace_back("time",
-                          fmt::format("T = {} in steps of {}", report::as_given(walk_case.time.end),
-                                      report::as_given(walk_case.time.step)));
+    settings.emplace_back("time", fmt::format("T = {} in steps of {}", as_given(walk_case.time.end),
+                                              as_given(walk_case.time.step)));
     return settings;
 }
 

@@ -177,12 +177,11 @@ Json walk_json(const WalkCase& walk_case, const Walk& walk) {
     Json json;
     add_statistics(json, walk.result);
     json["phases"] = walk.phases ? phases_json(*walk.phases) : Json();
-    if (const auto& drift = walk.result.drift)
-        json["drift"] = {{"per_period", report::number(drift->per_period)},
-                         {"error", report::number(drift->error)},
-                         {"airborne", report::number(drift->airborne)}};
-    else
-        json["drift"] = Json();
+    const auto& drift = walk.result.drift;
+    json["drift"] = drift ? Json{{"per_period", report::number(drift->per_period)},
+                                 {"error", report::number(drift->error)},
+                                 {"airborne", report::number(drift->airborne)}}
+                          : Json();
     json["machine"] = machine_json(walk_case.machine);
     json["dimensional"] = dimensional_json(walk_case, walk.result);
     json["lane_steps"] = walk.lane_steps;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace tricontact::walking {
 
@@ -21,32 +22,28 @@ report::Verdict count_verdict(const WalkSweep& sweep) {
 }
 
 report::Verdict regime_verdict(const WalkSweep& sweep) {
-    std::size_t n[all_regimes.size()] = {}, n_short = 0;
+    using enum Regime;
+    std::map<Regime, int> n;
+    int n_short = 0;
     for (const WalkSweep::Point& point : sweep.points) {
         if (!point.outcome) continue;
         const WalkResult& result = point.outcome->result;
-        ++n[static_cast<std::size_t>(result.regime)];
-        n_short += result.regime != Regime::tilting && !result.transient_over;
+        ++n[result.regime];
+        n_short += result.regime != tilting && !result.transient_over;
     }
-    const auto count = [&](Regime regime) { return n[static_cast<std::size_t>(regime)]; };
-    const std::size_t n_driven = count(Regime::steady) + count(Regime::limit_cycle) +
-                                 count(Regime::chaotic) + count(Regime::sticking);
-    if (n_driven == 0)
-        return {report::Verdict::Standing::finding,
-                fmt::format("{} runs shake down, {} ratchet, {} walk, {} tilt.",
-                            count(Regime::shakedown), count(Regime::ratcheting),
-                            count(Regime::walking), count(Regime::tilting))};
-    const std::string sticking =
-        count(Regime::sticking) > 0
-            ? fmt::format(" {} do not slide yet, the base still loads their spring.",
-                          count(Regime::sticking))
+    if (n[steady] + n[limit_cycle] + n[chaotic] + n[sticking] == 0)
+        return {.sentence =
+                    fmt::format("{} runs shake down, {} ratchet, {} walk, {} tilt.", n[shakedown],
+                                n[ratcheting], n[Regime::walking], n[tilting])};
+    const std::string loading =
+        n[sticking] > 0
+            ? fmt::format(" {} do not slide yet, the base still loads their spring.", n[sticking])
             : "";
-    return {report::Verdict::Standing::finding,
-            fmt::format("{} runs slide steadily, {} walk in a limit cycle, {} are chaotic to their "
-                        "end, {} tilt.{} Of those that do not tilt, {} are too short to tell "
-                        "whether their transient is over.",
-                        count(Regime::steady), count(Regime::limit_cycle), count(Regime::chaotic),
-                        count(Regime::tilting), sticking, n_short)};
+    return {.sentence =
+                fmt::format("{} runs slide steadily, {} walk in a limit cycle, {} are chaotic to "
+                            "their end, {} tilt.{} Of those that do not tilt, {} are too short to "
+                            "tell whether their transient is over.",
+                            n[steady], n[limit_cycle], n[chaotic], n[tilting], loading, n_short)};
 }
 
 report::DocumentTable run_table(const WalkSweep& sweep) {

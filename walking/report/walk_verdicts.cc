@@ -16,6 +16,7 @@ namespace tricontact::walking {
 namespace {
 
 using Standing = report::Verdict::Standing;
+using report::significant;
 
 std::string friction(const WalkResult& result) {
     return fmt::format("μ_e = {}", report::with_error(result.mu_e, result.mu_e_error));
@@ -45,10 +46,10 @@ std::string fall(const WalkReport& report) {
     const double mu = machine.kappas.kappa5;
     const double limit = critical_friction(machine);
     return fmt::format(
-        "Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which "
-        "a sliding body falls over its leading spot.",
-        report::significant(result.tilting_time), report::significant(tilting_limit(machine), 3),
-        report::as_given(mu), mu > limit ? "above" : "below", report::significant(limit));
+        "Falls over at t = {}: |φ| exceeds {}. μ = {} lies {} μ_c = {}, above which a sliding body "
+        "falls over its leading spot.",
+        significant(result.tilting_time), significant(tilting_limit(machine), 3),
+        report::as_given(mu), mu > limit ? "above" : "below", significant(limit));
 }
 
 /// A machine that is excited while its base stands still.
@@ -61,7 +62,7 @@ std::string excited(const WalkReport& report) {
     std::string text = fmt::format(
         "Pulled by f = {} of its friction, it {}: its shift per period of the excitation is {} "
         "U_max, a spot is in the air for {} of the time.",
-        report::significant(result.mu_e, 3), ways,
+        significant(result.mu_e, 3), ways,
         report::with_error(result.drift->per_period, result.drift->error),
         report::share(result.drift->airborne, 3));
     const auto& [moment, force, frequency] = machine.excitation;
@@ -71,7 +72,7 @@ std::string excited(const WalkReport& report) {
         " The excitation is m = {} of the weight; quasi-static, the machine shakes down up to {} "
         "and a spot leaves the ground above {}.",
         report::as_given(std::max(moment, force) / machine.kappas.kappa4),
-        report::significant(limits.ratcheting, 3), report::significant(limits.lift_off, 3));
+        significant(limits.ratcheting, 3), significant(limits.lift_off, 3));
     return text;
 }
 
@@ -84,8 +85,8 @@ report::Verdict loading(const WalkReport& report) {
             fmt::format("Does not slide yet: the spots stick, and the base still loads the spring, "
                         "by T = {} to {} of the force of steady sliding. That takes until t = {} "
                         "at least; a longer [time] end tells its friction.",
-                        report::significant(report.walk_case.time.end, 5), report::share(load, 3),
-                        report::significant(loading_time(machine), 3))};
+                        significant(report.walk_case.time.end, 5), report::share(load, 3),
+                        significant(loading_time(machine), 3))};
 }
 
 /// The run does not tell what it ends in, and why.
@@ -98,11 +99,11 @@ report::Verdict too_short(const WalkReport& report) {
                              : "the motion is chaotic";
     if (result.regime == Regime::chaotic && rotation > 0.2)
         reason += ", and |φ| has come to " + report::share(rotation) + " of where it falls over";
-    return {Standing::cannot_tell,
-            fmt::format("Too short: the transient was not over by T = {}, {}. So far μ_e = {}, "
-                        "whose error covers what it may still become; a longer [time] end tells.",
-                        report::significant(report.walk_case.time.end, 5), reason,
-                        report::with_error(result.mu_e, result.mu_e_error))};
+    return {
+        Standing::cannot_tell,
+        fmt::format("Too short: the transient was not over by T = {}, {}. So far {}, whose error "
+                    "covers what it may still become; a longer [time] end tells.",
+                    significant(report.walk_case.time.end, 5), reason, friction(result))};
 }
 
 /// The transient is over: z is still, or swings as the start left it, the spring force has no trend
@@ -112,18 +113,17 @@ std::string steady(const WalkReport& report) {
     const Machine& machine = report.walk_case.machine;
     if (machine.kappas.kappa6 == 0)
         return fmt::format(
-            "The base rests: a mean spring force of {} of that of steady sliding "
-            "holds the body from t = {} on.",
-            report::with_error(result.mu_e, result.mu_e_error),
-            report::significant(result.transient));
+            "The base rests: a mean spring force of {} of that of steady sliding holds the body "
+            "from t = {} on.",
+            report::with_error(result.mu_e, result.mu_e_error), significant(result.transient));
     const double sticking = longest_sticking(result);
     const std::string ways = sticking > 0 ? "Slides, a spot sticking for up to " +
                                                 report::share(sticking, 3) + " of the time"
                                           : "Slides steadily";
     return fmt::format(
-        "{}: {}. From t = {} on the height does not vibrate by itself and the mean "
-        "spring force has no trend.",
-        ways, friction(result), report::significant(result.transient));
+        "{}: {}. From t = {} on the height does not vibrate by itself and the mean spring force "
+        "has no trend.",
+        ways, friction(result), significant(result.transient));
 }
 
 report::Verdict outcome(const WalkReport& report) {
@@ -139,33 +139,31 @@ report::Verdict outcome(const WalkReport& report) {
                 fmt::format("Walks in a limit cycle of period {}: {}{}. Mean over whole periods; "
                             "the transient ends before t = {}.",
                             report::with_error(*result.period, result.period_error, 5),
-                            friction(result), reduction(result),
-                            report::significant(result.transient))};
+                            friction(result), reduction(result), significant(result.transient))};
     if (result.regime == Regime::steady) return {.sentence = steady(report)};
     // Without an end in a time T the mean life is T/3 or more, with a probability of 1 - exp(-3).
     return {
         Standing::finding,
         fmt::format("Chaotic to the end: {}{}; 95 % interval by its autocorrelation over the last "
-                    "{}. It is that of this chaos, whose mean life is above {} (95 %); whether "
-                    "it ends later no run tells. Single numbers of a chaotic motion mean "
-                    "nothing.",
-                    friction(result), reduction(result), report::significant(result.observed),
-                    report::significant(result.observed / 3, 2))};
+                    "{}. It is that of this chaos, whose mean life is above {} (95 %); whether it "
+                    "ends later no run tells. Single numbers of a chaotic motion mean nothing.",
+                    friction(result), reduction(result), significant(result.observed),
+                    significant(result.observed / 3, 2))};
 }
 
 std::string jump(const WalkReport& report) {
     const WalkResult& result = report.walk.result;
     if (result.z_min_ratio >= 0)
         return fmt::format(
-            "The body does not jump: its highest position is z = {} z_stat, "
-            "downwards from where the spots are free.",
-            report::significant(result.z_min_ratio));
+            "The body does not jump: its highest position is z = {} z_stat, downwards from where "
+            "the spots are free.",
+            significant(result.z_min_ratio));
     std::string text = fmt::format("The body jumps {} static displacements high",
-                                   report::significant(-result.z_min_ratio));
+                                   significant(-result.z_min_ratio));
     if (result.regime == Regime::chaotic)
         text +=
             fmt::format(" at most within {}; the longer chaos lasts, the higher its highest jump",
-                        report::significant(result.observed));
+                        significant(result.observed));
     if (const auto& phases = report.walk.phases; phases && phases->airborne > 0)
         text += fmt::format(
             ": it is in the air for {} of a period, in which it makes {} of its way",
@@ -180,9 +178,8 @@ std::string walking(const WalkReport& report) {
     if (spots.empty() || spots.size() > most_spots) return {};
     const auto told = [&](const SpotStatistics& spot) {
         const auto& [r, error] = spot.correlation;
-        return fmt::format(
-            "r_{} = {}", &spot - spots.data() + 1,
-            std::isnan(error) ? report::significant(r, 3) : report::with_error(r, error));
+        return fmt::format("r_{} = {}", &spot - spots.data() + 1,
+                           std::isnan(error) ? significant(r, 3) : report::with_error(r, error));
     };
     constexpr double strong = 0.5;
     // NaN, of a spot that never touches, is neither.
@@ -207,7 +204,7 @@ std::string predictable(const WalkResult& result) {
         fmt::format("Largest Lyapunov exponent {} √(k_x/m): ", report::with_error(rate, error));
     if (rate > error)
         text += fmt::format("nearby trajectories diverge tenfold in {}, chaos.",
-                            report::significant(std::numbers::ln10 / rate, 2));
+                            significant(std::numbers::ln10 / rate, 2));
     else if (rate < -error)
         text += "nearby trajectories converge.";
     else
@@ -223,8 +220,7 @@ std::string vibrates(const WalkReport& report, const Vibration& vibration) {
         const double second = 1 / characteristic_time(*dimensional);
         text += fmt::format(", {} Hz", report::with_error(frequency * second, error * second));
     }
-    text += fmt::format("; in free flight it would be {}.",
-                        report::significant(vibration.free_flight, 3));
+    text += fmt::format("; in free flight it would be {}.", significant(vibration.free_flight, 3));
     const bool steady = report.walk.result.regime == Regime::steady;
     if (steady && longest_sticking(report.walk.result) == 0 &&
         is_neutral(sliding_stability(report.walk_case.machine)))
@@ -243,17 +239,18 @@ std::vector<report::Verdict> walk_verdicts(const WalkReport& report,
                                            const std::optional<Vibration>& vibration) {
     const WalkResult& result = report.walk.result;
     std::vector<report::Verdict> verdicts{outcome(report)};
+    const auto say = [&](const std::string& sentence) {
+        if (!sentence.empty()) verdicts.push_back({.sentence = sentence});
+    };
     if (result.regime == Regime::tilting || result.regime == Regime::sticking || result.drift)
         return verdicts;
     if (result.regime != Regime::steady && result.transient_over) {
-        verdicts.push_back({.sentence = jump(report)});
-        if (const auto text = walking(report); !text.empty())
-            verdicts.push_back({.sentence = text});
+        say(jump(report));
+        say(walking(report));
     }
-    if (const auto text = predictable(result); !text.empty())
-        verdicts.push_back({.sentence = text});
+    say(predictable(result));
     if (vibration && std::isfinite(vibration->characteristic.frequency))
-        verdicts.push_back({.sentence = vibrates(report, *vibration)});
+        say(vibrates(report, *vibration));
     return verdicts;
 }
 

@@ -1,14 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "contact/special_values.h"
 #include "walking/run/walk.h"
 
 namespace tricontact::walking {
 namespace {
-
-constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
 bool airborne(const Snapshot& snapshot) {
     return std::ranges::count(snapshot.spots, SpotState::released) == std::ssize(snapshot.spots);
@@ -19,7 +17,7 @@ bool airborne(const Snapshot& snapshot) {
 std::pair<double, double> stick_about(std::span<const Snapshot> snapshots, std::size_t turning,
                                       std::size_t spot) {
     const auto sticks = [&](std::size_t i) { return snapshots[i].spots[spot] == SpotState::stick; };
-    if (!sticks(turning)) return {never, never};
+    if (!sticks(turning)) return {contact::undefined, contact::undefined};
     std::size_t begin = turning, end = turning;
     while (begin > 0 && sticks(begin - 1)) --begin;
     while (end + 1 < snapshots.size() && sticks(end)) ++end;
@@ -29,8 +27,8 @@ std::pair<double, double> stick_about(std::span<const Snapshot> snapshots, std::
 void find_jump(std::span<const Snapshot> period, double rest, WalkPhases& phases) {
     const auto jump = std::find_if(period.begin(), period.end(), airborne);
     const auto landing = std::find_if_not(jump, period.end(), airborne);
-    phases.jump = jump != period.end() ? jump->motion.time : never;
-    phases.landing = landing != period.end() ? landing->motion.time : never;
+    phases.jump = jump != period.end() ? jump->motion.time : contact::undefined;
+    phases.landing = landing != period.end() ? landing->motion.time : contact::undefined;
     for (auto i = jump; i != landing; ++i)
         phases.jump_height = std::max(phases.jump_height, -i->motion.z / rest);
 }
@@ -53,7 +51,7 @@ std::optional<WalkPhases> phases_of(const Machine& machine, std::span<const Snap
     WalkPhases phases;
     phases.period = period;
     phases.turning_point = deepest->motion.time;
-    phases.sticking = phases.release = never;
+    phases.sticking = phases.release = contact::undefined;
     for (std::size_t spot = 0; spot < deepest->spots.size(); ++spot) {
         const auto [begin, end] = stick_about(three, turning, spot);
         // Also right where nothing has been found yet: fmin and fmax prefer numbers.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "contact/special_values.h"
 #include "statistics/stationarity.h"
 #include "walking/machine/motion.h"
 #include "walking/run/walk_judge.h"
@@ -62,7 +62,7 @@ double swing_error(std::span<const WalkWindow> windows) {
 /// springs stick while others slip, so that this does not tell.
 double lost_to_sticking(const Machine& machine, double mean) {
     return machine.model == Machine::Model::prism || machine.bed
-               ? std::numeric_limits<double>::infinity()
+               ? contact::infinity
                : std::abs(sliding_force(machine) - mean);
 }
 
@@ -108,7 +108,7 @@ bool only_sticks(std::span<const WalkWindow> windows) {
 
 std::size_t first_loaded(const Machine& machine, std::span<const WalkWindow> windows) {
     const double slack = rounding * sliding_force(machine);
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    double least = contact::infinity, greatest = -least;
     std::size_t first = windows.size();
     for (std::size_t i = windows.size(); i-- > 0;) {
         const double force = mean_force(windows[i]);
@@ -173,7 +173,7 @@ double expected_falls(const Machine& machine, std::span<const WalkWindow> window
                             tilting_limit(machine));
     if (rotations.size() < 6) return 0;
     if (!statistics::stationary(rotations) && continued(rotations, times) >= 1)
-        return std::numeric_limits<double>::infinity();
+        return contact::infinity;
     std::ranges::sort(rotations);
     const auto tail = std::span(rotations).subspan(rotations.size() / 2);
     const double median = tail.front(), excess = mean_of(tail) - median;

@@ -15,12 +15,6 @@ namespace tricontact::walking {
 
 namespace {
 
-std::size_t n_combinations(const std::vector<Factor>& factors) {
-    std::size_t n = 1;
-    for (const Factor& factor : factors) n *= factor.levels.size();
-    return n;
-}
-
 /// Parts of the model: of the mean, of one factor, or of two.
 struct Term {
     std::vector<std::size_t> factors;
@@ -200,9 +194,10 @@ const std::vector<ExclusionRule>& exclusion_rules() {
 FactorialDesign WalkFactorial::design(const std::vector<WalkGroup>& groups,
                                       const ExclusionRule& rule,
                                       double (*response)(const WalkOutcome& outcome)) const {
-    FactorialDesign design{
-        .factors = factors,
-        .response = std::vector<double>(n_combinations(factors), contact::undefined)};
+    std::size_t n = 1;
+    for (const Factor& factor : factors) n *= factor.levels.size();
+    FactorialDesign design{.factors = factors,
+                           .response = std::vector<double>(n, contact::undefined)};
     for (std::size_t i = 0; i < groups.size(); ++i)
         if (!rule.excludes(groups[i])) design.response[places[i]] = groups[i].mean(response);
     return design;

@@ -24,11 +24,9 @@ using json = nlohmann::ordered_json;
 WalkOutcome::SecondHalf second_half(const Machine& machine, const Walk& walk) {
     if (walk.result.tilting_time || walk.windows.empty())
         return {contact::undefined, contact::undefined, contact::undefined};
-    const StretchSums sums = total(std::span(walk.windows).subspan(walk.windows.size() / 2));
-    const double sliding = sliding_force(machine);
-    const double rest = static_displacement(machine);
-    return {sums.spring_force / static_cast<double>(sums.steps) / sliding, sums.z_min / rest,
-            sums.z_max / rest};
+    WalkResult half;
+    take_statistics(machine, total(std::span(walk.windows).subspan(walk.windows.size() / 2)), half);
+    return {half.mu_e, half.z_min_ratio, half.z_max_ratio};
 }
 
 double largest_phi(const Walk& walk) {
