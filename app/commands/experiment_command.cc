@@ -1,7 +1,7 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/identification_models.h"
-#include "experiments/records/experiment_reader.h"
+#include "experiments/records/experiment.h"
 #include "experiments/records/experiment_report.h"
 
 namespace tricontact::app {

@@ -2,7 +2,7 @@
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
-#include "experiments/assumptions/rig_reader.h"
+#include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 
 namespace tricontact::app {

@@ -1,9 +1,8 @@
-#include "experiments/assumptions/rig_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
 
+#include "experiments/assumptions/rig.h"
 #include "io/case/case_keys.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"

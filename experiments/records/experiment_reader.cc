@@ -1,7 +1,6 @@
-#include "experiments/records/experiment_reader.h"
-
 #include <algorithm>
 
+#include "experiments/records/experiment.h"
 #include "io/keys/field_reader.h"
 #include "io/keys/input_file.h"
 #include "io/keys/key.h"

@@ -1,10 +1,9 @@
-#include "experiments/assumptions/rig_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "contact/error.h"
+#include "experiments/assumptions/rig.h"
 #include "tests/unit/experiments/assumptions/rig_reports.h"
 
 namespace tricontact::rig_reader_test {

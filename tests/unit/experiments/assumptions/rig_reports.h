@@ -5,7 +5,7 @@
 #include <string>
 
 #include "experiments/assumptions/check_rig.h"
-#include "experiments/assumptions/rig_reader.h"
+#include "experiments/assumptions/rig.h"
 
 // What tests ask of the report of a file in examples/rigs/.
 namespace tricontact {

@@ -7,9 +7,9 @@
 #include <map>
 
 #include "contact/error.h"
-#include "experiments/assumptions/rig_reader.h"
+#include "experiments/assumptions/rig.h"
 #include "experiments/identification/identification_reader.h"
-#include "experiments/records/experiment_reader.h"
+#include "experiments/records/experiment.h"
 #include "io/case/case_reader.h"
 #include "io/case/study_reader.h"
 #include "io/keys/key_checks.h"
