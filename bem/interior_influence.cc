@@ -252,6 +252,12 @@ void LayerInteriorKernel::add(std::size_t level, double x, double y, double forc
     stress[5][1] += v[sheared_tau_deviation] * n2;
 }
 
+InteriorBody::InteriorBody(const contact::Material& half_space) : material(half_space) {}
+InteriorBody::InteriorBody(LayerStack stack, bool under_strips)
+    : material(stack.sheets.front().material),
+      layers(std::move(stack)),
+      plane_strain(under_strips) {}
+
 InteriorInfluence::InteriorInfluence(InteriorBody body, contact::Vector2 widths,
                                      std::vector<double> depths, double reach)
     : body_(std::move(body)), widths_(widths), depths_(std::move(depths)) {

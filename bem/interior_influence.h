@@ -38,9 +38,12 @@ class LayerInteriorKernel {
     std::vector<std::vector<Values>> tables_;  // per depth, over asinh(r/unit)
 };
 
-/// What is below the surface: layers, or (`layers` empty) a half-space of `material`.
+/// What is below the surface: layers, or (`layers` empty) a half-space.
 struct InteriorBody {
-    contact::Material material;
+    explicit InteriorBody(const contact::Material& half_space);
+    explicit InteriorBody(theory::LayerStack stack, bool under_strips = false);
+
+    contact::Material material;  ///< of the half-space or the uppermost layer
     std::optional<theory::LayerStack> layers;
     bool plane_strain = false;  ///< of layers, under strips: see PlaneInteriorInfluence
 };

@@ -108,17 +108,11 @@ contact::Vector2 path_extent(const contact::Case& c, double radius, double aside
     return extent;
 }
 
-InteriorBody inside_of(const contact::Case& c, Body body) {
-    if (body == Body::half_space) return {.material = c.substrate};
-    theory::LayerStack layers = theory::layers_of("bem-layer", c);
-    return {.material = layers.sheets.front().material,
-            .layers = std::move(layers),
-            .plane_strain = c.is_line_contact()};
-}
-
 InteriorView view_of(const contact::Case& c, Body body, double spacing, int n_threads) {
     const double radius = half_space_scales(c).contact_radius;
-    InteriorBody inside = inside_of(c, body);
+    InteriorBody inside = body == Body::half_space ? InteriorBody(c.substrate)
+                                                   : InteriorBody(theory::layers_of("bem-layer", c),
+                                                                  c.is_line_contact());
     double depth = c.output.volume_depth.value_or(default_depth * radius);
     if (inside.layers) depth = std::min(depth, inside.layers->thickness());
     return {std::move(inside), interior_depths(spacing, radius, depth), n_threads};

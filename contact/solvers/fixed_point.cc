@@ -6,8 +6,8 @@
 namespace tricontact::contact {
 
 namespace {
-constexpr std::size_t depth = 12;  // iterates remembered
-constexpr double much_grown = 4;   // over the least residual so far
+constexpr std::size_t most_remembered = 12;  // iterates
+constexpr double much_grown = 4;             // over the least residual so far
 constexpr double least_damping = .05;
 }  // namespace
 
@@ -23,7 +23,7 @@ std::vector<double> FixedPoint::next(const std::vector<double>& x, const std::ve
     const bool first = last_residual_.size() == 0;
     if (!first) {
         changes_.push_back({r - last_residual_, image - last_image_});
-        if (changes_.size() > depth) changes_.pop_front();
+        if (changes_.size() > most_remembered) changes_.pop_front();
     }
     if (!first && !(residual <= much_grown * least_)) {
         changes_.clear();

@@ -21,7 +21,7 @@ namespace {
 
 // Followed by the sizes of content and the content; numbers in the machine's own byte order: a
 // journal stays where it was written.
-constexpr std::string_view magic = "tricontact journal 2\n";
+constexpr std::string_view journal_head = "tricontact journal 2\n";
 
 [[noreturn]] void fail_by_system(int error) {
     throw std::system_error(error, std::generic_category());
@@ -68,7 +68,7 @@ JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(
     if (fd_ < 0) fail_by_system(errno);
     try {
         if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) fail_by_system(errno);
-        const std::string due = std::string(magic) + bytes_of(key.size()) + std::string(key);
+        const std::string due = std::string(journal_head) + bytes_of(key.size()) + std::string(key);
         header_checksum_ = checksum({}, due);
         const std::string header = due + header_checksum_;
         end_ = header.size();
@@ -86,10 +86,10 @@ JournalFile::JournalFile(const std::string& path, std::string_view key) : path_(
 
 void JournalFile::refuse_other_file(const std::string& path) {
     check_replaceable(path);
-    const std::string head = first_bytes(path, magic.size());
+    const std::string head = first_bytes(path, journal_head.size());
     const std::size_t n = head.size();
     std::size_t n_equal = 0;
-    for (std::size_t i = 0; i < n; ++i) n_equal += head[i] == magic[i] || head[i] == 0;
+    for (std::size_t i = 0; i < n; ++i) n_equal += head[i] == journal_head[i] || head[i] == 0;
     if (2 * n_equal < n)  // more than damage; zeros are what a power cut leaves
         io::fail(path, "", "is no journal of steps, for which its name is kept",
                  "move it away, or choose another output folder");

@@ -13,9 +13,9 @@ namespace {
 using Point = contact::ProfileCurve::Point;
 
 // The transform of a profile costs the square of its points; an analysis has dozens of rows.
-constexpr std::size_t most_rows = 1000;
-const CsvForm profile_form{"profile", "r [mm], h [um]", most_rows, "thin it out"};
-const CsvForm dma_form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", most_rows,
+constexpr std::size_t most_body_rows = 1000;
+const CsvForm profile_form{"profile", "r [mm], h [um]", most_body_rows, "thin it out"};
+const CsvForm dma_form{"DMA table", "frequency [Hz], G' [MPa], G'' [MPa]", most_body_rows,
                        "thin it out"};
 
 void check_points(const CsvTable& table, const std::vector<Point>& points) {
@@ -35,15 +35,15 @@ void check_points(const CsvTable& table, const std::vector<Point>& points) {
                            "give points beyond its edge");
 }
 
-constexpr std::array<std::string_view, 3> names{"frequency", "G'", "G''"};
+constexpr std::array<std::string_view, 3> dma_columns{"frequency", "G'", "G''"};
 
 void check_dma_columns(const CsvTable& table) {
     const auto& columns = table.columns();
-    for (std::size_t j = 0; j < columns.size() && j < names.size(); ++j)
-        if (columns[j].name != names[j])
+    for (std::size_t j = 0; j < columns.size() && j < dma_columns.size(); ++j)
+        if (columns[j].name != dma_columns[j])
             table.refuse_header("the column " + toml_string(shortened(columns[j].heading, 40)) +
-                                " should be " + std::string(names[j]));
-    if (columns.size() != names.size())
+                                " should be " + std::string(dma_columns[j]));
+    if (columns.size() != dma_columns.size())
         table.refuse_header("has " + std::to_string(columns.size()) + " columns instead of 3");
 }
 
@@ -51,7 +51,7 @@ void check_dma_columns(const CsvTable& table) {
 std::vector<double> angular_frequencies(const CsvTable& table) {
     const std::string unit = table.columns()[0].unit.value_or("Hz");
     if (unit.find("Hz") != std::string::npos || unit.find("hertz") != std::string::npos) {
-        auto omega = table.values(names[0], Dimension::frequency);
+        auto omega = table.values(dma_columns[0], Dimension::frequency);
         for (double& value : omega) value *= 2 * std::numbers::pi;
         return omega;
     }
@@ -61,7 +61,7 @@ std::vector<double> angular_frequencies(const CsvTable& table) {
         table.refuse_header(toml_string(shortened(unit, 40)) +
                             " is neither a frequency in Hz nor one in rad/s");
     }
-    return table.values(names[0], Dimension::angular_frequency);
+    return table.values(dma_columns[0], Dimension::angular_frequency);
 }
 
 }  // namespace
@@ -87,12 +87,13 @@ std::vector<Point> read_profile_table(const std::string& path) {
 contact::DmaTable read_dma_table(const std::string& path) {
     const CsvTable table = read_csv_table(path, dma_form);
     check_dma_columns(table);
-    for (const std::string_view column : names) table.check_positive(column);
-    table.check_increasing(names[0], "frequencies must increase from row to row", "sort the table");
+    for (const std::string_view column : dma_columns) table.check_positive(column);
+    table.check_increasing(dma_columns[0], "frequencies must increase from row to row",
+                           "sort the table");
     return {.name = table.name(),
             .omega = angular_frequencies(table),
-            .storage = table.values(names[1], Dimension::pressure),
-            .loss = table.values(names[2], Dimension::pressure)};
+            .storage = table.values(dma_columns[1], Dimension::pressure),
+            .loss = table.values(dma_columns[2], Dimension::pressure)};
 }
 
 }  // namespace tricontact::io

@@ -43,7 +43,8 @@ TEST(GridInterior, IsTheSumOverAllCells) {
     const Loads loads = some_loads(9, 6, h);
     const std::vector<double> depths{0, .4e-3, 2e-3};
     const InteriorView view{
-        {rubber, theory::LayerStack{{{rubber, 3e-3}}, theory::LayerBase::bonded, {}}}, depths, 1};
+        InteriorBody(theory::LayerStack{{{rubber, 3e-3}}, theory::LayerBase::bonded, {}}), depths,
+        1};
     const Interior fields = grid_interior(view, loads.grid, loads.p, loads.t);
     const InteriorInfluence cell(view.body, {h, h}, depths, 20e-3);
     ASSERT_EQ(fields.axes[2], (std::vector<double>{-2e-3, -.4e-3, 0}));
@@ -73,7 +74,7 @@ TEST(GridInterior, ForceAndEnergyAreThoseOfTheContact) {
     const Loads loads = some_loads(9, 6, h);
     auto compliance = half_space_compliance({{}, rubber}, loads.grid, 1);
     EXPECT_EQ(compliance->interior(loads.p, loads.t), nullptr);  // nobody told it
-    compliance->set_view({{rubber, {}}, {0, 1e-3}, 1});
+    compliance->set_view({InteriorBody(rubber), {0, 1e-3}, 1});
     const auto fields = compliance->interior(loads.p, loads.t);
     const std::size_t n = loads.p.size();
     std::vector<double> u_z(n), by_shear(n);
@@ -98,7 +99,7 @@ TEST(GridInterior, ForceAndEnergyAreThoseOfTheContact) {
 
 TEST(GridInterior, ThreadsChangeNoBit) {
     const Loads loads = some_loads(9, 6, h);
-    InteriorView view{{rubber, {}}, {0, 1e-3, 2e-3, 3e-3}, 1};
+    InteriorView view{InteriorBody(rubber), {0, 1e-3, 2e-3, 3e-3}, 1};
     const auto one = grid_interior(view, loads.grid, loads.p, loads.t);
     view.n_threads = 3;
     const auto three = grid_interior(view, loads.grid, loads.p, loads.t);
@@ -110,7 +111,8 @@ TEST(GridInterior, ThreadsChangeNoBit) {
 // 300 cells along x become blocks of 3: the force is kept, and points are few.
 TEST(GridInterior, LargeGridsAreTakenByBlocks) {
     const Loads loads = some_loads(300, 8, .1e-3);
-    const auto fields = grid_interior({{rubber, {}}, {0, 1e-3}, 1}, loads.grid, loads.p, loads.t);
+    const auto fields =
+        grid_interior({InteriorBody(rubber), {0, 1e-3}, 1}, loads.grid, loads.p, loads.t);
     EXPECT_NEAR(fields.axes[0][20] - fields.axes[0][19], .3e-3, 1e-12);
     EXPECT_LT(fields.axes[0].size(), 150U);
     double force = 0;

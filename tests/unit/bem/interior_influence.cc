@@ -25,17 +25,16 @@ Material material(double nu) {
 }
 
 InteriorBody half_space(double nu) {
-    return {material(nu), {}};
+    return InteriorBody(material(nu));
 }
 InteriorBody layers(double nu, LayerBase base = LayerBase::bonded) {
-    return {material(nu), LayerStack{{{material(nu), b}}, base, {}}};
+    return InteriorBody(LayerStack{{{material(nu), b}}, base, {}});
 }
 InteriorBody two_layers() {
-    return {material(.5),
-            LayerStack{{{material(.5), b}, {{5e7, .2}, b / 2}}, LayerBase::bonded, {}}};
+    return InteriorBody(LayerStack{{{material(.5), b}, {{5e7, .2}, b / 2}}, LayerBase::bonded, {}});
 }
 InteriorBody on_ground() {
-    return {material(.3), LayerStack{{{material(.3), b}}, LayerBase::bonded, Material{4e7, .1}}};
+    return InteriorBody(LayerStack{{{material(.3), b}}, LayerBase::bonded, Material{4e7, .1}});
 }
 
 constexpr std::array<std::array<int, 3>, 3> index = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}};
@@ -164,8 +163,7 @@ TEST(InteriorInfluence, FarAwayItIsAPointForce) {
 TEST(InteriorInfluence, AThickLayerIsTheHalfSpace) {
     std::vector<double> differences;
     for (const double thickness : {50e-3, 100e-3}) {
-        const InteriorBody thick{material(.3),
-                                 LayerStack{{{material(.3), thickness}}, LayerBase::bonded, {}}};
+        const InteriorBody thick(LayerStack{{{material(.3), thickness}}, LayerBase::bonded, {}});
         const auto s = InteriorInfluence(thick, widths, {2e-3}, 5e-3).at(0, 1e-3, 1e-3).stress;
         const auto due =
             InteriorInfluence(half_space(.3), widths, {2e-3}, 5e-3).at(0, 1e-3, 1e-3).stress;

@@ -32,8 +32,7 @@ TEST(BemPlaneInterior, IsARowOfCells) {
     const int beside = 36;
     for (const LayerStack& stack : {layer(-.4), layer(.3), layer(.5), two_layers()}) {
         const std::vector<double> depths{0, .4, 1, stack.thickness()};
-        const InteriorInfluence cells({stack.sheets.front().material, stack}, {width, length},
-                                      depths, 20);
+        const InteriorInfluence cells(InteriorBody(stack), {width, length}, depths, 20);
         const PlaneInteriorInfluence strip(stack, width, depths, 3);
         for (std::size_t level = 0; level < depths.size(); ++level)
             for (const double x : {0., .2, -.6, 2.9}) {
@@ -101,7 +100,6 @@ TEST(BemPlaneInterior, ForcePassesThroughEveryDepth) {
 // coefficients, and blocks of three as good as single strips away from the surface.
 TEST(BemPlaneInterior, OfARowOfStrips) {
     const double h = .02, length = 7;
-    const Material material{2.3, .3};
     const auto fields_of = [&](int n) {
         const auto grid = contact::ContactPoints::grid(n, 1, {-(n / 2) * h, 0}, {h, length});
         std::vector<double> p(n, 0);
@@ -112,7 +110,7 @@ TEST(BemPlaneInterior, OfARowOfStrips) {
             t.y[n / 2 + k] = std::sin(5. * k + 1);
         }
         auto compliance = plane_layer_compliance(layer(.3), {}, grid, 1);
-        compliance->set_view({{material, layer(.3), true}, {0, .5, 1}, 1});
+        compliance->set_view({InteriorBody(layer(.3), true), {0, .5, 1}, 1});
         auto fields = *compliance->interior(p, t);
         std::vector<double> u_z(n), by_shear(n);
         contact::TangentialField u(n), by_pressure(n);

@@ -108,8 +108,8 @@ double line_contact_error(int cells) {
     };
     for (int i = 0; i < n; ++i)
         p[i] = p0 * a / h * (integral((grid.x[i] + h / 2) / a) - integral((grid.x[i] - h / 2) / a));
-    const Interior fields =
-        grid_interior({{{5e6, nu}, {}}, {0, .3 * a, a, 2 * a}, 1}, grid, p, TangentialField(n));
+    const Interior fields = grid_interior({InteriorBody({5e6, nu}), {0, .3 * a, a, 2 * a}, 1}, grid,
+                                          p, TangentialField(n));
     double worst = 0;
     for (std::size_t k = 0; k < fields.size(); ++k) {
         const auto [x, y, z] = fields.position(k);
@@ -150,8 +150,7 @@ TEST(BemInterior, ForcePassesThroughEveryDepthOfALayer) {
         }
     for (const double nu : {.3, .5}) {
         const Material material{5e6, nu};
-        const InteriorBody body{material,
-                                theory::LayerStack{{{material, b}}, theory::LayerBase::bonded, {}}};
+        const InteriorBody body(theory::LayerStack{{{material, b}}, theory::LayerBase::bonded, {}});
         const Interior fields = grid_interior({body, {0, b / 2, b}, 1}, grid, p, t);
         std::array<std::array<double, 3>, 3> force{};  // per level from below
         for (std::size_t k = 0; k < fields.size(); ++k) {

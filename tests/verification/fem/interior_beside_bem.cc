@@ -59,7 +59,7 @@ Axis by_convolution(const Case& c, const contact::Surface& s, const std::vector<
     t.x = s.tangential_traction_x;
     t.y = s.tangential_traction_y;
     const auto inside = bem::grid_interior(
-        {{c.substrate, stack}, from_surface, 1},
+        {bem::InteriorBody(stack), from_surface, 1},
         contact::ContactPoints::grid(s.n_x, s.n_y, s.first, s.spacing), s.normal_traction, t);
     return axis_of(inside);
 }
