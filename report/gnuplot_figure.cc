@@ -10,7 +10,7 @@
 #include <system_error>
 #include <thread>
 
-#include "report/plot_style.h"
+#include "report/gnuplot_parts.h"
 
 namespace tricontact::report {
 
@@ -19,98 +19,9 @@ namespace {
 constexpr int most_key_columns = 2;
 constexpr int key_line = 22;  // height of a line of the key [CSS pixels]
 
-/// A text in gnuplot's single quotes.
-std::string quoted(const std::string& text) {
-    return "'" + gnuplot_label(text) + "'";
-}
-
 std::string grey(double shade) {
     const int level = static_cast<int>(std::lround(255 * (1 - shade)));
     return fmt::format("#{0:02x}{0:02x}{0:02x}", level);
-}
-
-/// Smallest and largest value of all that is drawn along an axis.
-struct Extent {
-    double low = INFINITY, high = -INFINITY;
-
-    void include(const std::vector<double>& values) {
-        for (const double value : values)
-            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
-    }
-};
-
-std::string end_of(std::optional<double> value) {
-    return value ? fmt::format("{:.6g}", *value) : "*";
-}
-
-/// Commands of one axis, 'x' or 'y'.
-std::string axis_commands(char name, const FigureAxis& axis, Extent extent) {
-    std::string text = fmt::format("set {0}label {1}\nset {0}range [{2}:{3}]\n", name,
-                                   quoted(axis.label), end_of(axis.low), end_of(axis.high));
-    if (!axis.logarithmic) return text;
-    const bool decades = axis.high.value_or(extent.high) >= 30 * axis.low.value_or(extent.low);
-    return text + fmt::format("set logscale {0}\nset m{0}tics 10\nset format {0} '{1}'\n", name,
-                              decades ? "10^{%T}" : "%g");
-}
-
-std::string axes(const Figure& figure) {
-    Extent x, y;
-    for (const Curve& curve : figure.curves) x.include(curve.x), y.include(curve.y);
-    for (const Band& band : figure.bands)
-        x.include(band.x), y.include(band.low), y.include(band.high);
-    if (figure.map) x.include(figure.map->x), y.include(figure.map->y);
-    return axis_commands('x', figure.x, x) + axis_commands('y', figure.y, y);
-}
-
-/// Inline data and what draws them.
-struct Parts {
-    std::string data;
-    std::vector<std::string> plots;
-
-    /// Adds a block; its name.
-    std::string add_data(const std::vector<std::vector<double>>& columns) {
-        const std::string name = fmt::format("$data{}", n_blocks_++);
-        data += data_block(name, columns);
-        return name;
-    }
-    std::string plot(const char* command = "plot") const {
-        return plots.empty() ? "" : fmt::format("{} {}\n", command, fmt::join(plots, ", "));
-    }
-
-  private:
-    int n_blocks_ = 0;
-};
-
-std::string colour_of(std::optional<int> style) {
-    return style ? model_colour(static_cast<std::size_t>(*style)) : theory_colour;
-}
-
-/// `flat`: on the ground of `splot`, without error bars.
-void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
-                bool with_key, Parts& parts) {
-    constexpr const char* kinds[] = {"lines", "points", "linespoints"};
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const Curve& curve = curves[i];
-        if (curve.x.empty()) continue;
-        const std::string colour = colour_of(styles.curves[i]);
-        std::string plot = fmt::format("{} using {} with {} linecolor rgb '{}'",
-                                       parts.add_data({curve.x, curve.y}), flat ? "1:2:(0)" : "1:2",
-                                       kinds[static_cast<int>(curve.kind)], colour);
-        if (curve.kind != Curve::Kind::points)
-            plot += fmt::format(" linewidth 1.5 dashtype {}", styles.dashes[i] + 1);
-        if (curve.kind != Curve::Kind::line)
-            plot +=
-                fmt::format(" pointtype {} pointsize 0.7",
-                            model_marker(static_cast<std::size_t>(styles.curves[i].value_or(0))));
-        const bool named = with_key && styles.named[i];
-        parts.plots.push_back(plot + (named ? " title " + quoted(curve.name) : " notitle"));
-        for (const auto& [errors, axis] : {std::pair(&curve.x_error, 'x'), {&curve.y_error, 'y'}})
-            if (!errors->empty() && !flat)
-                parts.plots.push_back(fmt::format(
-                    "{} using 1:2:3 with {}errorbars pointtype 0 linewidth 1 linecolor rgb '{}' "
-                    "notitle",
-                    parts.add_data({curve.x, curve.y, *errors}), axis, colour));
-    }
 }
 
 void add_bands(const Figure& figure, const FigureStyles& styles, Parts& parts) {
@@ -210,9 +121,20 @@ std::string grid_data(const ContourMap& map) {
     return text + "EOD\n";
 }
 
-Picture map_picture(const Figure& figure) {
-    constexpr int margins = 130, width = 400;  // of the frame, above, below and across [CSS pixels]
+/// The ends of an axis of a map, which its values reach where nothing else is said.
+FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
+    if (!axis.low) axis.low = values.front();
+    if (!axis.high) axis.high = values.back();
+    return axis;
+}
+
+Picture map_picture(const Figure& given) {
+    // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
+    constexpr int frame = 400, left = 84, right = 116, foot = 70, head = 16;
+    Figure figure = given;
     const ContourMap& map = *figure.map;
+    figure.x = filled(figure.x, map.x);
+    figure.y = filled(figure.y, map.y);
     const FigureStyles styles = styles_of(figure);
     Parts parts;
     const bool has_values =
@@ -223,24 +145,31 @@ Picture map_picture(const Figure& figure) {
             "$lines using 1:2:(0) with lines linewidth 0.7 linecolor rgb '#1a1a1a' notitle");
     }
     add_curves(figure.curves, styles, true, true, parts);
-    const auto length = [](const FigureAxis& axis, const std::vector<double>& values) {
-        return std::abs(axis.high.value_or(values.back()) - axis.low.value_or(values.front()));
-    };
-    const double ratio =
-        figure.equal_scales ? length(figure.y, map.y) / length(figure.x, map.x) : 0.75;
+    const auto length = [](const FigureAxis& axis) { return std::abs(*axis.high - *axis.low); };
+    const double ratio = figure.equal_scales ? length(figure.y) / length(figure.x) : 0.75;
+    const int key = key_line * static_cast<int>(std::ranges::count(styles.named, true));
+    const int map_height = static_cast<int>(std::lround(frame * ratio));
+    const int width = left + frame + right, height = head + key + map_height + foot;
+    const auto share = [](int pixels, int all) { return static_cast<double>(pixels) / all; };
     const std::string levels =
         map.levels.empty() ? "auto 8" : fmt::format("discrete {:.6g}", fmt::join(map.levels, ", "));
-    return {600, margins + static_cast<int>(std::lround(width * ratio)),
-            grid_data(map) + parts.data + plot_style() + axes(figure) +
-                (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
-                                          "surface\nset table $lines\nsplot $map using 1:2:3\n"
-                                          "unset table\nset surface\nunset contour\n",
-                                          levels)
-                            : "") +
-                fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
-                            "set size ratio {:.4g}\nset cblabel {}\n",
-                            palette, ratio, quoted(map.label)) +
-                key_commands(styles.named) + parts.plot("splot")};
+    return {
+        width, height,
+        grid_data(map) + parts.data + plot_style() + axes(figure) +
+            (has_values ? fmt::format("set contour base\nset cntrparam levels {}\nunset "
+                                      "surface\nset table $lines\nsplot $map using 1:2:3\n"
+                                      "unset table\nset surface\nunset contour\n",
+                                      levels)
+                        : "") +
+            fmt::format("set border 15\nunset grid\nset pm3d map interpolate 2,2\n{}"
+                        "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
+                        "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n"
+                        "set cblabel {}\nset key at screen {:.4g},{:.4g} top center maxcols 1 "
+                        "samplen 1.6\n",
+                        palette, share(left, width), share(left + frame, width),
+                        share(foot + map_height, height), share(foot, height), quoted(map.label),
+                        share(left + frame / 2, width), share(height - head / 2, height)) +
+            parts.plot("splot")};
 }
 
 /// Runs of a kind along the rows, as boxes (x, y, x_low, x_high, y_low, y_high): far fewer than

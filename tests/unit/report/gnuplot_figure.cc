@@ -97,6 +97,24 @@ TEST(GnuplotFigure, TheScriptHoldsTheData) {
     EXPECT_TRUE(contains(picture_of(map()).script, "1 1 NaN\n"));
 }
 
+// One entry of the key for a line and the places that are marked on it.
+TEST(GnuplotFigure, TheKeyShowsTheMarkersOfALine) {
+    Figure figure = curves();
+    EXPECT_FALSE(contains(picture_of(figure).script, "keyentry"));
+    figure.curves.push_back({.name = "MDR", .x = {0}, .y = {2}, .kind = Curve::Kind::points});
+    const std::string script = picture_of(figure).script;
+    EXPECT_TRUE(contains(script, "keyentry with linespoints"));
+    const std::string entry = "title 'MDR'";
+    EXPECT_EQ(script.find(entry), script.rfind(entry));
+}
+
+TEST(GnuplotFigure, AMapEndsWhereItsValuesDo) {
+    const std::string script = picture_of(map()).script;
+    EXPECT_TRUE(contains(script, "set xrange [0:2]"));
+    EXPECT_TRUE(contains(script, "set yrange [0:1]"));
+    EXPECT_TRUE(contains(script, "set ylabel 'y/a'"));
+}
+
 // Where the system gives no further thread - here none whose stack is larger than all addresses -
 // one draws them all.
 TEST(GnuplotFigure, OneThreadDrawsWhatMoreWouldDraw) {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/figure.h"
+#include "report/plot_style.h"
+
+// What gnuplot's pictures are put together from.
+namespace tricontact::report {
+
+/// A text in gnuplot's single quotes.
+std::string quoted(const std::string& text);
+
+/// Colour of a curve or band; of theory where it has no model's style.
+std::string colour_of(std::optional<int> style);
+
+/// Commands of both axes: labels, ranges, logarithms.
+std::string axes(const Figure& figure);
+
+/// Inline data and what draws them.
+struct Parts {
+    std::string data;
+    std::vector<std::string> plots;
+
+    /// Adds a block; its name.
+    std::string add_data(const std::vector<std::vector<double>>& columns) {
+        const std::string name = fmt::format("$data{}", n_blocks_++);
+        data += data_block(name, columns);
+        return name;
+    }
+    std::string plot(const char* command = "plot") const {
+        return plots.empty() ? "" : fmt::format("{} {}\n", command, fmt::join(plots, ", "));
+    }
+
+  private:
+    int n_blocks_ = 0;
+};
+
+/// `flat`: on the ground of `splot`, without error bars.
+void add_curves(const std::vector<Curve>& curves, const FigureStyles& styles, bool flat,
+                bool with_key, Parts& parts);
+
+}  // namespace tricontact::report
