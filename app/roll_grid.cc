@@ -2,6 +2,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/case_run.h"
 #include "app/roll_models.h"
 #include "bem/model.h"
 #include "io/keys/toml_document.h"
@@ -89,9 +90,11 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     RollRecorder recorder{{model, {}, {}, {}}, runs, c.friction_coefficient};
     rolling::TransientRolling rolling(*substrate, problem);
     roll_on(c, rolling, recorder);
+    require_sound(rolling.audit(), model);
     rolling::SteadyRolling steady =
         substrate->relaxes() ? rolling::roll_until_steady(rolling, recorder.run.history.transient)
                              : rolling::steady_rolling(substrate->compliance(), problem);
+    require_sound(steady.audit, model);
     recorder.note_steady(steady.state, std::move(steady.surface));
     // Who rolls freely has a curve about the creepage that it has by itself.
     const bool free =
@@ -99,7 +102,9 @@ RollingRun roll_on_grid(const std::string& model, const Case& c, const RollRuns&
     recorder.add_curve(free ? recorder.run.history.steady.creepage.longitudinal : 0,
                        drive_sign(c) * sliding_creepage(c), [&](double creepage) {
                            problem.drive.creepage[0] = creepage;
-                           return rolling::steady_rolling(*substrate, problem).state;
+                           const auto point = rolling::steady_rolling(*substrate, problem);
+                           require_sound(point.audit, model);
+                           return point.state;
                        });
     return std::move(recorder.run);
 }

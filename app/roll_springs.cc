@@ -3,6 +3,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/case_run.h"
 #include "app/roll_models.h"
 #include "mdr/model.h"
 #include "rolling/creep_theory.h"
@@ -176,6 +177,7 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     const double unit = rolling::creepage_unit(c);
     RollingState steady = steady_state(bed, given.longitudinal_creepage, unit);
     steady.distance = contact::infinity;
+    require_sound(bed.model().audit(), "mdr");
     recorder.note_steady(steady, bed.model().surface());
     const contact::MaterialPair materials = c.materials();
     const double sliding =
@@ -183,7 +185,9 @@ RollingRun roll_springs(const Case& c, const RollRuns& runs) {
     recorder.add_curve(0, drive_sign(c) * sliding, [&](double creepage) {
         RollingBed at_creepage(c, 4 * a);  // two contact lengths
         at_creepage.press(0);
-        return steady_state(at_creepage, creepage, unit);
+        const RollingState point = steady_state(at_creepage, creepage, unit);
+        require_sound(at_creepage.model().audit(), "mdr");
+        return point;
     });
     return std::move(recorder.run);
 }
