@@ -128,10 +128,9 @@ FigureAxis filled(FigureAxis axis, const std::vector<double>& values) {
     return axis;
 }
 
-Picture map_picture(const Figure& given) {
+Picture map_picture(Figure figure) {
     // Around the frame [CSS pixels]: labels of the axes, the bar of colours, the key.
     constexpr int frame = 400, left = 84, right = 116, foot = 70, head = 16;
-    Figure figure = given;
     const ContourMap& map = *figure.map;
     figure.x = filled(figure.x, map.x);
     figure.y = filled(figure.y, map.y);
