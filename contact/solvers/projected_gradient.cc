@@ -81,19 +81,20 @@ class ProjectedGradient {
     Balance balance_at(const TangentialField& point, const Vector2& shift) const {
         Balance b;
         for (const std::size_t i : active_) {
-            const Vector2 v = point.at(i) + shift;
+            const Vector2 v = point.at(i) + problem_.tilt.apply(i, shift);
             const double bound = problem_.bound[i], size = norm(v);
             const bool slips = size > bound;
             const Vector2 p = project_on_disc(v, bound);
-            b.missing = b.missing - area_[i] * p;
+            b.missing = b.missing - area_[i] * problem_.tilt.apply(i, p);
             b.scale += area_[i] * bound;
             b.area += area_[i];
             b.potential += area_[i] * (slips ? bound * (size - bound / 2) : size * size / 2);
             const double a = area_[i] * (slips ? bound / size : 1);
             const Vector2 e = slips ? v / size : Vector2{};
-            b.j_xx += a * (1 - e[0] * e[0]);
-            b.j_xy -= a * e[0] * e[1];
-            b.j_yy += a * (1 - e[1] * e[1]);
+            const Vector2 x = problem_.tilt.apply(i, {1, 0}), y = problem_.tilt.apply(i, {0, 1});
+            b.j_xx += a * (dot(x, x) - dot(e, x) * dot(e, x));
+            b.j_xy += a * (dot(x, y) - dot(e, x) * dot(e, y));
+            b.j_yy += a * (dot(y, y) - dot(e, y) * dot(e, y));
         }
         for (int d = 0; d < 2; ++d) {
             if (force_controlled(d)) {
@@ -136,7 +137,8 @@ class ProjectedGradient {
             }
         }
         for (const std::size_t i : active_)
-            t.set(i, project_on_disc(point.at(i) + shift_, problem_.bound[i]));
+            t.set(i, project_on_disc(point.at(i) + problem_.tilt.apply(i, shift_),
+                                     problem_.bound[i]));
     }
 
     /// The last move goes against the momentum: start the acceleration again.

@@ -38,7 +38,7 @@ class Newton {
             force_controlled_[d] = problem.control[d].kind == TangentialControl::Kind::force;
         sum_bounds();
         check_force_is_carried();
-        system_.emplace(compliance_, active_, products_, force_controlled_);
+        system_.emplace(compliance_, active_, products_, force_controlled_, problem_.tilt);
     }
 
     void run() {
@@ -129,7 +129,7 @@ class Newton {
         const auto& now = solution_.displacement;
         for (std::size_t k = 0; k < active_.size(); ++k) {
             const std::size_t i = active_[k];
-            slip_[k] = solution_.shift_increment + before.at(i) - now.at(i);
+            slip_[k] = problem_.tilt.apply(i, solution_.shift_increment) + before.at(i) - now.at(i);
         }
     }
 
@@ -150,7 +150,7 @@ class Newton {
             // A start from other bounds may be close and yet slip below the bound: not accepted.
             on_bound_ = on_bound_ && (norm(trial(k)) <= problem_.bound[i] ||
                                       norm(t) >= problem_.bound[i] * (1 - 1e-11));
-            force = force + area_[i] * t;
+            force = force + area_[i] * problem_.tilt.apply(i, t);
         }
         solution_.residual = worst / mean_bound_;
         solution_.force_residual = 0;
@@ -207,7 +207,8 @@ class Newton {
             Vector2 t = traction().at(i) + result.z.at(i);
             if (slipping_[k]) t = onto_edge(t, problem_.bound[i]);
             traction().set(i, t);
-            slip_[k] = slip_[k] + (result.shift_increment - result.a_z.at(i));
+            slip_[k] =
+                slip_[k] + (problem_.tilt.apply(i, result.shift_increment) - result.a_z.at(i));
         }
     }
 

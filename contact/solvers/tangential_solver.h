@@ -11,7 +11,7 @@
 namespace tricontact::contact {
 
 /// One step of frictional contact at given pressures: find tractions t on the substrate,
-/// |t| <= bound, such that the slip s = dU + u_previous - A t vanishes where |t| < bound and points
+/// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and points
 /// along t where |t| = bound.
 struct TangentialProblem {
     const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
@@ -21,6 +21,8 @@ struct TangentialProblem {
     /// Displacement over traction of the contact as a whole [m/Pa], e.g. indentation over mean
     /// pressure: relates slip to traction in zones and residual.
     double contact_compliance;
+    /// Of the surface whose own directions t and s are along.
+    Tilt tilt = {};
 };
 
 struct TangentialSolution {
@@ -29,7 +31,7 @@ struct TangentialSolution {
     Vector2 shift_increment{};     ///< dU [m], indenter over substrate
     int iterations = 0;            ///< applications of the compliance
     double residual = 0;           ///< see TangentialSolver
-    double force_residual = 0;  ///< |sum t A - F| / sum bound A, worst force-controlled direction
+    double force_residual = 0;  ///< |sum D t A - F| / sum bound A, worst force-controlled direction
 };
 
 /// Semismooth Newton method (active set): the unknowns are t where points stick and the traction's

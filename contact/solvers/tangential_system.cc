@@ -108,14 +108,24 @@ std::unique_ptr<const ActiveOperator> make_active_operator(const Compliance& com
     return std::make_unique<ProductOperator>(compliance);
 }
 
+/// E follows from turning (0, 0, 1) to the normal (-slope, 1)/n: D = 1 - slope slope'/(n (n + 1)).
+Tilt::Tilt(const TangentialField& slope) : parts_(slope.size()) {
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const auto [x, y] = slope.at(i);
+        const double n = std::sqrt(1 + x * x + y * y), factor = 1 / (n * (n + 1));
+        parts_[i] = {1 - factor * x * x, -factor * x * y, 1 - factor * y * y};
+    }
+}
+
 TangentialSystem::TangentialSystem(const Compliance& compliance,
                                    const std::vector<std::size_t>& active,
                                    const ActiveOperator& products,
-                                   std::array<bool, 2> force_controlled)
+                                   std::array<bool, 2> force_controlled, Tilt tilt)
     : compliance_(compliance),
       active_(active),
       products_(products),
       force_controlled_(force_controlled),
+      tilt_(std::move(tilt)),
       scaling_(active.size()) {
     const std::size_t n = compliance.points().size();
     for (const std::size_t i : active_) area_ += compliance.points().area[i];
@@ -137,10 +147,8 @@ bool TangentialSystem::set_zones(const std::vector<std::uint8_t>& slipping,
 
     for (int d = 0; d < 2; ++d) {
         if (!force_controlled_[d]) continue;
-        for (const std::size_t i : active_) {
-            constraint_[d].x[i] = d == 0;
-            constraint_[d].y[i] = d == 1;
-        }
+        for (const std::size_t i : active_)
+            constraint_[d].set(i, tilt_.apply(i, {d == 0 ? 1. : 0., d == 1 ? 1. : 0.}));
         project(constraint_[d]);
         precondition(constraint_[d], preconditioned_[d]);
     }
@@ -182,7 +190,7 @@ double TangentialSystem::inner(const TangentialField& a, const TangentialField& 
 Vector2 TangentialSystem::total(const TangentialField& z) const {
     const auto& area = compliance_.points().area;
     Vector2 sum{};
-    for (const std::size_t i : active_) sum = sum + area[i] * z.at(i);
+    for (const std::size_t i : active_) sum = sum + area[i] * tilt_.apply(i, z.at(i));
     return sum;
 }
 

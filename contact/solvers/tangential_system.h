@@ -10,6 +10,26 @@
 
 namespace tricontact::contact {
 
+/// How the surface's own directions at each point lie to the plane z = 0 in which the body is
+/// shifted and forces are counted: D = E'[x y], E the two orthonormal directions of the tilted
+/// surface, is symmetric where E is x and y turned by the shortest way. A rigid shift U moves the
+/// point by D U along them, tractions t along them carry D t in the plane.
+class Tilt {
+  public:
+    Tilt() = default;  ///< of a plane surface
+    /// `slope` [-]: of the surface, per point.
+    explicit Tilt(const TangentialField& slope);
+
+    Vector2 apply(std::size_t i, const Vector2& v) const {
+        if (parts_.empty()) return v;
+        const auto& [xx, xy, yy] = parts_[i];
+        return {xx * v[0] + xy * v[1], xy * v[0] + yy * v[1]};
+    }
+
+  private:
+    std::vector<std::array<double, 3>> parts_;
+};
+
 /// The tangential compliance among the points in contact, for many products with tractions that
 /// vanish elsewhere. Fields have an entry for each point of the compliance; only those of active
 /// points are read.
@@ -52,7 +72,8 @@ class TangentialSystem {
 
     /// `active`: indices of the points in contact; `products`: the compliance among them.
     TangentialSystem(const Compliance& compliance, const std::vector<std::size_t>& active,
-                     const ActiveOperator& products, std::array<bool, 2> force_controlled);
+                     const ActiveOperator& products, std::array<bool, 2> force_controlled,
+                     Tilt tilt = {});
 
     /// What stands per active point: whether it slips, and if so the unit tangent of its friction
     /// disc and the curvature D [m/Pa]. False if the force balance is singular on these zones.
@@ -90,6 +111,7 @@ class TangentialSystem {
     const std::vector<std::size_t>& active_;
     const ActiveOperator& products_;
     std::array<bool, 2> force_controlled_;
+    Tilt tilt_;
     double area_ = 0;  // of the active points [m^2]
     std::vector<std::uint8_t> slipping_;
     std::vector<Vector2> tangent_;

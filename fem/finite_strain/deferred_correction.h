@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/load_path.h"
+#include "contact/solvers/normal_solver.h"
+#include "contact/solvers/tangential_solver.h"
+#include "fem/condensation.h"
+#include "fem/discretisation.h"
+#include "fem/finite_strain/contact_frames.h"
+#include "fem/finite_strain/strained_body.h"
+
+namespace tricontact::fem {
+
+/// A body at finite strains and the indenter on it.
+struct ContactedBody {
+    StrainedState body;
+    Pose pose;
+    std::vector<Vector3> position;       ///< of the contact points, x, y and into the substrate [m]
+    std::vector<double> pressure;        ///< vertical force over reference area [Pa]
+    contact::TangentialField traction;   ///< of friction along the frames [Pa]
+    contact::TangentialField slip;       ///< of the step, indenter over substrate, likewise [m]
+};
+
+/// Solves a step of frictional contact at finite strains by the linear layer's factor and its
+/// condensed compliance: what the linear elasticity leaves of the balance of forces is a load on it
+/// in the next iteration (deferred correction), in which contact is linear in the frames of the
+/// present surface. Gap, normals and slip are those of the displaced surface and of the indenter's
+/// full motion.
+class DeferredCorrection {
+  public:
+    struct Problem {
+        const Discretisation& discretisation;
+        const StrainedBody& body;
+        const Condensation& condensation;         ///< factor of the linear stiffness
+        const contact::Compliance& compliance;    ///< of the same, on the contact points
+        const contact::Indenter& indenter;
+        double rolling_radius;        ///< [m]
+        double friction_coefficient;  ///< [-]
+        double tolerance;             ///< [-] on forces over the largest, and lengths over d
+    };
+    /// What an iteration and the solution left.
+    struct Report {
+        int iterations = 0;
+        double force_residual = 0;  ///< of all nodes, over the forces on the surface [-]
+        double displacement_residual = 0;  ///< last change of the surface over d [-]
+        contact::NormalSolution normal;
+        contact::TangentialSolution tangential;
+    };
+
+    explicit DeferredCorrection(const Problem& problem);
+
+    /// From the state `before` to that at the end of the step; `now` holds the start of the
+    /// iteration. Throws NotConverged.
+    Report solve(const contact::LoadStep& step, const ContactedBody& before,
+                 ContactedBody& now) const;
+    ContactedBody at_rest() const;
+    /// F_N downwards and F_T in the plane [N], of the whole contact.
+    Vector3 forces(const ContactedBody& state) const;
+
+  private:
+    struct Iterate;
+    std::vector<Vector3> positions(const StrainedState& body) const;
+    void add_surface_forces(const ContactedBody& state, const ContactFrames& frames, double factor,
+                            std::vector<double>& force) const;
+    double balance_residual(const ContactedBody& state, const ContactFrames& frames,
+                            const StrainedBody::Response& response) const;
+    /// By nodes, of forces by nodes; held components are zero.
+    std::vector<double> solve_linear(const std::vector<double>& force) const;
+    void solve_contact(const contact::LoadStep& step, const ContactedBody& before,
+                       const ContactFrames& frames, const std::vector<double>& displacement,
+                       ContactedBody& now, Report& report) const;
+
+    Problem problem_;
+};
+
+}  // namespace tricontact::fem

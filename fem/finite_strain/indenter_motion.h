@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "contact/vector2.h"
+
+namespace tricontact::fem {
+
+// Of vectors in the plane.
+using contact::operator+, contact::operator-, contact::operator*, contact::operator/;
+using contact::dot;
+
+/// x, y and into the substrate, as contact sees directions.
+using Vector3 = std::array<double, 3>;
+inline double dot(const Vector3& a, const Vector3& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Where the rigid indenter is.
+struct Pose {
+    contact::Vector2 offset{}, shift{};  ///< W of the rolling, U [m]
+    double indentation = 0;              ///< d [m]
+
+    contact::Vector2 lowest_point() const { return offset + shift; }
+};
+
+/// The rigid motion of the indenter in a step: it rolls without slip by the change of its offset, a
+/// rotation about the axis that lies its radius above its lowest point, and is moved by those of
+/// its shift and its indentation.
+class IndenterMotion {
+  public:
+    /// `radius` [m]: of the rolling; infinite: it does not rotate.
+    IndenterMotion(const Pose& from, const Pose& to, double radius) : from_(from), to_(to) {
+        const contact::Vector2 way = to.offset - from.offset;
+        const double length = contact::norm(way), angle = length / radius;
+        if (angle == 0) return;
+        direction_ = way / length;
+        radius_ = radius;
+        cosine_ = std::cos(angle);
+        sine_ = std::sin(angle);
+    }
+
+    /// Where its material point that is now at `x` was before the step [m].
+    Vector3 before(const Vector3& x) const {
+        const contact::Vector2 now = to_.lowest_point(), then = from_.lowest_point();
+        const contact::Vector2 r{x[0] - now[0], x[1] - now[1]};
+        const double along = contact::dot(r, direction_), down = x[2] - to_.indentation + radius_;
+        const double turned = cosine_ * along + sine_ * down;
+        const contact::Vector2 at = then + r + (turned - along) * direction_;
+        return {at[0], at[1], from_.indentation - radius_ + cosine_ * down - sine_ * along};
+    }
+
+  private:
+    Pose from_, to_;
+    contact::Vector2 direction_{1, 0};
+    double radius_ = 0, cosine_ = 1, sine_ = 0;
+};
+
+}  // namespace tricontact::fem
