@@ -94,7 +94,7 @@ std::optional<std::array<double, 3>> CondensedCompliance::missing_reaction(
         for (std::size_t i = 0; i < n; ++i)
             missing[direction] +=
                 points().area[i] * (by_unit_force[i] * t.x[i] + by_unit_force[n + i] * t.y[i] -
-                                   by_unit_force[2 * n + i] * p[i]);
+                                    by_unit_force[2 * n + i] * p[i]);
     }
     return missing;
 }

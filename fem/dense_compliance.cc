@@ -17,7 +17,7 @@ void split(const std::vector<double>& both, TangentialField& u) {
 /// u += C t over the tractions' block of columns and some blocks of rows; zero tractions are
 /// skipped: outside the contact that is most of them.
 void DenseCompliance::add_product(int row_block, int n_row_blocks, int column_block,
-                                      std::span<const double> traction, std::span<double> u) const {
+                                  std::span<const double> traction, std::span<double> u) const {
     const std::size_t n = points_.size();
     const std::size_t rows = n * n_row_blocks;
     for (std::size_t j = 0; j < n; ++j) {
@@ -30,7 +30,7 @@ void DenseCompliance::add_product(int row_block, int n_row_blocks, int column_bl
 }
 
 void DenseCompliance::normal_from_tangential(const TangentialField& t,
-                                                 std::span<double> u_z) const {
+                                             std::span<double> u_z) const {
     std::fill(u_z.begin(), u_z.end(), 0);
     add_product(2, 1, 0, t.x, u_z);
     add_product(2, 1, 1, t.y, u_z);
@@ -43,8 +43,7 @@ void DenseCompliance::tangential(const TangentialField& t, TangentialField& u) c
     split(both, u);
 }
 
-void DenseCompliance::tangential_from_normal(std::span<const double> p,
-                                                 TangentialField& u) const {
+void DenseCompliance::tangential_from_normal(std::span<const double> p, TangentialField& u) const {
     std::vector<double> both(2 * points_.size());
     add_product(0, 2, 2, p, both);
     split(both, u);
@@ -57,8 +56,7 @@ double DenseCompliance::local_tangential() const {
     return sum / static_cast<double>(n);
 }
 
-void DenseCompliance::precondition_tangential(const TangentialField& r,
-                                                  TangentialField& z) const {
+void DenseCompliance::precondition_tangential(const TangentialField& r, TangentialField& z) const {
     const std::size_t n = points_.size();
     auto scaled = [&](std::size_t component, std::size_t i, double value) {
         const std::size_t k = component * n + i;

@@ -137,8 +137,8 @@ class ProjectedGradient {
             }
         }
         for (const std::size_t i : active_)
-            t.set(i, project_on_disc(point.at(i) + problem_.tilt.apply(i, shift_),
-                                     problem_.bound[i]));
+            t.set(i,
+                  project_on_disc(point.at(i) + problem_.tilt.apply(i, shift_), problem_.bound[i]));
     }
 
     /// The last move goes against the momentum: start the acceleration again.

@@ -11,8 +11,8 @@
 namespace tricontact::contact {
 
 /// One step of frictional contact at given pressures: find tractions t on the substrate,
-/// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and points
-/// along t where |t| = bound.
+/// |t| <= bound, such that the slip s = D dU + u_previous - A t vanishes where |t| < bound and
+/// points along t where |t| = bound.
 struct TangentialProblem {
     const std::vector<double>& bound;              ///< mu p [Pa] per point, 0 outside the contact
     const TangentialField& previous_displacement;  ///< [m], before the step

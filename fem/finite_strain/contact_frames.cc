@@ -51,8 +51,8 @@ DenseCompliance ContactFrames::turned(const contact::Compliance& compliance) con
             double* const turned = to.data() + stride * (c * n + j);
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t r = 0; r < 3; ++r)
-                    turned[r * n + i] = dot(axes[i][r], {column[i], column[n + i],
-                                                         column[2 * n + i]});
+                    turned[r * n + i] =
+                        dot(axes[i][r], {column[i], column[n + i], column[2 * n + i]});
         }
     return {compliance.points(), std::move(to)};
 }

@@ -110,8 +110,8 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
         report.force_residual = balance_residual(now, frames, response);
         if (trace)
             std::printf("  %2d: force %.2e change %.2e d %.9g U %.9g minJ %.4f\n", k,
-                        report.force_residual, report.displacement_residual,
-                        now.pose.indentation, now.pose.shift[0], response.least_volume);
+                        report.force_residual, report.displacement_residual, now.pose.indentation,
+                        now.pose.shift[0], response.least_volume);
         if (k > 1 && report.force_residual <= problem_.tolerance &&
             report.displacement_residual <= problem_.tolerance)
             return report;
@@ -124,14 +124,16 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
         double largest = 0;
         for (const int node : problem_.discretisation.surface.nodes)
             for (int a = 0; a < 3; ++a)
-                largest = std::max(largest, std::abs(change[3 * static_cast<std::size_t>(node) + a]));
+                largest =
+                    std::max(largest, std::abs(change[3 * static_cast<std::size_t>(node) + a]));
         report.displacement_residual = largest / now.pose.indentation;
         problem_.body.add(change, response, now.body);
     }
-    throw NotConverged(fmt::format(
-        "fem: finite strains: the balance of forces is still off by {:.1e} and the surface moves by "
-        "{:.1e} of the indentation after {} iterations",
-        report.force_residual, report.displacement_residual, max_iterations));
+    throw NotConverged(
+        fmt::format("fem: finite strains: the balance of forces is still off by {:.1e} and the "
+                    "surface moves by "
+                    "{:.1e} of the indentation after {} iterations",
+                    report.force_residual, report.displacement_residual, max_iterations));
 }
 
 /// Contact in the present frames on the linear elasticity, whose surface would be moved by
@@ -177,8 +179,8 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
         turned.normal_from_tangential(tangential.traction, lowering);
         for (std::size_t i = 0; i < n; ++i) height[i] = bare_height[i] + lowering[i];
         const bool touches = std::ranges::any_of(now.pressure, [](double p) { return p > 0; });
-        report.normal = normal_solver.solve(height, control,
-                                            touches ? now.pressure : std::vector<double>{});
+        report.normal =
+            normal_solver.solve(height, control, touches ? now.pressure : std::vector<double>{});
         now.pressure = report.normal.pressure;
         now.pose.indentation = report.normal.indentation;
         if (!step.friction) {

@@ -19,10 +19,10 @@ namespace tricontact::fem {
 struct ContactedBody {
     StrainedState body;
     Pose pose;
-    std::vector<Vector3> position;       ///< of the contact points, x, y and into the substrate [m]
-    std::vector<double> pressure;        ///< vertical force over reference area [Pa]
-    contact::TangentialField traction;   ///< of friction along the frames [Pa]
-    contact::TangentialField slip;       ///< of the step, indenter over substrate, likewise [m]
+    std::vector<Vector3> position;      ///< of the contact points, x, y and into the substrate [m]
+    std::vector<double> pressure;       ///< vertical force over reference area [Pa]
+    contact::TangentialField traction;  ///< of friction along the frames [Pa]
+    contact::TangentialField slip;      ///< of the step, indenter over substrate, likewise [m]
 };
 
 /// Solves a step of frictional contact at finite strains by the linear layer's factor and its
@@ -35,8 +35,8 @@ class DeferredCorrection {
     struct Problem {
         const Discretisation& discretisation;
         const StrainedBody& body;
-        const Condensation& condensation;         ///< factor of the linear stiffness
-        const contact::Compliance& compliance;    ///< of the same, on the contact points
+        const Condensation& condensation;       ///< factor of the linear stiffness
+        const contact::Compliance& compliance;  ///< of the same, on the contact points
         const contact::Indenter& indenter;
         double rolling_radius;        ///< [m]
         double friction_coefficient;  ///< [-]
@@ -45,7 +45,7 @@ class DeferredCorrection {
     /// What an iteration and the solution left.
     struct Report {
         int iterations = 0;
-        double force_residual = 0;  ///< of all nodes, over the forces on the surface [-]
+        double force_residual = 0;         ///< of all nodes, over the forces on the surface [-]
         double displacement_residual = 0;  ///< last change of the surface over d [-]
         contact::NormalSolution normal;
         contact::TangentialSolution tangential;

@@ -99,8 +99,8 @@ TRICONTACT_INLINE Matrix3<T> physical_gradient(const ElementBatch& batch,
     const auto& turn = batch.to_physical[q];
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
-            h[a][b] = own[a][0][q] * turn[0][b] + own[a][1][q] * turn[1][b] +
-                      own[a][2][q] * turn[2][b];
+            h[a][b] =
+                own[a][0][q] * turn[0][b] + own[a][1][q] * turn[1][b] + own[a][2][q] * turn[2][b];
     return h;
 }
 

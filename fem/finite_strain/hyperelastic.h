@@ -62,8 +62,8 @@ struct Invariants {
         const auto& e = s.green;
         trace = e[0][0] + e[1][1] + e[2][2];
         const T minor = e[1][1] * e[2][2] - e[1][2] * e[1][2];
-        second = minor + e[0][0] * e[1][1] - e[0][1] * e[0][1] + e[0][0] * e[2][2] -
-                 e[0][2] * e[0][2];
+        second =
+            minor + e[0][0] * e[1][1] - e[0][1] * e[0][1] + e[0][0] * e[2][2] - e[0][2] * e[0][2];
         determinant = e[0][0] * minor - e[0][1] * (e[0][1] * e[2][2] - e[1][2] * e[0][2]) +
                       e[0][2] * (e[0][1] * e[1][2] - e[1][1] * e[0][2]);
         const T y = s.dilatation * (s.dilatation + 2.);  // J^2 - 1
@@ -82,8 +82,8 @@ TRICONTACT_INLINE T energy_density(const MooneyRivlin<T>& material, const Strain
     const T other = w * w * (15. + w * (20. + w * (10. + w * 2.))) / (c * c);
     const T rest = 4. * i.second + 8. * i.determinant;
     const T i1 = first - rest - 2. * i.trace * w / c;
-    const T i2 = other - rest - 8. * i.determinant -
-                 4. * (i.trace + i.second) * w * (2. + w) / (c * c);
+    const T i2 =
+        other - rest - 8. * i.determinant - 4. * (i.trace + i.second) * w * (2. + w) / (c * c);
     return material.c10 * i1 + material.c01 * i2;
 }
 

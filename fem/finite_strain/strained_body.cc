@@ -95,8 +95,7 @@ void dilate_batch(const ElementBatch& batch, const double* displacement,
     for (int q = 0; q < n_points; ++q) {
         const auto h = physical_gradient(batch, own, q);
         for (int m = 0; m < 4; ++m)
-            dilatation[m] +=
-                batch.weight[q] * batch.pressure[q][m] * (h[0][0] + h[1][1] + h[2][2]);
+            dilatation[m] += batch.weight[q] * batch.pressure[q][m] * (h[0][0] + h[1][1] + h[2][2]);
     }
 }
 
@@ -232,11 +231,9 @@ void StrainedBody::add(std::span<const double> displacement, const Response& bef
         for (std::size_t l = 0; l < n_lanes && first + l < n_cells_; ++l)
             for (int m = 0; m < 4; ++m)
                 state.mean_stress[first + l][m] +=
-                    batches_[b].bulk[l] *
-                    (dilatation[m][l] + before.excess_volume[first + l][m]);
+                    batches_[b].bulk[l] * (dilatation[m][l] + before.excess_volume[first + l][m]);
     }
-    for (std::size_t i = 0; i < displacement.size(); ++i)
-        state.displacement[i] += displacement[i];
+    for (std::size_t i = 0; i < displacement.size(); ++i) state.displacement[i] += displacement[i];
 }
 
 }  // namespace tricontact::fem
