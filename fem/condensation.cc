@@ -11,8 +11,13 @@
 #include "contact/error.h"
 #include "fem/memory.h"
 
+extern "C" {
 // LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
-extern "C" void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+// BLAS: solves a triangular system.
+void dtrsv_(const char* uplo, const char* transposed, const char* diagonal, const int* n,
+            const double* a, const int* lda, double* x, const int* stride);
+}
 
 namespace tricontact::fem {
 
@@ -215,8 +220,13 @@ struct Condensation::Parts {
                          cholmod.get());
         cholmod.check();
     }
-    Dense solve(cholmod_dense* b) {
-        return owned<Dense>(cholmod_l_solve(CHOLMOD_A, factor.get(), b, cholmod.get()), cholmod);
+    Dense solve(cholmod_dense* b, int system = CHOLMOD_A) {
+        return owned<Dense>(cholmod_l_solve(system, factor.get(), b, cholmod.get()), cholmod);
+    }
+    Dense vectors(std::size_t n_columns) {
+        const std::size_t n = order.size();
+        return owned<Dense>(cholmod_l_allocate_dense(n, n_columns, n, CHOLMOD_REAL, cholmod.get()),
+                            cholmod);
     }
 };
 
@@ -244,27 +254,33 @@ void Condensation::factorise() {
     cholmod.check();
 }
 
-std::vector<double> Condensation::compliance(int ld) const {
+/// The trailing block of the factor, lower, by columns of `ld` entries; the rest zero.
+std::vector<double> Condensation::contact_factor(int ld) const {
     parts_->refuse_unfactorised();
     const auto& factor = *parts_->factor.get();
-    const int n = parts_->n_contact;
-    ld = std::max(ld, n);
     const auto* super = static_cast<const Index*>(factor.super);
     const auto* row_start = static_cast<const Index*>(factor.pi);
     const auto* value_start = static_cast<const Index*>(factor.px);
     const auto* row = static_cast<const Index*>(factor.s);
     const auto* value = static_cast<const double*>(factor.x);
 
-    std::vector<double> inverse(static_cast<std::size_t>(ld) * ld, 0.0);
+    std::vector<double> lower(static_cast<std::size_t>(ld) * ld, 0.0);
     for (std::size_t s = 0; s < factor.nsuper; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {
             const Index local = c - super[s];
             const double* column = value + value_start[s] + local * n_rows;
-            double* to = inverse.data() + (c - parts_->n_interior) * ld - parts_->n_interior;
+            double* to = lower.data() + (c - parts_->n_interior) * ld - parts_->n_interior;
             for (Index r = local; r < n_rows; ++r) to[row[row_start[s] + r]] = column[r];
         }
     }
+    return lower;
+}
+
+std::vector<double> Condensation::compliance(int ld) const {
+    const int n = parts_->n_contact;
+    ld = std::max(ld, n);
+    std::vector<double> inverse = contact_factor(ld);
     int info = 0;
     if (n > 0) dpotri_("L", &n, inverse.data(), &ld, &info);
     if (info != 0)
@@ -277,8 +293,7 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     parts_->refuse_unfactorised();
     auto& [cholmod, order, stiffness, factor, n_interior, n_contact] = *parts_;
     const std::size_t n = order.size(), n_columns = forces.size() / n;
-    const auto b = owned<Dense>(
-        cholmod_l_allocate_dense(n, n_columns, n, CHOLMOD_REAL, cholmod.get()), cholmod);
+    const Dense b = parts_->vectors(n_columns);
     auto* const rhs = static_cast<double*>(b->x);
     for (std::size_t c = 0; c < n_columns; ++c)
         for (std::size_t k = 0; k < n; ++k) rhs[c * n + k] = forces[c * n + order[k]];
@@ -292,6 +307,43 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     for (std::size_t c = 0; c < n_columns; ++c)
         for (std::size_t k = 0; k < n; ++k)
             solution[c * n + order[k]] = first[c * n + k] + second[c * n + k];
+    return solution;
+}
+
+Condensation::Halves::Halves(const Condensation& whole)
+    : whole_(whole), factor_(whole.contact_factor(whole.parts_->n_contact)) {}
+
+/// Divides by the contact's factor ('N') or its transpose ('T').
+void Condensation::Halves::solve_contact(char transposed, std::vector<double>& x) const {
+    const int n = whole_.parts_->n_contact, stride = 1;
+    if (n > 0) dtrsv_("L", &transposed, "N", &n, factor_.data(), &n, x.data(), &stride);
+}
+
+std::vector<double> Condensation::Halves::eliminate(std::span<const double> forces) {
+    Parts& parts = *whole_.parts_;
+    const Dense b = parts.vectors(1);
+    auto* const rhs = static_cast<double*>(b->x);
+    for (std::size_t k = 0; k < parts.order.size(); ++k) rhs[k] = forces[parts.order[k]];
+    const Dense y = parts.solve(b.get(), CHOLMOD_L);
+    const auto* const reduced = static_cast<const double*>(y->x);
+    reduced_.assign(reduced, reduced + parts.order.size());
+    std::vector<double> contact(reduced_.begin() + parts.n_interior, reduced_.end());
+    solve_contact('T', contact);
+    return contact;
+}
+
+std::vector<double> Condensation::Halves::complete(std::span<const double> contact_forces) {
+    Parts& parts = *whole_.parts_;
+    std::vector<double> added(contact_forces.begin(), contact_forces.end());
+    solve_contact('N', added);
+    const Dense b = parts.vectors(1);
+    auto* const rhs = static_cast<double*>(b->x);
+    std::ranges::copy(reduced_, rhs);
+    for (std::size_t k = 0; k < added.size(); ++k) rhs[parts.n_interior + k] += added[k];
+    const Dense x = parts.solve(b.get(), CHOLMOD_Lt);
+    const auto* const found = static_cast<const double*>(x->x);
+    std::vector<double> solution(parts.order.size());
+    for (std::size_t k = 0; k < parts.order.size(); ++k) solution[parts.order[k]] = found[k];
     return solution;
 }
 

@@ -23,10 +23,26 @@ namespace {
 
 constexpr int max_iterations = 60;
 constexpr int max_staggers = 2;
+constexpr double of_contact_solvers = .1;  ///< their tolerance over that of the whole
 
 }  // namespace
 
-DeferredCorrection::DeferredCorrection(const Problem& problem) : problem_(problem) {}
+/// Contact on the linear layer in the frames that the surface has when the step begins. Those of
+/// later iterations differ by little: what this leaves is corrected by them.
+struct DeferredCorrection::Contact {
+    Contact(const ContactFrames& frames, const contact::Compliance& of_layer, double tolerance)
+        : compliance(frames.turned(of_layer)),
+          normal(compliance, tolerance),
+          tangential(compliance, tolerance) {}
+
+    DenseCompliance compliance;
+    contact::NormalSolver normal;
+    contact::TangentialSolver tangential;
+};
+
+DeferredCorrection::DeferredCorrection(const Problem& problem)
+    : problem_(problem), halves_(problem.condensation) {}
+DeferredCorrection::~DeferredCorrection() = default;
 
 ContactedBody DeferredCorrection::at_rest() const {
     const std::size_t n = problem_.compliance.points().size();
@@ -49,56 +65,101 @@ std::vector<Vector3> DeferredCorrection::positions(const StrainedState& body) co
     return position;
 }
 
-void DeferredCorrection::add_surface_forces(const ContactedBody& state, const ContactFrames& frames,
-                                            double factor, std::vector<double>& force) const {
-    const auto& nodes = problem_.discretisation.surface.nodes;
-    const auto& points = problem_.compliance.points();
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!(state.pressure[i] > 0)) continue;
-        const Vector3 t = frames.traction(i, state.pressure[i], state.traction.at(i));
-        const double area = factor * points.area[i] * modelled_part(points);
-        double* const f = force.data() + 3 * static_cast<std::size_t>(nodes[i]);
-        f[0] += area * t[0];
-        f[1] += area * t[1];
-        f[2] -= area * t[2];
-    }
-}
-
-double DeferredCorrection::balance_residual(const ContactedBody& state, const ContactFrames& frames,
-                                            const StrainedBody::Response& response) const {
-    std::vector<double> applied(response.force.size());
-    add_surface_forces(state, frames, 1, applied);
-    double missing = 0, size = 0;
-    const auto& unknowns = problem_.discretisation.unknowns;
-    for (int u = 0; u < unknowns.n; ++u) {
-        const std::size_t k = 3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
-                              unknowns.direction_of_unknown[u];
-        missing += std::pow(applied[k] - response.force[k], 2);
-        size += applied[k] * applied[k];
-    }
-    return size > 0 ? std::sqrt(missing / size) : contact::infinity;
-}
-
-std::vector<double> DeferredCorrection::solve_linear(const std::vector<double>& force) const {
+/// Forces on all unknowns of those on nodes.
+std::vector<double> DeferredCorrection::on_unknowns(const std::vector<double>& by_nodes) const {
     const auto& unknowns = problem_.discretisation.unknowns;
     std::vector<double> free(unknowns.n);
-    const auto place = [&](int u) {
-        return 3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
-               unknowns.direction_of_unknown[u];
+    for (int u = 0; u < unknowns.n; ++u)
+        free[u] = by_nodes[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
+                           unknowns.direction_of_unknown[u]];
+    return free;
+}
+
+/// Displacements of the contact points on the linear layer, if `load` acted on it beside the
+/// present tractions.
+std::vector<Vector3> DeferredCorrection::move_surface(const std::vector<double>& load,
+                                                      const std::vector<Vector3>& traction) {
+    const auto& points = problem_.compliance.points();
+    const std::size_t n = points.size();
+    const std::vector<double> without = halves_.eliminate(on_unknowns(load));
+    std::vector<Vector3> moved(n);
+    TangentialField t(n), u(n), by_pressure(n);
+    std::vector<double> p(n), u_z(n), lowering(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        t.set(i, {traction[i][0], traction[i][1]});
+        p[i] = traction[i][2];
+    }
+    problem_.compliance.tangential(t, u);
+    problem_.compliance.tangential_from_normal(p, by_pressure);
+    problem_.compliance.normal(p, u_z);
+    problem_.compliance.normal_from_tangential(t, lowering);
+    const auto& unknown = problem_.discretisation.unknowns.of_contact;
+    const auto alone = [&](std::size_t c, std::size_t i) {
+        const int k = unknown[c * n + i];
+        return k < 0 ? 0 : without[k];
     };
-    for (int u = 0; u < unknowns.n; ++u) free[u] = force[place(u)];
-    const std::vector<double> solution = problem_.condensation.solve(free);
-    std::vector<double> displacement(force.size());
-    for (int u = 0; u < unknowns.n; ++u) displacement[place(u)] = solution[u];
+    for (std::size_t i = 0; i < n; ++i)
+        moved[i] = {alone(0, i) + u.x[i] + by_pressure.x[i],
+                    alone(1, i) + u.y[i] + by_pressure.y[i], -alone(2, i) + u_z[i] + lowering[i]};
+    return moved;
+}
+
+/// Displacements by nodes under what move_surface() has got, and these tractions.
+std::vector<double> DeferredCorrection::move_all(const std::vector<Vector3>& traction) {
+    const auto& unknowns = problem_.discretisation.unknowns;
+    const auto& points = problem_.compliance.points();
+    const std::size_t n = points.size();
+    std::vector<double> force(unknowns.n - unknowns.n_interior);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double area = points.area[i] * modelled_part(points);
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const int k = unknowns.of_contact[c * n + i]; k >= 0)
+                force[k] = area * (c == 2 ? -traction[i][c] : traction[i][c]);
+    }
+    const std::vector<double> solution = halves_.complete(force);
+    std::vector<double> displacement(3 * problem_.discretisation.space.nodes.size());
+    for (int u = 0; u < unknowns.n; ++u)
+        displacement[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
+                     unknowns.direction_of_unknown[u]] = solution[u];
     return displacement;
+}
+
+std::vector<Vector3> DeferredCorrection::tractions(const ContactedBody& state,
+                                                   const ContactFrames& frames) const {
+    std::vector<Vector3> all(state.pressure.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (state.pressure[i] > 0)
+            all[i] = frames.traction(i, state.pressure[i], state.traction.at(i));
+    return all;
+}
+
+/// What the body's forces and these tractions leave, over the tractions' forces.
+double DeferredCorrection::balance_residual(const std::vector<Vector3>& traction,
+                                            const std::vector<double>& of_body) const {
+    const auto& nodes = problem_.discretisation.surface.nodes;
+    const auto& points = problem_.compliance.points();
+    std::vector<double> left = of_body;
+    double size = 0, missing = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double area = points.area[i] * modelled_part(points);
+        double* const f = left.data() + 3 * static_cast<std::size_t>(nodes[i]);
+        for (int a = 0; a < 3; ++a) {
+            const double force = area * traction[i][a];
+            f[a] -= a == 2 ? -force : force;
+            size += force * force;
+        }
+    }
+    for (const double f : on_unknowns(left)) missing += f * f;
+    return size > 0 ? std::sqrt(missing / size) : contact::infinity;
 }
 
 DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
                                                      const ContactedBody& before,
-                                                     ContactedBody& now) const {
+                                                     ContactedBody& now) {
     Report report;
     now.pose.offset = step.offset;
     StrainedBody::Response response;
+    std::optional<Contact> contact;
     const bool trace = std::getenv("TRACE") != nullptr;
     for (int k = 1; k <= max_iterations; ++k) {
         report.iterations = k;
@@ -107,7 +168,10 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
             throw NotConverged("fem: finite strains turn elements inside out");
         now.position = positions(now.body);
         const ContactFrames frames(problem_.indenter, now.position, now.pose.lowest_point());
-        report.force_residual = balance_residual(now, frames, response);
+        if (!contact)
+            contact.emplace(frames, problem_.compliance, of_contact_solvers * problem_.tolerance);
+        const std::vector<Vector3> traction = tractions(now, frames);
+        report.force_residual = balance_residual(traction, response.force);
         if (trace)
             std::printf("  %2d: force %.2e change %.2e d %.9g U %.9g minJ %.4f\n", k,
                         report.force_residual, report.displacement_residual, now.pose.indentation,
@@ -117,10 +181,9 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
             return report;
         std::vector<double> load(response.effective_force.size());
         for (std::size_t i = 0; i < load.size(); ++i) load[i] = -response.effective_force[i];
-        const std::vector<double> without = solve_linear(load);
-        solve_contact(step, before, frames, without, now, report);
-        add_surface_forces(now, frames, 1, load);
-        const std::vector<double> change = solve_linear(load);
+        const std::vector<Vector3> moved = move_surface(load, traction);
+        solve_contact(step, before, frames, moved, *contact, now, report);
+        const std::vector<double> change = move_all(tractions(now, frames));
         double largest = 0;
         for (const int node : problem_.discretisation.surface.nodes)
             for (int a = 0; a < 3; ++a)
@@ -131,42 +194,39 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
     }
     throw NotConverged(
         fmt::format("fem: finite strains: the balance of forces is still off by {:.1e} and the "
-                    "surface moves by "
-                    "{:.1e} of the indentation after {} iterations",
+                    "surface moves by {:.1e} of the indentation after {} iterations",
                     report.force_residual, report.displacement_residual, max_iterations));
 }
 
-/// Contact in the present frames on the linear elasticity, whose surface would be moved by
-/// `displacement` if no tractions acted on it.
+/// Contact on the linear elasticity whose surface moves by `moved` under the present tractions.
 void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody& before,
                                        const ContactFrames& frames,
-                                       const std::vector<double>& displacement, ContactedBody& now,
-                                       Report& report) const {
-    const auto& nodes = problem_.discretisation.surface.nodes;
+                                       const std::vector<Vector3>& moved, Contact& contact,
+                                       ContactedBody& now, Report& report) const {
     const auto& points = problem_.compliance.points();
-    const std::size_t n = nodes.size();
+    const std::size_t n = points.size();
     const double mu = problem_.friction_coefficient;
-    const DenseCompliance turned = frames.turned(problem_.compliance);
-    const contact::NormalSolver normal_solver(turned, 0.1 * problem_.tolerance);
-    contact::TangentialSolver tangential_solver(turned, .1 * problem_.tolerance);
+    const DenseCompliance& compliance = contact.compliance;
     const IndenterMotion motion(before.pose, now.pose, problem_.rolling_radius);
     const Vector2 present_shift = now.pose.shift - before.pose.shift;
+    const contact::Tilt tilt(frames.slope());
 
     // What all but the tractions do: to the gap, and to the slip with the indenter as it is.
-    std::vector<double> bare_height(n);
-    TangentialField bare_slip(n);
-    const contact::Tilt tilt(frames.slope());
+    std::vector<double> bare_height(n), height(n), lowering(n), bound(n);
+    TangentialField bare_slip(n), u(n), by_pressure(n), previous(n);
+    compliance.normal(now.pressure, height);
+    compliance.normal_from_tangential(now.traction, lowering);
+    compliance.tangential(now.traction, u);
+    compliance.tangential_from_normal(now.pressure, by_pressure);
     for (std::size_t i = 0; i < n; ++i) {
-        const double* const u = displacement.data() + 3 * static_cast<std::size_t>(nodes[i]);
-        const Vector3 moved{u[0], u[1], -u[2]};
         const Vector3& x = now.position[i];
-        bare_height[i] = frames.height(i) + x[2] + frames.along_normal(i, moved);
+        bare_height[i] =
+            frames.height(i) + x[2] + frames.along_normal(i, moved[i]) - height[i] - lowering[i];
         const Vector3 was = motion.before(x), old = before.position[i];
         const Vector3 slip{old[0] - was[0], old[1] - was[1], old[2] - was[2]};
-        bare_slip.set(i, frames.along_surface(i, slip) - frames.along_surface(i, moved) -
-                             tilt.apply(i, present_shift));
+        bare_slip.set(i, frames.along_surface(i, slip) - frames.along_surface(i, moved[i]) +
+                             u.at(i) + by_pressure.at(i) - tilt.apply(i, present_shift));
     }
-    std::vector<double> height(n), lowering(n), bound(n);
     contact::TangentialSolution& tangential = report.tangential;
     tangential.traction = now.traction;
     tangential.shift_increment = present_shift;
@@ -176,19 +236,18 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
             for (std::size_t i = 0; i < n; ++i)
                 control.value -=
                     points.area[i] * frames.traction(i, 0, tangential.traction.at(i))[2];
-        turned.normal_from_tangential(tangential.traction, lowering);
+        compliance.normal_from_tangential(tangential.traction, lowering);
         for (std::size_t i = 0; i < n; ++i) height[i] = bare_height[i] + lowering[i];
         const bool touches = std::ranges::any_of(now.pressure, [](double p) { return p > 0; });
         report.normal =
-            normal_solver.solve(height, control, touches ? now.pressure : std::vector<double>{});
+            contact.normal.solve(height, control, touches ? now.pressure : std::vector<double>{});
         now.pressure = report.normal.pressure;
         now.pose.indentation = report.normal.indentation;
         if (!step.friction) {
             now.traction = TangentialField(n);
             break;
         }
-        TangentialField by_pressure(n), previous(n);
-        turned.tangential_from_normal(now.pressure, by_pressure);
+        compliance.tangential_from_normal(now.pressure, by_pressure);
         double area = 0, force = 0;
         Vector2 carried{};
         for (std::size_t i = 0; i < n; ++i) {
@@ -210,7 +269,7 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
         }
         if (points.mirrored) controls[1] = {TangentialControl::Kind::shift, 0};
         const double alpha = now.pose.indentation * area / force;
-        tangential_solver.solve({bound, previous, controls, alpha, tilt}, tangential);
+        contact.tangential.solve({bound, previous, controls, alpha, tilt}, tangential);
         now.traction = tangential.traction;
     }
     now.pose.shift = before.pose.shift + (step.friction ? tangential.shift_increment : Vector2{});

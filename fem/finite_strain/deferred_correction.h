@@ -52,29 +52,31 @@ class DeferredCorrection {
     };
 
     explicit DeferredCorrection(const Problem& problem);
+    ~DeferredCorrection();
 
     /// From the state `before` to that at the end of the step; `now` holds the start of the
     /// iteration. Throws NotConverged.
-    Report solve(const contact::LoadStep& step, const ContactedBody& before,
-                 ContactedBody& now) const;
+    Report solve(const contact::LoadStep& step, const ContactedBody& before, ContactedBody& now);
     ContactedBody at_rest() const;
     /// F_N downwards and F_T in the plane [N], of the whole contact.
     Vector3 forces(const ContactedBody& state) const;
 
   private:
-    struct Iterate;
+    struct Contact;
     std::vector<Vector3> positions(const StrainedState& body) const;
-    void add_surface_forces(const ContactedBody& state, const ContactFrames& frames, double factor,
-                            std::vector<double>& force) const;
-    double balance_residual(const ContactedBody& state, const ContactFrames& frames,
-                            const StrainedBody::Response& response) const;
-    /// By nodes, of forces by nodes; held components are zero.
-    std::vector<double> solve_linear(const std::vector<double>& force) const;
+    std::vector<double> on_unknowns(const std::vector<double>& by_nodes) const;
+    std::vector<Vector3> tractions(const ContactedBody& state, const ContactFrames& frames) const;
+    double balance_residual(const std::vector<Vector3>& traction,
+                            const std::vector<double>& of_body) const;
+    std::vector<Vector3> move_surface(const std::vector<double>& load,
+                                      const std::vector<Vector3>& traction);
+    std::vector<double> move_all(const std::vector<Vector3>& traction);
     void solve_contact(const contact::LoadStep& step, const ContactedBody& before,
-                       const ContactFrames& frames, const std::vector<double>& displacement,
-                       ContactedBody& now, Report& report) const;
+                       const ContactFrames& frames, const std::vector<Vector3>& moved,
+                       Contact& contact, ContactedBody& now, Report& report) const;
 
     Problem problem_;
+    Condensation::Halves halves_;
 };
 
 }  // namespace tricontact::fem
