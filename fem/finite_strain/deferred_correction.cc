@@ -22,7 +22,7 @@ using contact::Vector2;
 namespace {
 
 constexpr int max_iterations = 60;
-constexpr int max_staggers = 2;
+constexpr int max_staggers = 4;
 constexpr double of_contact_solvers = .1;  ///< their tolerance over that of the whole
 
 }  // namespace
