@@ -14,11 +14,11 @@ for size in 1 0.5; do
     "$program" mesh "$case" --set fem.size="$size mm" --output "mesh_$size" > "mesh_$size.log"
 done
 
-# own SIZE KINEMATICS PERIODS: two lengths of one history give the cost of an increment
+# own SIZE PERIODS: two lengths of one history give the cost of an increment
 own() {
-    name=own_$1_$2_$3
+    name=own_$1_$2
     /usr/bin/time -v "$program" run "$case" --models fem --set fem.cache=none \
-        --set fem.size="$1 mm" --set contact.kinematics="$2" --set rolling.periods="$3" \
+        --set fem.size="$1 mm" --set rolling.periods="$2" \
         --set rolling.run_all=true --set output.volume=none --no-report --threads 1 --output "$name" \
         > "$name.log" 2> "$name.time"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
@@ -52,11 +52,11 @@ own_frictionless() {
     "$python" "$here/own_layer.py" "$name" > "$name.json"
 }
 
-# own_pressed SIZE KINEMATICS STEPS: as the peers press, which are too slow for 20 steps
+# own_pressed SIZE STEPS: as the peers press, which are too slow for 20 steps
 own_pressed() {
-    name=own_$1_$2_pressed_$3
+    name=own_$1_pressed_$2
     "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
-        --set contact.kinematics="$2" --set load.press_steps="$3" --set output.volume=none \
+        --set load.press_steps="$2" --set output.volume=none \
         --set rolling.amplitude_ratio=0 --set rolling.periods=1 --no-report --threads 1 \
         --output "$name" > "$name.log"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
@@ -64,12 +64,10 @@ own_pressed() {
 
 for size in 1 0.5; do
     own_frictionless $size
-    own_pressed $size linear 1
-    own_pressed $size deformed 5
-    for kinematics in linear deformed; do
-        own $size $kinematics 1
-        own $size $kinematics 5
-    done
+    own_pressed $size 1
+    own_pressed $size 5
+    own $size 1
+    own $size 5
 done
 
 reduced="--element 20 --volume reduced --press-steps 1"
