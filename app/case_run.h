@@ -54,15 +54,13 @@ contact::History run_model(const std::string& name, const Case& c, const std::st
 // What runs beside the models of a case find.
 
 /// Loads a model whose normal and tangential contact are coupled a few times more, on the
-/// elasticity that `model` already has, and adds to `study`: what kinematics, coupling and the way
-/// of pressing, one after another, change in the static shift; what the latter two change after
-/// rolling; and the stiffness without friction, from presses at 0.6, 0.8 and 1 times the normal
-/// load. `history` is that of the case's run with `model`; `say` hears of each. Models without such
-/// choices add nothing.
+/// elasticity that `model` already has, and adds to `study`: what coupling and the way of pressing,
+/// one after another, change in the static shift and in that after rolling; and the stiffness
+/// without friction, from presses at 0.6, 0.8 and 1 times the normal load. `history` is that of the
+/// case's run with `model`; `say` hears of each. Models without such choices add nothing.
 ///
 /// Rolling is by turning points until nothing moves, also of what the variants are compared with;
-/// where the run ratchets, in its own steps if these are few. Other kinematics are not rolled: the
-/// displaced surface slips to and fro for ever and takes ten times as long.
+/// where the run ratchets, in its own steps if these are few.
 void study_loading(const Case& c, const contact::Model& model, const contact::History& history,
                    const Say& say, comparisons::LoadingStudy& study);
 

@@ -17,16 +17,13 @@ using comparisons::RunValues;
 using contact::History;
 using contact::State;
 
-constexpr Case::Contact uncoupled{.coupling = false, .kinematics = Case::Kinematics::linear};
+constexpr Case::Contact uncoupled{.coupling = false};
 
 /// By turning points the rig's layer settles in 30 periods.
 constexpr int enough_periods = 40;
 /// A longer run is not repeated for each variant.
 constexpr std::size_t most_steps = 1000;
 
-const char* name_of(Case::Kinematics kinematics) {
-    return kinematics == Case::Kinematics::linear ? "linear" : "deformed";
-}
 const char* name_of(bool yes) {
     return yes ? "true" : "false";
 }
@@ -81,48 +78,19 @@ class Variants {
     Variants(const Case& c, const contact::Model& model, const History& history, const Say& say,
              std::vector<LoadingVariant>& variants)
         : model_(model), name_(history.model), say_(say), variants_(variants) {
-        static_.rolled = without_rolling(c);
-        static_.run.static_shift = history.static_shift;
-        rolled_.rolled = rolled(c, history);
-        rolled_.run = as_the_run(c, history);
+        as_rolled_ = rolled(c, history);
+        run_ = as_the_run(c, history);
     }
 
-    void add_static(const char* key, Make make) { add(key, make, static_); }
-    void add_rolled(const char* key, Make make) { add(key, make, rolled_); }
-
-  private:
-    struct Base {
-        Case rolled;
-        RunValues run;  ///< with the case's own choices
-    };
-
-    /// What the variants are compared with: rolled like them, so rolled once more unless the run
-    /// itself was.
-    RunValues as_the_run(const Case& c, const History& history) {
-        const Case& as = rolled_.rolled;
-        if (!as.rolling) return static_.run;
-        const bool longer = as.rolling->periods > c.rolling->periods;
-        const bool same_steps = as.rolling->steps == c.rolling->steps;
-        if (same_steps && !(longer && history.verdict.state == State::undecided))
-            return run_values(history);
-        say_(fmt::format("{}: loading once more, rolled by turning points", name_));
-        try {
-            return run_values(contact::run(as, *model_.sibling(as.contact)));
-        } catch (const std::runtime_error&) {  // then there is nothing to compare with
-            rolled_.rolled = static_.rolled;
-            return static_.run;
-        }
-    }
-
-    void add(const char* key, Make make, const Base& base) {
-        Case c = base.rolled;
+    void add(const char* key, Make make) {
+        Case c = as_rolled_;
         const auto [chosen, changed] = make(c);
         LoadingVariant variant;
         variant.model = name_;
         variant.key = key;
         variant.chosen = chosen;
         variant.changed = changed;
-        variant.run = base.run;
+        variant.run = run_;
         say_(fmt::format("{}: loading once more with {} = {}", name_, key, variant.changed));
         try {
             variant.other = run_values(contact::run(c, *model_.sibling(c.contact)));
@@ -132,11 +100,31 @@ class Variants {
         variants_.push_back(std::move(variant));
     }
 
+  private:
+    /// What the variants are compared with: rolled like them, so rolled once more unless the run
+    /// itself was.
+    RunValues as_the_run(const Case& c, const History& history) {
+        const RunValues loaded{history.static_shift};
+        if (!as_rolled_.rolling) return loaded;
+        const bool longer = as_rolled_.rolling->periods > c.rolling->periods;
+        const bool same_steps = as_rolled_.rolling->steps == c.rolling->steps;
+        if (same_steps && !(longer && history.verdict.state == State::undecided))
+            return run_values(history);
+        say_(fmt::format("{}: loading once more, rolled by turning points", name_));
+        try {
+            return run_values(contact::run(as_rolled_, *model_.sibling(as_rolled_.contact)));
+        } catch (const std::runtime_error&) {  // then there is nothing to compare with
+            as_rolled_.rolling.reset();
+            return loaded;
+        }
+    }
+
     const contact::Model& model_;
     const std::string name_;
     const Say& say_;
     std::vector<LoadingVariant>& variants_;
-    Base static_, rolled_;
+    Case as_rolled_;
+    RunValues run_;  ///< with the case's own choices
 };
 
 /// dF/dd = F/d times the slope of ln F over ln d, which is nearly straight: at the last of three
@@ -206,18 +194,14 @@ SpeedLimit speed_limit(const Case& c, const TwinComparison& known, int n_threads
 void study_loading(const Case& c, const contact::Model& model, const History& history,
                    const Say& say, comparisons::LoadingStudy& study) {
     // Normal traction displaces tangentially in the model's bodies, whether the case asks for it.
-    const auto coupled = model.sibling({.coupling = true, .kinematics = Case::Kinematics::linear});
-    const bool elastic = coupled && coupled->is_coupled();
-    if (!elastic && !model.is_coupled()) return;
+    const auto coupled = model.sibling({.coupling = true});
+    if (!coupled || !coupled->is_coupled()) return;
     Variants variants(c, model, history, say, study.variants);
-    variants.add_static("contact.kinematics", [](Case& v) { return flip(v.contact.kinematics); });
-    if (elastic)
-        variants.add_rolled("contact.coupling", [](Case& v) { return flip(v.contact.coupling); });
+    variants.add("contact.coupling", [](Case& v) { return flip(v.contact.coupling); });
     if (model.is_coupled()) {
-        variants.add_rolled("load.press", [](Case& v) { return flip(v.load.press); });
+        variants.add("load.press", [](Case& v) { return flip(v.load.press); });
         if (c.load.press == Case::Press::friction && c.load.press_steps > 1)
-            variants.add_rolled("load.press_steps",
-                                [](Case& v) { return change(v.load.press_steps, 1); });
+            variants.add("load.press_steps", [](Case& v) { return change(v.load.press_steps, 1); });
     }
     study.normal_stiffness[history.model] = frictionless_stiffness(c, model);
 }

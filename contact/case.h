@@ -38,7 +38,6 @@ struct Case {
     enum class Base { bonded, frictionless, half_space };
     enum class Sides { free, fixed };
     enum class Press { friction, frictionless };
-    enum class Kinematics { linear, deformed };
 
     /// Lengths that a shape has not are 0.
     struct IndenterData {
@@ -95,7 +94,6 @@ struct Case {
     /// How the contact is treated by models that can.
     struct Contact {
         bool coupling = true;  ///< of normal and tangential contact
-        Kinematics kinematics = Kinematics::linear;
     };
 
     struct Load {

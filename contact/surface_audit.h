@@ -16,8 +16,7 @@ constexpr double exact_force = 1e-9;
 
 /// p >= 0, gap >= 0, p gap = 0, force prescribed: from the fields, not from the solver's word.
 void audit_normal(const NormalSolution& solution, const NormalControl& control,
-                  const std::vector<double>& area, double tolerance, Audit& audit,
-                  double force_allowed = exact_force);
+                  const std::vector<double>& area, double tolerance, Audit& audit);
 
 struct TangentialFacts {
     const std::vector<double>& bound;  ///< mu p [Pa]
@@ -26,11 +25,9 @@ struct TangentialFacts {
     const TangentialField& slip;       ///< indenter over substrate in this step [m]
     const std::vector<ContactState>& contact_state;
     std::array<TangentialControl, 2> control;
-    double length;              ///< what slips are compared with [m], mu d
-    double inclined_force = 0;  ///< what pressures carry beside the tractions, by magnitude [N]
+    double length;  ///< what slips are compared with [m], mu d
 };
 /// Friction bound, no slip where it sticks, slip along the traction where it slips, forces.
-void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit,
-                      double force_allowed = exact_force);
+void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& audit);
 
 }  // namespace tricontact::contact

@@ -33,7 +33,7 @@ class PlaneIndenter final : public contact::Indenter {
         : profile_(std::move(profile)) {}
     double height(double x, double) const override { return profile_->value(x); }
     contact::Vector2 slope(double, double) const override {
-        throw std::logic_error("mdr-layer: kinematics on a line are linear");
+        throw std::logic_error("mdr-layer: contact on a line asks for no slope");
     }
 
   private:

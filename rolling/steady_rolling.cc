@@ -27,10 +27,9 @@ class StaggeredIteration {
           problem_(problem),
           drive_(problem.drive),
           coupling_(compliance, *problem.indenter, {.coupling = problem.coupling}),
-          normal_solver_(compliance, 0.1 * problem.tolerance),
-          none_(points_.size()) {
+          normal_solver_(compliance, 0.1 * problem.tolerance) {
         steady_.traction = TangentialField(points_.size());
-        coupling_.place({{}, {}, none_});
+        coupling_.place({});
     }
 
     void run() {
@@ -40,7 +39,7 @@ class StaggeredIteration {
             solve_normal(height);
             solve_tangential();
             if (coupling_.is_decoupled()) return;
-            coupling_.update_height(normal_.pressure, steady_.traction);
+            coupling_.update_height(steady_.traction);
             // What an iteration changed under the indenter is how far the pressures are off.
             const std::vector<double> now = coupling_.height();
             double change = 0;
@@ -67,8 +66,8 @@ class StaggeredIteration {
         s.tangential_traction_x = steady_.traction.x;
         s.tangential_traction_y = steady_.traction.y;
         s.friction_bound = bound_;
-        s.displacement_x = total(steady_.displacement.x, by_pressure().x);
-        s.displacement_y = total(steady_.displacement.y, by_pressure().y);
+        s.displacement_x = total(steady_.displacement.x, coupling_.displacement().x);
+        s.displacement_y = total(steady_.displacement.y, coupling_.displacement().y);
         s.displacement_z = total(normal_.displacement, coupling_.lowering());
         s.slip_x = steady_.slip.x;
         s.slip_y = steady_.slip.y;
@@ -113,10 +112,6 @@ class StaggeredIteration {
     }
 
   private:
-    const TangentialField& by_pressure() const {
-        return coupling_.is_decoupled() ? none_ : coupling_.displacement();
-    }
-
     static std::vector<double> total(std::vector<double> a, const std::vector<double>& b) {
         for (std::size_t i = 0; i < a.size(); ++i) a[i] += b[i];
         return a;
@@ -133,11 +128,11 @@ class StaggeredIteration {
     void solve_tangential() {
         bound_ = normal_.pressure;
         for (double& bound : bound_) bound *= problem_.friction_coefficient;
-        if (!coupling_.is_decoupled())
-            coupling_.update_displacement(normal_.pressure, steady_.traction);
+        coupling_.update_displacement(normal_.pressure);
         if (drive_.force_ratio)
             drive_.force[0] = *drive_.force_ratio * problem_.friction_coefficient * normal_.force;
-        solve_steady(compliance_, {bound_, by_pressure(), drive_}, problem_.tolerance, steady_);
+        solve_steady(compliance_, {bound_, coupling_.displacement(), drive_}, problem_.tolerance,
+                     steady_);
         iterations_ += steady_.iterations;
     }
 
@@ -173,7 +168,6 @@ class StaggeredIteration {
     Drive drive_;  // its forces are those of the present F_N
     contact::Coupling coupling_;
     contact::NormalSolver normal_solver_;
-    const TangentialField none_;
     contact::NormalSolution normal_;
     std::vector<double> bound_;
     SteadySolution steady_;

@@ -47,11 +47,9 @@ json models_json(const LayerComparison& layer) {
 
 json treatment_json(const Case& c) {
     const bool friction = c.load.press == Case::Press::friction;
-    return {
-        {"coupling", c.contact.coupling},
-        {"kinematics", c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed"},
-        {"press", friction ? "friction" : "frictionless"},
-        {"press_steps", friction ? c.load.press_steps : 1}};
+    return {{"coupling", c.contact.coupling},
+            {"press", friction ? "friction" : "frictionless"},
+            {"press_steps", friction ? c.load.press_steps : 1}};
 }
 
 }  // namespace

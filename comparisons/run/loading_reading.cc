@@ -81,15 +81,6 @@ std::string half_space_sentence(const Case& c, const std::vector<std::string>& h
         report::display_names(half_spaces), several ? "leave" : "leaves", negligible_beta, beta);
 }
 
-std::string kinematics_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
-    const bool linear = c.contact.kinematics == Case::Kinematics::linear;
-    return fmt::format("Gap and normal are {} (contact.kinematics = {}).",
-                       linear ? "those of the undisplaced surface point"
-                              : "taken where the surface point has moved to",
-                       linear ? "linear" : "deformed") +
-           change_text(variants, "contact.kinematics");
-}
-
 std::string pressing_sentence(const Case& c, const std::vector<LoadingVariant>& variants) {
     const std::string how = c.load.press == Case::Press::friction
                                 ? fmt::format("in {} equal steps with friction", c.load.press_steps)
@@ -125,12 +116,10 @@ std::vector<std::string> treatment_sentences(const Case& c, const std::vector<st
     std::vector<std::string> result{coupling_sentence(c, coupled, variants),
                                     uncoupled_layer_sentence(models),
                                     half_space_sentence(c, half_spaces)};
-    // Uncoupled contact on an undisplaced surface has no pressing to remember.
-    const bool remembers = (!coupled.empty() && c.contact.coupling) ||
-                           c.contact.kinematics == Case::Kinematics::deformed;
+    // Uncoupled contact has no pressing to remember.
+    const bool remembers = !coupled.empty() && c.contact.coupling;
     const bool pressed_anew = std::ranges::any_of(
         variants, [](const LoadingVariant& v) { return v.key.starts_with("load.press"); });
-    if (remembers || !variants.empty()) result.push_back(kinematics_sentence(c, variants));
     if (remembers || pressed_anew) result.push_back(pressing_sentence(c, variants));
     std::erase(result, std::string());
     return result;

@@ -30,8 +30,8 @@ struct LoadingStudy {
 /// Section "loading_variants" of summary.json; SI units, changes as ratio minus 1.
 nlohmann::ordered_json loading_json(const std::vector<LoadingVariant>& variants);
 
-/// How the models treat coupling, displaced surface and pressing, and what other choices would
-/// change, in plain sentences. `models`: those of the case.
+/// How the models treat coupling and pressing, and what other choices would change, in plain
+/// sentences. `models`: those of the case.
 std::vector<std::string> treatment_sentences(const contact::Case& c,
                                              const std::vector<std::string>& models,
                                              const std::vector<LoadingVariant>& variants);

@@ -77,8 +77,7 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
         add("layer", "The layer", layer_sentences(c, *layer), {layer_table(c, *layer)});
     const auto& variants = extras.study.variants;
     if (c.layer.thickness || !variants.empty())
-        add("loading", "Coupling, displaced surface, pressing",
-            treatment_sentences(c, c.models, variants),
+        add("loading", "Coupling and pressing", treatment_sentences(c, c.models, variants),
             variants.empty() ? Tables() : Tables{variants_table(c, variants)});
     if (c.relaxation)
         add("relaxation", "Relaxation", relaxation_sentences(c, extras.relaxation),

@@ -67,8 +67,6 @@ void add_treatment(const Case& c, Settings& settings) {
     settings.add("pressing", friction ? "with friction" : "without friction");
     if (friction) settings.add("pressing steps", std::to_string(c.load.press_steps));
     settings.add("coupling", c.contact.coupling ? "yes" : "left out");
-    settings.add("kinematics",
-                 c.contact.kinematics == Case::Kinematics::linear ? "linear" : "deformed");
 }
 
 /// In the order of Case::Shape.

@@ -63,9 +63,7 @@ Vector2 StaggeredSolver::rotated(const StepStart& before, std::size_t i) const {
 }
 
 SurfaceField StaggeredSolver::tractions() const {
-    const auto& p = now_.normal->pressure;
-    const auto& t = now_.tangential.traction;
-    return {coupling_.surface_traction(p, t), coupling_.downward_traction(p, t)};
+    return {now_.tangential.traction, now_.normal->pressure};
 }
 
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
@@ -79,10 +77,10 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     update_displacement();
 }
 
-/// coupling().height() in the present pose, for the effective displacements [m].
+/// coupling().height() at the present offset, for the effective displacements [m].
 std::vector<double> StaggeredSolver::update_height() {
-    coupling_.place({now_.offset, now_.shift, now_.displacement.in_surface});
-    coupling_.update_height(now_.normal->pressure, now_.tangential.traction);
+    coupling_.place(now_.offset);
+    coupling_.update_height(now_.tangential.traction);
     std::vector<double> height = coupling_.height();
     if (!substrate_.relaxes()) return height;
     for (std::size_t i = 0; i < height.size(); ++i)
@@ -129,20 +127,16 @@ void StaggeredSolver::keep_start(double phase) {
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     keep_start(phase);
-    update_height();  // heights and slopes follow from the rest
+    update_height();  // heights follow from the rest
 }
 
-/// The geometry of a displaced surface follows behind.
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {
     recall_start(step.phase);
     std::vector<double> height = update_height();
     FixedPoint iteration;
     for (int k = 1; k <= FixedPoint::max_iterations; ++k) {
-        NormalControl control = step.normal;
-        if (control.kind == NormalControl::Kind::force)
-            control.value -= coupling_.normal_force(now_.tangential.traction);
-        solve_normal(control, height);
-        coupling_.update_displacement(now_.normal->pressure, now_.tangential.traction);
+        solve_normal(step.normal, height);
+        coupling_.update_displacement(now_.normal->pressure);
         solve_friction(step, before);
         update_displacement();
 
@@ -178,8 +172,7 @@ std::array<TangentialControl, 2> StaggeredSolver::forces_and_shifts(const LoadSt
     for (TangentialControl& one : control)
         if (one.kind == TangentialControl::Kind::ratio)
             one = {TangentialControl::Kind::force,
-                   one.value * friction_coefficient_ *
-                       (now_.normal->force + coupling_.normal_force(now_.tangential.traction))};
+                   one.value * friction_coefficient_ * now_.normal->force};
     return control;
 }
 
@@ -197,12 +190,10 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
         if (now_.bound[i] > 0) contact_area += points().area[i];
     }
     std::array<TangentialControl, 2> control = forces_and_shifts(step);
-    const Vector2 by_pressure = coupling_.tangential_force(now_.normal->pressure);
     const double stiffness = substrate_.stiffness();
     for (int d = 0; d < 2; ++d)
-        control[d].value = control[d].kind == TangentialControl::Kind::shift
-                               ? stiffness * (control[d].value - before.shift[d])
-                               : control[d].value - by_pressure[d];
+        if (control[d].kind == TangentialControl::Kind::shift)
+            control[d].value = stiffness * (control[d].value - before.shift[d]);
     // Both halves of a mirrored contact push against each other: nothing moves it across.
     if (points().mirrored) control[1] = {TangentialControl::Kind::shift, 0};
 
@@ -219,7 +210,7 @@ void StaggeredSolver::solve_tangential(const LoadStep& step, const StepStart& be
     }
 }
 
-/// In the surface before the step, relative to what all but the tangential tractions displace now.
+/// In the surface before the step, relative to what the pressure displaces now.
 TangentialField StaggeredSolver::displaced_before(const StepStart& before) const {
     TangentialField relative = before.displacement.in_surface;
     const TangentialField& other = coupling_.displacement();

@@ -222,15 +222,7 @@ std::vector<CaseKey> contact_keys() {
             {boolean_key("contact.coupling", "false",
                          "normal and tangential contact influence each other",
                          {.default_value = "true"}),
-             at<&Case::contact, &Case::Contact::coupling>},
-            {choice_key("contact.kinematics",
-                        {choice("linear", Case::Kinematics::linear),
-                         choice("deformed", Case::Kinematics::deformed)},
-                        R"("linear")",
-                        "where models that can take gap and normal: at the undeformed "
-                        "surface point, or at the displaced one",
-                        {.default_value = R"("linear")"}),
-             at<&Case::contact, &Case::Contact::kinematics>}};
+             at<&Case::contact, &Case::Contact::coupling>}};
 }
 
 Field place_of(const CaseKey& key, Case& c) {

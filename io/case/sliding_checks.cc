@@ -23,7 +23,7 @@ constexpr double closest_to_sliding = 1e-6;
 
 // As a contact rolls, cells enter and leave it. A sum of pressures over them varies by up to this
 // times the square of cells over contact radius (seen: 0.26, of a power law of 1.4): at a fixed
-// indentation F_N, and on a displaced surface what pressures carry along it.
+// indentation that is F_N.
 constexpr double force_of_cells = .5;
 constexpr double layer_elements = 100;  // of mdr-layer in the contact radius
 
@@ -92,26 +92,6 @@ void check_force_of_cells(const Case& c, const HalfSpaceScales& scales, double r
                ", use smaller cells or more springs, or give load.normal_force");
 }
 
-/// The pressures of a displaced surface push along it, each up to the slope times itself; what is
-/// left of their sum on the cells must be less than friction carries.
-void check_inclined_force(const Case& c, const HalfSpaceScales& scales, double ratio,
-                          const Document& document) {
-    if (c.contact.kinematics != Case::Kinematics::deformed) return;
-    if (contact::has_conical_tip(c))
-        refuse(document, "contact.kinematics",
-               "a displaced surface meets the indenter by its slope, which a conical tip has not",
-               "take kinematics = \"linear\"");
-    if (!c.rolling) return;
-    const double slope = 2 * scales.indentation / scales.contact_radius;
-    const double left = slope * force_of_cells * std::pow(coarsest_cell(c, scales), 2);
-    const double carried = c.friction_coefficient * (1 - ratio);
-    if (left <= carried) return;
-    refuse(document, "contact.kinematics",
-           "on a displaced surface pressures on cells leave a force along it of up to " +
-               rounded(left) + " F_N, but friction has " + rounded(carried) + " F_N beside F_T",
-           "use smaller cells, or kinematics = \"linear\"");
-}
-
 void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document& document) {
     const std::string key = "load.tangential_ratio";
     if (!c.load.tangential_ratio || contact::is_nominally_flat(c)) return;
@@ -128,7 +108,6 @@ void check_at_depth(const Case& c, const HalfSpaceScales& scales, const Document
     check_oscillating_ratio(key, worst, document);
     check_tells_sliding(c, key, worst, document);
     check_force_of_cells(c, scales, worst, document);
-    check_inclined_force(c, scales, worst, document);
 }
 
 void check_rolls_one_way(const Case& c, const Document& document) {
@@ -206,7 +185,6 @@ void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Do
     const double worst = largest_ratio(c.load, mean, [](double factor) { return factor; });
     check_oscillating_ratio(key, worst, document);
     check_tells_sliding(c, key, worst, document);
-    check_inclined_force(c, scales, worst, document);
 }
 
 void check_tractive_rolling(const Case& c, const Document& document) {

@@ -22,8 +22,6 @@ void check_bodies(const Case& c, bool is_coupled) {
         fail("substrate.relaxation", "", "CONTACT takes relaxing bodies in steady rolling alone",
              "such a case cannot be written for it");
     if (c.bem.period) fail("bem.period", "", "CONTACT has no periodic contacts", "omit it");
-    if (c.contact.kinematics != Case::Kinematics::linear)
-        fail("contact.kinematics", "", "CONTACT's kinematics are linear", "take \"linear\"");
     if (is_coupled && !c.contact.coupling)
         fail("contact.coupling", "", "CONTACT always couples such bodies", "omit it");
     const auto out_of_range = [](const contact::Material& m) { return m.poisson < 0; };

@@ -159,7 +159,6 @@ class Drawing {
         // MDR has no coupling: a case that has must leave it out.
         const bool coupled = is_mdr_ ? false : dice_.chance(.8);
         add("[contact]\ncoupling = {}\n", coupled);
-        if (!is_mdr_ && dice_.chance(.1)) add("kinematics = \"deformed\"\n");
     }
 
     void draw_load() {

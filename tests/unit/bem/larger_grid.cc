@@ -34,26 +34,6 @@ Case pushed_aside() {
     return c;
 }
 
-/// mu = 7.6: the indenter shifts over the displaced surface.
-Case shifted_over_the_surface() {
-    Case c;
-    c.indenter.radius = 4.8e-8;
-    c.substrate = {29.17, .49956};
-    c.friction_coefficient = 7.613;
-    c.contact.kinematics = Case::Kinematics::deformed;
-    c.load.normal_force = 3.154e-16;
-    c.load.tangential_ratio = .2306;
-    c.load.press_steps = 3;
-    c.rolling.emplace();
-    c.rolling->amplitude_ratio = .2418;
-    c.rolling->angle = -4.569;
-    c.rolling->periods = 1;
-    c.rolling->steps = Case::Steps::per_quarter;
-    c.rolling->steps_per_quarter = 3;
-    c.bem.cells_per_radius = 5;
-    return c;
-}
-
 contact::SurfaceModel on_wide_grid(const Case& c) {
     return {"bem",
             *bem::make_substrate(c, 1, bem::Body::half_space, 1),
@@ -100,10 +80,6 @@ void expect_as_on_a_wide_grid(const Case& c) {
 
 TEST(BemLargerGrid, FollowsAContactThatFrictionPushesAside) {
     expect_as_on_a_wide_grid(pushed_aside());
-}
-
-TEST(BemLargerGrid, FollowsAnIndenterThatShiftsOverTheSurface) {
-    expect_as_on_a_wide_grid(shifted_over_the_surface());
 }
 
 TEST(BemLargerGrid, SiblingsHaveOneToo) {

@@ -170,9 +170,7 @@ TEST(BemPeriodicHalfSpace, MicroSlipOfARoughPlaneIsThatOfItsPressures) {
     const MaterialPair pair{{}, Material{10e6, 0}};
     const double mu = .4, area = 1e-6, force = .05 * pair.effective_modulus() * .1 * area;
     const auto compliance = std::make_shared<PeriodicCompliance>(pair, period_grid(1e-3, 64), 1);
-    contact::SurfaceModel model(
-        "bem", compliance, rough.indenter, mu, 1e-8,
-        {.coupling = false, .kinematics = contact::Case::Kinematics::linear});
+    contact::SurfaceModel model("bem", compliance, rough.indenter, mu, 1e-8, {.coupling = false});
     contact::LoadStep press = pressed(force, 0);
     press.friction = false;
     const double depth = model.advance(press).indentation;
@@ -180,9 +178,8 @@ TEST(BemPeriodicHalfSpace, MicroSlipOfARoughPlaneIsThatOfItsPressures) {
     for (const double ratio : {.2, .5, .8, .95}) {
         const auto record = model.advance(pressed(force, ratio * mu * force));
         const auto surface = model.surface();
-        contact::SurfaceModel less(
-            "bem", compliance, rough.indenter, mu, 1e-8,
-            {.coupling = false, .kinematics = contact::Case::Kinematics::linear});
+        contact::SurfaceModel less("bem", compliance, rough.indenter, mu, 1e-8,
+                                   {.coupling = false});
         contact::LoadStep lighter = pressed((1 - ratio) * force, 0);
         lighter.friction = false;
         const double shallow = less.advance(lighter).indentation;

@@ -251,7 +251,7 @@ TEST(LayerJson, CarriesTheSameNumbers) {
               layer.apparent->from_indentation);
     EXPECT_EQ(json["models"]["mdr"]["ignores_thickness"], true);
     EXPECT_NEAR(json["models"]["fem"]["over_exact"]["indentation"].get<double>(), 0.01, 1e-12);
-    EXPECT_EQ(json["contact"]["kinematics"], "linear");
+    EXPECT_EQ(json["contact"]["coupling"], true);
     EXPECT_EQ(json["contact"]["press_steps"], 20);
 }
 

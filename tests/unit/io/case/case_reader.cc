@@ -95,7 +95,6 @@ poisson = 0.33
 coefficient = 0.57
 [contact]
 coupling = false
-kinematics = "deformed"
 [load]
 normal_force = "21.1 N"
 tangential_ratio = 0.56
@@ -118,7 +117,6 @@ cache = "none"
     EXPECT_EQ(c.layer.lower.front().material.poisson, 0.33);
     EXPECT_EQ(c.layer.total_thickness(), 0.01);
     EXPECT_FALSE(c.contact.coupling);
-    EXPECT_EQ(c.contact.kinematics, Case::Kinematics::deformed);
     EXPECT_EQ(c.load.press_steps, 7);
     EXPECT_EQ(c.fem.size, 0.0005);
     EXPECT_FALSE(c.fem.accuracy);
@@ -184,7 +182,6 @@ TEST(CaseReader, DeclaredDefaultsAreThoseOfTheStructure) {
     EXPECT_EQ(c.load.press, Case::Load().press);
     EXPECT_EQ(c.load.press_steps, Case::Load().press_steps);
     EXPECT_EQ(c.contact.coupling, Case::Contact().coupling);
-    EXPECT_EQ(c.contact.kinematics, Case::Contact().kinematics);
     EXPECT_EQ(c.fem.growth, Case::Fem().growth);
     EXPECT_EQ(c.fem.sides, Case::Fem().sides);
     EXPECT_EQ(c.fem.tolerance, Case::Fem().tolerance);
@@ -223,8 +220,6 @@ TEST(CaseReader, EveryWordOfAChoiceIsRead) {
     EXPECT_EQ(parsed({"output.volume=last"}).output.volume, Case::VolumeOutput::last);
     EXPECT_EQ(parsed({"output.volume=quarters"}).output.volume, Case::VolumeOutput::quarters);
     EXPECT_EQ(parsed({"load.press=frictionless"}).load.press, Case::Press::frictionless);
-    EXPECT_EQ(parsed({"contact.kinematics=deformed"}).contact.kinematics,
-              Case::Kinematics::deformed);
     EXPECT_EQ(parsed({"fem.sides=fixed"}).fem.sides, Case::Sides::fixed);
     EXPECT_EQ(parsed({"substrate.base=frictionless", "substrate.thickness=8 mm"}).layer.base,
               Case::Base::frictionless);

@@ -187,8 +187,7 @@ Case any_case() {
     const bool between_turning_points =
         c.rolling && c.rolling->steps == Case::Steps::turning_points;
     if (!between_turning_points && *rc::gen::arbitrary<bool>()) relax(c);
-    c.contact = {.coupling = *rc::gen::arbitrary<bool>(),
-                 .kinematics = one_of({Case::Kinematics::linear, Case::Kinematics::deformed})};
+    c.contact = {.coupling = *rc::gen::arbitrary<bool>()};
     c.fem = any_fem(a, fem);
     return c;
 }
@@ -291,7 +290,6 @@ void same(const Case& a, const Case& b) {
     RC_ASSERT(a.mdr.springs == b.mdr.springs);
     same(a.layer, b.layer);
     RC_ASSERT(a.contact.coupling == b.contact.coupling);
-    RC_ASSERT(a.contact.kinematics == b.contact.kinematics);
     same(a.fem, b.fem);
     RC_ASSERT(a.output.vtk == b.output.vtk);
     RC_ASSERT(a.output.volume == b.output.volume);

@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
             "from = [0.1]: must be one value"},
         Bad{"RangeKeyUnknown", vary("load.tangential_ratio = {from = 0.1, to = 0.3, step = 1}"),
             "unknown key vary.load.tangential_ratio.step; a range has"},
-        Bad{"RangeOfWords", vary("contact.kinematics = {from = 0.1, to = 0.3, points = 2}"),
+        Bad{"RangeOfWords", vary("load.press = {from = 0.1, to = 0.3, points = 2}"),
             "has no range"},
         Bad{"ScaleUnknown",
             vary("load.tangential_ratio = {from = 0.1, to = 0.3, points = 2, scale = \"lag\"}"),

@@ -49,7 +49,6 @@ coefficient = 0.57
 
 [contact]
 coupling = true
-kinematics = "linear"
 
 [load]
 indentation = "5e-04 m"
