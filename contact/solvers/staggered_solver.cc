@@ -69,6 +69,7 @@ SurfaceField StaggeredSolver::tractions() const {
 void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
     now_.normal_iterations = now_.tangential_iterations = 0;
     now_.offset = step.offset;
+    coupling_.place(step.offset);
     if (substrate_.begin(step.duration, before.traction, before.displacement)) make_solvers();
     if (coupling_.is_decoupled())
         solve_uncoupled(step, before);
@@ -79,7 +80,6 @@ void StaggeredSolver::solve(const LoadStep& step, const StepStart& before) {
 
 /// coupling().height() at the present offset, for the effective displacements [m].
 std::vector<double> StaggeredSolver::update_height() {
-    coupling_.place(now_.offset);
     coupling_.update_height(now_.tangential.traction);
     std::vector<double> height = coupling_.height();
     if (!substrate_.relaxes()) return height;
@@ -127,7 +127,7 @@ void StaggeredSolver::keep_start(double phase) {
 void StaggeredSolver::resume(ContactSolution solution, double phase) {
     now_ = std::move(solution);
     keep_start(phase);
-    update_height();  // heights follow from the rest
+    coupling_.place(now_.offset);
 }
 
 void StaggeredSolver::solve_coupled(const LoadStep& step, const StepStart& before) {

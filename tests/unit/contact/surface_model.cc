@@ -107,6 +107,23 @@ TEST(SurfaceModel, GoesOnFromItsBytes) {
     }
 }
 
+// Also at positions whose pressures are known from before. Tolerance of the solver: 1e-8 of d.
+TEST(SurfaceModel, GapIsClosedWhereverTheContactHasRolled) {
+    Case c = layer_case();
+    for (const bool coupled : {true, false}) {
+        c.contact.coupling = coupled;
+        const auto model = make_layer(c);
+        for (const LoadStep& step : steps_of(c)) {
+            const double d = model->advance(step).indentation;
+            const contact::Surface s = model->surface();
+            double worst = 0;
+            for (std::size_t i = 0; i < s.size(); ++i)
+                worst = std::max(worst, s.normal_traction[i] > 0 ? std::abs(s.gap[i]) : -s.gap[i]);
+            EXPECT_LT(worst, 1e-6 * d) << step.phase;
+        }
+    }
+}
+
 // The work on all points is what friction dissipates in the period, each period from zero.
 TEST(SurfaceModel, FrictionalWorkOfAllPointsIsTheDissipationOfThePeriod) {
     Case c = layer_case();
