@@ -88,8 +88,19 @@ struct ElementBatch {
     std::array<Matrix3<Lanes>, n_points> to_physical;     // [own axis][axis], [1/m]
     std::array<std::array<Lanes, 4>, n_points> pressure;  // orthonormal functions [m^-3/2]
     MooneyRivlin<Lanes> material;
-    Lanes bulk;  // K [Pa]
+    Lanes bulk;      // K [Pa]
+    Lanes relaxing;  // 1 where branches lie beside the material, else 0
+    bool relaxes;    // anywhere
 };
+
+using Nodal = std::array<Scalar<Lanes>, 3>;
+using Own = std::array<Gradient<Lanes>, 3>;
+
+TRICONTACT_INLINE void gather(const ElementBatch& batch, const double* field, Nodal& nodal) {
+    for (int i = 0; i < n_points; ++i)
+        for (std::size_t l = 0; l < n_lanes; ++l)
+            for (int a = 0; a < 3; ++a) nodal[a][i][l] = field[3 * batch.node[i][l] + a];
+}
 
 /// H at Gauss point q.
 template <class T>

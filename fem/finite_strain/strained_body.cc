@@ -9,15 +9,7 @@ namespace tricontact::fem {
 
 namespace {
 
-using Nodal = std::array<Scalar<Lanes>, 3>;
-using Own = std::array<Gradient<Lanes>, 3>;
 using Amplitudes = std::vector<std::array<double, 4>>;
-
-TRICONTACT_INLINE void gather(const ElementBatch& batch, const double* field, Nodal& nodal) {
-    for (int i = 0; i < n_points; ++i)
-        for (std::size_t l = 0; l < n_lanes; ++l)
-            for (int a = 0; a < 3; ++a) nodal[a][i][l] = field[3 * batch.node[i][l] + a];
-}
 
 TRICONTACT_INLINE void scatter(const ElementBatch& batch, const Nodal& nodal, double* field) {
     for (int i = 0; i < n_points; ++i)
@@ -38,10 +30,43 @@ struct Totals {
     Lanes least_volume = 1;
 };
 
-TRICONTACT_LANES_CLONES
-void evaluate_batch(const ElementBatch& batch, const double* displacement,
-                    const std::array<Lanes, 4>& mean_stress, double* force, double* effective,
-                    std::array<Lanes, 4>& excess, Totals& totals) {
+/// What lies beside the material: nothing.
+struct NoBranches {
+    TRICONTACT_INLINE void add(const ElementBatch&, const Strain<Lanes>&, int, Matrix3<Lanes>&,
+                               Lanes&) const {}
+};
+
+/// Branches of a batch, by points, in a step.
+struct Branches {
+    const RelaxingStep::Branch* first;
+    const std::vector<contact::Relaxation::Branch>& constants;
+
+    /// Adds their stress M and their energy per volume at Gauss point q.
+    TRICONTACT_INLINE void add(const ElementBatch& batch, const Strain<Lanes>& strain, int q,
+                               Matrix3<Lanes>& stress, Lanes& energy) const {
+        const auto isochoric = isochoric_strain(strain);
+        const Lanes of_stress = batch.relaxing / (strain.dilatation + 1.);
+        const std::size_t n = constants.size();
+        for (std::size_t b = 0; b < n; ++b) {
+            const auto& branch = first[q * n + b];
+            Symmetric3<Lanes> mixed;
+            for (int k = 0; k < 6; ++k)
+                mixed[k] = branch.remembered[k] + branch.share * isochoric[k];
+            const auto y = branch_strain(isochoric, unimodular(mixed));
+            const auto t = branch_stress(batch.material, y);
+            const Lanes ratio = constants[b].ratio;
+            for (int a = 0; a < 3; ++a)
+                for (int c = 0; c < 3; ++c) stress[a][c] += ratio * of_stress * t[a][c];
+            energy += ratio * batch.relaxing * branch_energy(batch.material, y);
+        }
+    }
+};
+
+template <class Beside>
+TRICONTACT_INLINE void evaluate_lanes(const ElementBatch& batch, const double* displacement,
+                                      const std::array<Lanes, 4>& mean_stress, const Beside& beside,
+                                      double* force, double* effective,
+                                      std::array<Lanes, 4>& excess, Totals& totals) {
     Nodal nodal;
     gather(batch, displacement, nodal);
     Own own, linear;
@@ -57,6 +82,8 @@ void evaluate_batch(const ElementBatch& batch, const double* displacement,
             excess[m] += batch.weight[q] * psi[m] * strain.dilatation;
         }
         auto stress = isochoric_stress(batch.material, strain);
+        Lanes energy = energy_density(batch.material, strain);
+        beside.add(batch, strain, q, stress, energy);
         for (int a = 0; a < 3; ++a) stress[a][a] += mean[q];
         Matrix3<Lanes> piola;
         for (int a = 0; a < 3; ++a)
@@ -65,7 +92,7 @@ void evaluate_batch(const ElementBatch& batch, const double* displacement,
                               strain.cofactor[a][1] * stress[1][b] +
                               strain.cofactor[a][2] * stress[2][b];
         set_flux(batch, piola, q, own);
-        totals.energy += batch.weight[q] * energy_density(batch.material, strain);
+        totals.energy += batch.weight[q] * energy;
         totals.least_volume = smaller(totals.least_volume, strain.dilatation + 1.);
     }
     for (int m = 0; m < 4; ++m)
@@ -81,6 +108,22 @@ void evaluate_batch(const ElementBatch& batch, const double* displacement,
     }
     for (int a = 0; a < 3; ++a) integrate(linear[a], nodal[a]);
     scatter(batch, nodal, effective);
+}
+
+TRICONTACT_LANES_CLONES
+void evaluate_batch(const ElementBatch& batch, const double* displacement,
+                    const std::array<Lanes, 4>& mean_stress, double* force, double* effective,
+                    std::array<Lanes, 4>& excess, Totals& totals) {
+    evaluate_lanes(batch, displacement, mean_stress, NoBranches{}, force, effective, excess,
+                   totals);
+}
+
+TRICONTACT_LANES_CLONES
+void evaluate_relaxing_batch(const ElementBatch& batch, const double* displacement,
+                             const std::array<Lanes, 4>& mean_stress, const Branches& branches,
+                             double* force, double* effective, std::array<Lanes, 4>& excess,
+                             Totals& totals) {
+    evaluate_lanes(batch, displacement, mean_stress, branches, force, effective, excess, totals);
 }
 
 /// B du.
@@ -170,8 +213,12 @@ std::array<int, n_points> tensor_order() {
 }  // namespace
 
 StrainedBody::StrainedBody(const Discretisation& discretisation,
-                           const std::array<double, meshes::n_regions>& c01_ratio)
-    : n_nodes_(discretisation.space.nodes.size()), n_cells_(discretisation.space.cells.size()) {
+                           const std::array<double, meshes::n_regions>& c01_ratio,
+                           const contact::Relaxation& relaxation)
+    : n_nodes_(discretisation.space.nodes.size()),
+      n_cells_(discretisation.space.cells.size()),
+      relaxation_(relaxation) {
+    check(relaxation_);
     const Q2Space& space = discretisation.space;
     const auto order = tensor_order();
     batches_.resize((n_cells_ + n_lanes - 1) / n_lanes);
@@ -192,6 +239,10 @@ StrainedBody::StrainedBody(const Discretisation& discretisation,
         batch.material.c10[lane] = moduli.shear / 2 * (1 - c01_ratio[region]);
         batch.material.c01[lane] = moduli.shear / 2 * c01_ratio[region];
         batch.bulk[lane] = moduli.bulk;
+        const bool relaxes =
+            !relaxation_.branches.empty() && space.regions[cell] == meshes::Region::layer;
+        batch.relaxing[lane] = relaxes ? 1 : 0;
+        batch.relaxes = (lane > 0 && batch.relaxes) || relaxes;
     }
 }
 StrainedBody::~StrainedBody() = default;
@@ -201,15 +252,27 @@ StrainedState StrainedBody::at_rest() const {
 }
 
 void StrainedBody::evaluate(const StrainedState& state, Response& r) const {
+    evaluate(state, {}, r);
+}
+
+void StrainedBody::evaluate(const StrainedState& state, const RelaxingStep& step,
+                            Response& r) const {
     r.force.assign(3 * n_nodes_, 0);
     r.effective_force.assign(3 * n_nodes_, 0);
     r.excess_volume.resize(n_cells_);
     Totals totals;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const std::size_t first = b * n_lanes;
+        const auto mean_stress = gather(state.mean_stress, first);
         std::array<Lanes, 4> excess;
-        evaluate_batch(batches_[b], state.displacement.data(), gather(state.mean_stress, first),
-                       r.force.data(), r.effective_force.data(), excess, totals);
+        if (batches_[b].relaxes && !step.branches.empty())
+            evaluate_relaxing_batch(
+                batches_[b], state.displacement.data(), mean_stress,
+                {&step.branches[b * n_points * relaxation_.branches.size()], relaxation_.branches},
+                r.force.data(), r.effective_force.data(), excess, totals);
+        else
+            evaluate_batch(batches_[b], state.displacement.data(), mean_stress, r.force.data(),
+                           r.effective_force.data(), excess, totals);
         for (std::size_t l = 0; l < n_lanes && first + l < n_cells_; ++l)
             for (int m = 0; m < 4; ++m) r.excess_volume[first + l][m] = excess[m][l];
     }

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "contact/substrates/relaxation.h"
 #include "fem/discretisation.h"
-#include "fem/finite_strain/hyperelastic.h"
+#include "fem/finite_strain/relaxing_branch.h"
 
 namespace tricontact::fem {
 
@@ -20,15 +21,37 @@ struct StrainedState {
     std::vector<std::array<double, 4>> mean_stress;
 };
 
+/// What a relaxing body remembers of its past, at the Gauss points: see relaxing_branch.h.
+struct StrainMemory {
+    std::vector<Symmetric3<Lanes>> strain;   ///< E_bar at the end of the last step, by points
+    std::vector<Symmetric3<Lanes>> viscous;  ///< E_i, by points and branches
+};
+
+/// A step of a relaxing body: what its memory has become but for the strain at the end.
+struct RelaxingStep {
+    struct Branch {
+        Symmetric3<Lanes> remembered;  ///< E_i before its determinant is made 1, but for
+        Lanes share;                   ///< this times E_bar at the end
+    };
+    std::vector<Branch> branches;  ///< by points and branches
+    double duration;               ///< [s]
+};
+
 /// A hyperelastic body of Q2 displacements and discontinuous linear pressures q,
 ///   int W(F) - ... + q (J - 1) - q^2/(2K),
 /// the finite strain form of the Q2/P1 element of Discretisation: at small strains their forces are
 /// the same. Pressures are linear functions of the reference position, orthonormal in each element.
+///
+/// Its layer may relax: each branch of the relaxation is a Maxwell element of the same elasticity
+/// beside it, see relaxing_branch.h. Shear relaxes, the bulk modulus stays; at nu = 1/2 and for
+/// contact::Relaxation::Bulk::elastic that is all there is.
 class StrainedBody {
   public:
-    /// `c01_ratio`: c01/(c10 + c01) of each region.
+    /// `c01_ratio`: c01/(c10 + c01) of each region. The region `layer` relaxes, to the moduli of
+    /// the discretisation. Throws contact::InputError for a relaxation that check() refuses.
     StrainedBody(const Discretisation& discretisation,
-                 const std::array<double, meshes::n_regions>& c01_ratio);
+                 const std::array<double, meshes::n_regions>& c01_ratio,
+                 const contact::Relaxation& relaxation = {});
     ~StrainedBody();
 
     struct Response {
@@ -42,8 +65,23 @@ class StrainedBody {
         double energy = 0;        ///< stored [J]
         double least_volume = 1;  ///< smallest J at any Gauss point; not above 0: inverted elements
     };
-    /// A mirrored body's half, as its mesh is.
+    /// A mirrored body's half, as its mesh is. Of a relaxing body all that has relaxed.
     void evaluate(const StrainedState& state, Response& response) const;
+
+    StrainMemory unstrained() const;
+    /// A step of this duration [s], which may be 0 or infinite, in which strains change linearly.
+    RelaxingStep begin(const StrainMemory& memory, double duration) const;
+    /// At the end of the step; the branches' energy is part of the stored one.
+    void evaluate(const StrainedState& state, const RelaxingStep& step, Response& response) const;
+    /// Of the branches in a step [J].
+    struct StepEnergies {
+        double dissipated = 0;  ///< not negative
+        double work = 0;        ///< of what strains them: stored + dissipated but for O(dt^3)
+    };
+    /// Ends the step in this state, which `memory`, as the step began from it, learns.
+    StepEnergies finish(const StrainedState& state, const RelaxingStep& step,
+                        StrainMemory& memory) const;
+
     /// Adds to the state a displacement that the linear stiffness found, and the pressures that
     /// belong to it: K (B du + excess).
     void add(std::span<const double> displacement, const Response& before,
@@ -54,6 +92,7 @@ class StrainedBody {
   private:
     std::vector<ElementBatch> batches_;
     std::size_t n_nodes_ = 0, n_cells_ = 0;
+    contact::Relaxation relaxation_;
 };
 
 }  // namespace tricontact::fem
