@@ -77,10 +77,10 @@ struct Dual {
     TRICONTACT_INLINE Dual& operator+=(const Dual& a) { return *this = *this + a; }
 };
 
-/// The cube root of numbers between 1e-3 and 1e3, by Halley's iteration from that of 1.
-template <class T>
+/// The cube root of numbers between 1e-3 and 1e3, by Halley's iteration from that of 1; with 2
+/// steps of numbers between 2/3 and 3/2.
+template <int steps = 7, class T>
 TRICONTACT_INLINE T cube_root(const T& a) {
-    constexpr int steps = 7;
     T x = (2. * a + 1.) / (a + 2.);
     for (int k = 0; k < steps; ++k) {
         const T cube = x * x * x;
@@ -88,9 +88,9 @@ TRICONTACT_INLINE T cube_root(const T& a) {
     }
     return x;
 }
-template <class T>
+template <int steps = 7, class T>
 TRICONTACT_INLINE Dual<T> cube_root(const Dual<T>& a) {
-    const T root = cube_root(a.value);
+    const T root = cube_root<steps>(a.value);
     return {root, a.change / (3. * root * root)};
 }
 

@@ -72,6 +72,20 @@ TRICONTACT_INLINE Symmetric3<T> isochoric_strain(const Strain<T>& strain) {
             e[1][2] * factor,          e[0][2] * factor,          e[0][1] * factor};
 }
 
+constexpr double near_one = 1.5;
+TRICONTACT_INLINE bool is_near_one(double a) {
+    return a < near_one && a > 1 / near_one;
+}
+TRICONTACT_INLINE bool is_near_one(const Lanes& a) {
+    bool near = true;
+    for (std::size_t l = 0; l < n_lanes; ++l) near &= is_near_one(a[l]);
+    return near;
+}
+template <class T>
+TRICONTACT_INLINE bool is_near_one(const Dual<T>& a) {
+    return is_near_one(a.value);
+}
+
 /// The strain of 1 + 2 E divided by the cube root of its determinant.
 template <class T>
 TRICONTACT_INLINE Symmetric3<T> unimodular(const Symmetric3<T>& e) {
@@ -80,7 +94,8 @@ TRICONTACT_INLINE Symmetric3<T> unimodular(const Symmetric3<T>& e) {
     const T third =
         e[0] * minor - e[5] * (e[5] * e[2] - e[3] * e[4]) + e[4] * (e[5] * e[3] - e[1] * e[4]);
     const T y = 2. * (e[0] + e[1] + e[2] + 2. * second + 4. * third);  // determinant - 1
-    const T c = cube_root(y + 1.);
+    // Means of tensors of determinant 1: it is 1 but for the square of their difference.
+    const T c = is_near_one(y + 1.) ? cube_root<2>(y + 1.) : cube_root(y + 1.);
     const T factor = 1. / c, half = .5 * y / (c * c + c + 1.);
     return {(e[0] - half) * factor, (e[1] - half) * factor, (e[2] - half) * factor,
             e[3] * factor,          e[4] * factor,          e[5] * factor};

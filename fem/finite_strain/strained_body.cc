@@ -30,6 +30,12 @@ struct Totals {
     Lanes least_volume = 1;
 };
 
+TRICONTACT_INLINE void prefetch(const RelaxingStep::Branch* branch) {
+    constexpr std::size_t cache_line = 64;
+    for (std::size_t k = 0; k < sizeof(*branch); k += cache_line)
+        __builtin_prefetch(reinterpret_cast<const char*>(branch) + k);
+}
+
 /// What lies beside the material: nothing.
 struct NoBranches {
     TRICONTACT_INLINE void add(const ElementBatch&, const Strain<Lanes>&, int, Matrix3<Lanes>&,
@@ -39,6 +45,7 @@ struct NoBranches {
 /// Branches of a batch, by points, in a step.
 struct Branches {
     const RelaxingStep::Branch* first;
+    std::size_t n_ahead;  // from there to the end of all batches'
     const std::vector<contact::Relaxation::Branch>& constants;
 
     /// Adds their stress M and their energy per volume at Gauss point q.
@@ -49,6 +56,8 @@ struct Branches {
         const std::size_t n = constants.size();
         for (std::size_t b = 0; b < n; ++b) {
             const auto& branch = first[q * n + b];
+            // They are read once and in order, but come too late otherwise: a fifth of the time.
+            prefetch(first + std::min((q + 3) * n + b, n_ahead - 1));
             Symmetric3<Lanes> mixed;
             for (int k = 0; k < 6; ++k)
                 mixed[k] = branch.remembered[k] + branch.share * isochoric[k];
@@ -265,11 +274,12 @@ void StrainedBody::evaluate(const StrainedState& state, const RelaxingStep& step
         const std::size_t first = b * n_lanes;
         const auto mean_stress = gather(state.mean_stress, first);
         std::array<Lanes, 4> excess;
+        const std::size_t first_branch = b * n_points * relaxation_.branches.size();
         if (batches_[b].relaxes && !step.branches.empty())
-            evaluate_relaxing_batch(
-                batches_[b], state.displacement.data(), mean_stress,
-                {&step.branches[b * n_points * relaxation_.branches.size()], relaxation_.branches},
-                r.force.data(), r.effective_force.data(), excess, totals);
+            evaluate_relaxing_batch(batches_[b], state.displacement.data(), mean_stress,
+                                    {&step.branches[first_branch],
+                                     step.branches.size() - first_branch, relaxation_.branches},
+                                    r.force.data(), r.effective_force.data(), excess, totals);
         else
             evaluate_batch(batches_[b], state.displacement.data(), mean_stress, r.force.data(),
                            r.effective_force.data(), excess, totals);
