@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <optional>
 
 #include "contact/error.h"
 #include "contact/special_values.h"
@@ -160,7 +159,6 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
     now.pose.offset = step.offset;
     StrainedBody::Response response;
     std::optional<Contact> contact;
-    const bool trace = std::getenv("TRACE") != nullptr;
     for (int k = 1; k <= max_iterations; ++k) {
         report.iterations = k;
         problem_.body.evaluate(now.body, response);
@@ -172,10 +170,6 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
             contact.emplace(frames, problem_.compliance, of_contact_solvers * problem_.tolerance);
         const std::vector<Vector3> traction = tractions(now, frames);
         report.force_residual = balance_residual(traction, response.force);
-        if (trace)
-            std::printf("  %2d: force %.2e change %.2e d %.9g U %.9g minJ %.4f\n", k,
-                        report.force_residual, report.displacement_residual, now.pose.indentation,
-                        now.pose.shift[0], response.least_volume);
         if (k > 1 && report.force_residual <= problem_.tolerance &&
             report.displacement_residual <= problem_.tolerance)
             return report;
