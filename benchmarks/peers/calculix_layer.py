@@ -1,6 +1,7 @@
 """CalculiX on the rig's layer: writes an input deck (`deck`), reads its results (`read`).
-20-node hexahedra with reduced integration (C3D20R), nu = 0.4999, face-to-face penalty contact, a
-rigid paraboloid whose 20-node faces hold z = r^2/2R exactly. Run by run.sh; needs numpy."""
+20-node hexahedra with reduced integration (C3D20R), nu = 0.4999, linear or neo-Hookean,
+face-to-face penalty contact, a rigid paraboloid whose 20-node faces hold z = r^2/2R exactly.
+Run by run.sh; needs numpy."""
 
 import argparse
 import json
@@ -12,6 +13,11 @@ import exact_layer
 import layer_grid as rig
 
 NU = 0.4999  # the program has no element with a pressure of its own
+G = rig.E / (2 * (1 + NU))
+K = rig.E / (3 * (1 - 2 * NU))
+# *MATERIAL and *STEP: what the layer is made of, whether its strains are finite
+BULK = {"linear": (f"*ELASTIC\n{rig.E}, {NU}", ""),
+        "neo-hookean": (f"*HYPERELASTIC, NEO HOOKE\n{G / 2}, {2 / K}", ", NLGEOM")}
 CENTRE = rig.R  # height of the roller's centre, about which it rotates [mm]
 # corners, then mid-edges, of a 20-node hexahedron on a grid of half elements
 OFFSETS = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2),
@@ -79,8 +85,7 @@ def write_bodies(out, axes, size):
 def write_physics(out, args):
     friction = f"*FRICTION\n{rig.MU}, {args.stick_slope}\n"
     out.write(f"""*MATERIAL, NAME=RUBBER
-*ELASTIC
-{rig.E}, {NU}
+{BULK[args.bulk][0]}
 *SOLID SECTION, ELSET=ELAYER, MATERIAL=RUBBER
 *SOLID SECTION, ELSET=EROLLER, MATERIAL=RUBBER
 *SURFACE INTERACTION, NAME=DRY
@@ -97,8 +102,9 @@ NTURN, 3, 3
 """)
 
 
-def write_step(out, time, boundary, load):
-    out.write(f"*STEP, INC=1000\n*STATIC\n{time}\n*BOUNDARY, OP=NEW\nNBASE, 1, 3\nNSYMMETRY, 2, 2\n"
+def write_step(out, options, time, boundary, load):
+    out.write(f"*STEP{options}, INC=1000\n*STATIC\n{time}\n"
+              "*BOUNDARY, OP=NEW\nNBASE, 1, 3\nNSYMMETRY, 2, 2\n"
               f"NCENTRE, 2, 2\nNTURN, 1, 1\nNTURN, 3, 3\n{boundary}")
     if load:
         out.write(f"*CLOAD, OP=NEW\n{load}")
@@ -111,20 +117,25 @@ def write_deck(args):
     with open(args.name + ".inp", "w", encoding="utf-8") as out:
         write_bodies(out, axes, args.size)
         write_physics(out, args)
+        options = BULK[args.bulk][1]
         still = "NTURN, 2, 2\n"
         part = 1 / args.press_steps
         # The roller is held at its indentation: a given normal force did not converge.
         hold = f"NCENTRE, 3, 3, {-rig.EXACT['d']}\n"
-        write_step(out, f"{part}, 1., 1e-6, {part}", still + "NCENTRE, 1, 1\n" + hold, "")
+        write_step(out, options, f"{part}, 1., 1e-6, {part}", still + "NCENTRE, 1, 1\n" + hold, "")
         if args.frictionless:
             return
         pull = f"NCENTRE, 1, {rig.FT / 2}\n"
-        write_step(out, "1., 1.", still + hold, pull)
+        if args.normal_force:
+            write_step(out, options, "1., 1.", still,
+                       pull + f"NCENTRE, 3, {-args.normal_force / 2}\n")
+        else:
+            write_step(out, options, "1., 1.", still + hold, pull)
         # Rolling under a given F_T did not converge: it rolls at the shift of the loaded state.
         # Turning about +y moves the lowest point along -x.
         for k in range(1, args.rolling + 1):
             roll = f"NTURN, 2, 2, {0.2 * k / rig.R}\nNCENTRE, 1, 1, {args.shift + 0.2 * k}\n"
-            write_step(out, "1., 1.", roll + hold, "")
+            write_step(out, options, "1., 1.", roll + hold, "")
 
 
 def centre(name, what):
@@ -172,6 +183,7 @@ def nodal_pressures(name):
 def read(args):
     shifts, forces = centre(args.name, "displacements"), centre(args.name, "forces")
     loaded = next((i for i, row in enumerate(shifts) if row[1] != 0), len(shifts) - 1)
+    pressed = loaded - 1 if shifts[loaded][1] else loaded
     p, t1, t2 = contact_points(args.name)[loaded].T
     points, blocks = nodal_pressures(args.name)
     top = {}  # the roller's lowest node lies on the layer's and comes after it
@@ -180,8 +192,12 @@ def read(args):
             top.setdefault(tuple(xyz), n)
     nodes = list(top.values())
     x, y, _ = np.array([points[n] for n in nodes]).T
-    return {"d": -shifts[loaded][3], "force": -2 * forces[loaded][3], "u_stat": shifts[loaded][1],
+    return {"d": -shifts[loaded][3], "force": -2 * forces[loaded][3],
+            "u_stat": shifts[loaded][1],
             "a": contact_radius(args.name, loaded),
+            "pressed": {"d": -shifts[pressed][3], "force": -2 * forces[pressed][3],
+                        "a": contact_radius(args.name, pressed),
+                        "p0": max(blocks[pressed][n] for n in nodes)},
             "excess": rig.friction_excess(p, t1, t2), "p_peak_point": float(p.max()),
             "p_least_point": float(p.min()), "increments": len(shifts)} \
         | exact_layer.pressure_summary(x, y, np.array([blocks[loaded][n] for n in nodes]))
@@ -193,6 +209,9 @@ def main():
     parser.add_argument("name", help="of the deck, without .inp")
     parser.add_argument("--mesh", help="written by tricontact mesh")
     parser.add_argument("--size", type=float, default=1.0, help="element at the contact [mm]")
+    parser.add_argument("--bulk", choices=BULK, default="linear")
+    parser.add_argument("--normal-force", type=float,
+                        help="[N] acts with F_T, instead of the indentation being held")
     parser.add_argument("--press-steps", type=int, default=20)
     parser.add_argument("--frictionless", action="store_true", help="pressing only")
     parser.add_argument("--rolling", type=int, default=0, help="increments of 0.2 mm")

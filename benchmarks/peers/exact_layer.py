@@ -72,4 +72,7 @@ def pressure_summary(x, y, p):
 
 if __name__ == "__main__":
     radius, depth, p = at_force(rig.FN)
-    print(f"a = {radius:.4f} mm, d = {depth:.5f} mm, p0 = {float(p(0)):.4f} MPa")
+    (d1, f1), (d2, f2) = (solution(radius * near)[:2] for near in (0.99, 1.01))
+    power = np.log(f2 / f1) / np.log(d2 / d1)
+    print(f"a = {radius:.4f} mm, d = {depth:.5f} mm, p0 = {float(p(0)):.4f} MPa, "
+          f"F grows as d^{power:.2f}")

@@ -1,7 +1,7 @@
-"""GetFEM on the rig's layer: Q2/Q1 incompressible block, rigid paraboloid, Coulomb friction by the
-augmented Lagrangian of Alart and Curnier in its integral form (GetFEM's operator
-`Coulomb_friction_coupled_projection`, which its contact bricks assemble too). Prints one JSON
-object. Run by run.sh; needs Debian's python3-getfem, hence /usr/bin/python3."""
+"""GetFEM on the rig's layer: Q2/Q1 incompressible block, linear or neo-Hookean, rigid paraboloid,
+Coulomb friction by the augmented Lagrangian of Alart and Curnier in its integral form
+(GetFEM's operator `Coulomb_friction_coupled_projection`, which its contact bricks assemble too).
+Prints one JSON object. Run by run.sh; needs Debian's python3-getfem, hence /usr/bin/python3."""
 
 import argparse
 import json
@@ -12,6 +12,7 @@ import getfem as gf
 import numpy as np
 
 import exact_layer
+import getfem_bulk as bulk
 import layer_grid as rig
 
 CONTACT, BASE, SYMMETRY = 1, 3, 5
@@ -20,16 +21,18 @@ CONTACT, BASE, SYMMETRY = 1, 3, 5
 RESULTANT = "(lam(3)+FN/(2*Area))*Test_d + (lam(1)-FT/(2*Area))*Test_s"
 # What the roller's own material does in a step: shift, descent, and turning about the contact.
 ROLLER = "[s-s_old;0;d_old-d-(W-W_old)/R*(X(1)+u(1)-W-s)]"
-OFFSET = "[X(1)+u(1)-W-s;X(2)+u(2)]"
+# where a surface point lies from the roller's axis
+OFFSET = {"linear": "[X(1)-W;X(2)]", "deformed": "[X(1)+u(1)-W-s;X(2)+u(2)]"}
 PROJECTION = {
     # gap and normal in the undeformed configuration: z_roller - z_surface at X
     "linear": "Coulomb_friction_coupled_projection(lam, [0;0;1], u-u_old-[1;0;0]*(s-s_old),"
-              "(Norm_sqr([X(1)-W;X(2)])/(2*R)-d-u(3)), Mu, Aug)",
+              f"(Norm_sqr({OFFSET['linear']})/(2*R)-d-u(3)), Mu, Aug)",
     # both at the displaced point x = X + u: distance and normal to the first order of the slope
     "deformed": "Coulomb_friction_coupled_projection(lam,"
                 "Normalized([-(X(1)+u(1)-W-s)/R;-(X(2)+u(2))/R;1]),"
                 f"u-u_old-{ROLLER},"
-                f"(Norm_sqr({OFFSET})/(2*R)-d-u(3))/sqrt(1+Norm_sqr({OFFSET})/sqr(R)), Mu, Aug)",
+                f"(Norm_sqr({OFFSET['deformed']})/(2*R)-d-u(3))"
+                f"/sqrt(1+Norm_sqr({OFFSET['deformed']})/sqr(R)), Mu, Aug)",
 }
 
 
@@ -57,12 +60,12 @@ def boundaries(mesh, size, axes):
 
 
 def model(mesh, area, args):
-    fem_u, fem_p, fem_lam = gf.MeshFem(mesh, 3), gf.MeshFem(mesh, 1), gf.MeshFem(mesh, 3)
+    fem_u, fem_q, fem_lam = gf.MeshFem(mesh, 3), gf.MeshFem(mesh, 1), gf.MeshFem(mesh, 3)
     if args.element == "20":
         fem_u.set_fem(gf.Fem("FEM_Q2_INCOMPLETE(3)"))
     else:
         fem_u.set_classical_fem(2)
-    fem_p.set_classical_fem(1)
+    fem_q.set_classical_fem(1)
     fem_lam.set_classical_fem(args.multiplier)
     volume = gf.MeshIm(mesh, gf.Integ("IM_GAUSS_PARALLELEPIPED(3,4)"))
     surface = gf.MeshIm(mesh, gf.Integ("IM_GAUSS_PARALLELEPIPED(3,6)"))
@@ -77,13 +80,12 @@ def model(mesh, area, args):
               "FN": rig.FN, "FT": 0, "Area": area}
     for name, value in values.items():
         md.add_initialized_data(name, value)
-    md.add_linear_term(volume, "2*G*Sym(Grad_u):Grad_Test_u")
     if args.volume == "mixed":
-        md.add_fem_variable("p", fem_p)
-        md.add_linear_term(volume, "-p*Div_Test_u - Div_u*Test_p")
+        md.add_fem_variable("q", fem_q)
+        bulk.add_incompressible(md, volume, args.bulk, "Grad_u")
     else:
         reduced = gf.MeshIm(mesh, gf.Integ("IM_GAUSS_PARALLELEPIPED(3,3)"))
-        md.add_linear_term(reduced, f"{args.bulk}*G*Div_u*Div_Test_u")
+        bulk.add_nearly_incompressible(md, volume, reduced, args.bulk, "Grad_u", args.bulk_ratio)
     md.add_Dirichlet_condition_with_simplification("u", BASE)
     md.add_linear_term(volume, "1e6*G*u(2)*Test_u(2)", SYMMETRY)
     if args.frictionless:  # nothing else holds the shift
@@ -104,10 +106,7 @@ class Run:
     def step(self, **data):
         for name, value in data.items():
             self.md.set_variable(name, [value])
-        options = ["max_res", 1e-6, "max_iter", 60, "lsolver", "mumps"]
-        iterations, converged = self.md.solve(*options, *(["noisy"] if self.verbose else []))
-        if not converged:
-            raise SystemExit(f"not converged after {iterations} iterations: {data}")
+        iterations = bulk.solve(self.md, data, self.verbose)
         self.iterations += iterations
         self.md.set_variable("u_old", self.md.variable("u"))
         for name in ("s", "d", "W"):
@@ -127,13 +126,18 @@ def press(run, steps):
         run.step(FN=rig.FN * k / steps)
 
 
-def normal_state(md, surface):
+def normal_state(md, surface, kinematics):
+    def load(moment):
+        return gf.asm_generic(surface, 0, f"-lam(3)*{moment}", CONTACT, md)
+
     lam = md.variable("lam").reshape(-1, 3)
     p = -lam[:, 2]
-    gap = "(Norm_sqr([X(1)-W;X(2)])/(2*R)-d-u(3))"
+    offset = OFFSET[kinematics]
+    gap = f"(Norm_sqr({offset})/(2*R)-d-u(3))"
     area = gf.asm_generic(surface, 0, f"Heaviside(-lam(3)-Aug*{gap})", CONTACT, md)
     nodes = traction_nodes(md)
-    return {"d": float(md.variable("d")[0]), "a": float(np.sqrt(2 * area / np.pi))} \
+    return {"d": float(md.variable("d")[0]), "a": float(np.sqrt(2 * area / np.pi)),
+            "effective_radius": bulk.effective_radius(load("1"), load(f"Norm_sqr({offset})"))} \
         | exact_layer.pressure_summary(nodes[0], nodes[1], p)
 
 
@@ -146,7 +150,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("mesh", help="written by tricontact mesh")
     parser.add_argument("size", type=float, help="element at the contact [mm]")
-    parser.add_argument("--kinematics", choices=PROJECTION, default="linear")
+    parser.add_argument("--bulk", choices=bulk.DISTORTION, default="linear")
+    parser.add_argument("--kinematics", choices=PROJECTION, default="linear", help="of the contact")
     parser.add_argument("--press-steps", type=int, default=20)
     parser.add_argument("--frictionless", action="store_true", help="pressing only")
     parser.add_argument("--rolling", type=int, default=0, help="increments of 0.2 mm")
@@ -155,7 +160,7 @@ def main():
     parser.add_argument("--element", choices=["27", "20"], default="27", help="nodes")
     parser.add_argument("--volume", choices=["mixed", "reduced"], default="mixed",
                         help="pressure of its own (Q1) or K tr(eps) at 2 x 2 x 2 points")
-    parser.add_argument("--bulk", type=float, default=5000.0, help="K/G of 'reduced'")
+    parser.add_argument("--bulk-ratio", type=float, default=5000.0, help="K/G of 'reduced'")
     parser.add_argument("--verbose", action="store_true")
     args = parser.parse_args()
     axes = rig.read_axes(args.mesh)
@@ -164,8 +169,9 @@ def main():
     md, surface = model(mesh, area, args)
     run = Run(md, args.verbose)
     press(run, args.press_steps)
-    result = {"size": args.size, "kinematics": args.kinematics, "steps": args.press_steps,
-              "unknowns": int(md.nbdof())} | normal_state(md, surface)
+    result = {"size": args.size, "bulk": args.bulk, "kinematics": args.kinematics,
+              "steps": args.press_steps, "unknowns": int(md.nbdof())} \
+        | normal_state(md, surface, args.kinematics)
     shift = float(md.variable("s")[0])
     if args.frictionless:
         print(json.dumps(result))

@@ -10,7 +10,7 @@ cd "$2"
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 PYTHONPATH="$here"
 python=/usr/bin/python3
 
-for size in 1 0.5; do
+for size in 1.4 1 0.7 0.5; do
     "$program" mesh "$case" --set fem.size="$size mm" --output "mesh_$size" > "mesh_$size.log"
 done
 
@@ -42,30 +42,41 @@ calculix() {
     "$python" "$here/calculix_layer.py" read "$name" > "$name.json"
 }
 
+# axisymmetric NAME OPTIONS...: GetFEM without friction
+axisymmetric() {
+    name=getfem_axisymmetric_$1
+    shift
+    /usr/bin/time -v "$python" "$here/getfem_axisymmetric.py" "$@" > "$name.json" 2> "$name.time"
+}
+
+# own_frictionless SIZE MATERIAL
 # The exact solution is frictionless: pressure and indentation are judged without friction.
 own_frictionless() {
-    name=own_$1_frictionless
+    name=own_$1_frictionless_$2
     "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
+        --set substrate.material="$2" \
         --set load.press=frictionless --set load.tangential_ratio=0.001 \
         --set rolling.amplitude_ratio=0 --set rolling.periods=1 --set output.volume=none \
         --no-report --threads 1 --output "$name" > "$name.log"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
 }
 
-# own_pressed SIZE STEPS: as the peers press, which are too slow for 20 steps
+# own_pressed SIZE STEPS MATERIAL: as the peers press, which are too slow for 20 steps
 own_pressed() {
-    name=own_$1_pressed_$2
+    name=own_$1_pressed_$2_$3
     "$program" run "$case" --models fem --set fem.cache=none --set fem.size="$1 mm" \
+        --set substrate.material="$3" \
         --set load.press_steps="$2" --set output.volume=none \
         --set rolling.amplitude_ratio=0 --set rolling.periods=1 --no-report --threads 1 \
         --output "$name" > "$name.log"
     "$python" "$here/own_layer.py" "$name" > "$name.json"
 }
 
+"$python" "$here/exact_layer.py" > exact.log
 for size in 1 0.5; do
-    own_frictionless $size
-    own_pressed $size 1
-    own_pressed $size 5
+    own_frictionless $size linear
+    own_pressed $size 1 linear
+    own_pressed $size 5 linear
     own $size 1
     own $size 5
 done
@@ -82,3 +93,31 @@ calculix 1_frictionless 1 --press-steps 5 --frictionless
 calculix 1_loaded 1 --press-steps 5
 shift_found=$(sed 's/.*"u_stat": \([0-9.]*\).*/\1/' calculix_1_loaded.json)
 calculix 1_rolled 1 --press-steps 5 --rolling 1 --shift "$shift_found"
+
+# Finite strains: each program beside its own linear run on the same mesh, in as many steps
+deformed="--kinematics deformed"
+strained="$deformed --bulk neo-hookean"
+own_frictionless 0.5 neo-hookean
+own_pressed 0.7 5 linear
+for size in 1 0.7; do
+    own_pressed $size 5 neo-hookean
+done
+for size in 0.25 0.125; do
+    axisymmetric ${size}_linear $size
+    axisymmetric ${size}_deformed $size $deformed
+    axisymmetric ${size}_strained $size $strained
+done
+getfem 1_linear_5 1 $reduced --press-steps 5
+for size in 1.4 1 0.7; do
+    getfem ${size}_mixed_linear $size --press-steps 5
+    getfem ${size}_mixed_deformed $size --press-steps 5 $deformed
+    getfem ${size}_mixed_strained $size --press-steps 5 $strained
+done
+# CalculiX holds d: linear once more at the normal force that neo-Hookean then has under F_T.
+# At h = 1 mm neo-Hookean presses, but gives up under F_T.
+calculix 1.4_held 1.4 --press-steps 5
+calculix 1.4_held_strained 1.4 --press-steps 5 --bulk neo-hookean
+force_found=$(sed 's/.*"force": \([0-9.]*\), "u_stat.*/\1/' calculix_1.4_held_strained.json)
+calculix 1.4_force 1.4 --press-steps 5 --normal-force "$force_found"
+calculix 1_held 1 --press-steps 10
+calculix 1_held_strained 1 --press-steps 10 --bulk neo-hookean
