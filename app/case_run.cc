@@ -71,6 +71,7 @@ CaseRun run_models(const Case& c, const RunOptions& options, const Say& say,
     for (const std::string& name : c.models) {
         run.histories.push_back(run_one(name, options.studies ? &run.extras.study : nullptr));
         study_relaxation(c, run.histories.back(), options, say, run.extras.relaxation);
+        study_small_strains(c, run.histories.back(), options, say, run.extras.small_strains);
     }
     return run;
 }
@@ -86,7 +87,8 @@ std::string summary_of(const CaseRun& run) {
         {{"layer", layer ? comparisons::layer_json(c, *layer) : json()},
          {"loading_variants", comparisons::loading_json(run.extras.study.variants)},
          {"relaxation",
-          c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()}});
+          c.relaxation ? comparisons::relaxation_json(c, run.extras.relaxation) : json()},
+         {"small_strains", comparisons::small_strains_json(run.extras.small_strains)}});
 }
 
 void write_run_report(const CaseRun& run, const CommandOptions& options) {

@@ -72,6 +72,11 @@ void study_loading(const Case& c, const contact::Model& model, const contact::Hi
 void study_relaxation(const Case& c, const contact::History& history, const RunOptions& options,
                       const Say& say, comparisons::RelaxationStudy& study);
 
+/// Adds to `studies` what small strains would change in the run of a model at finite ones: run once
+/// more with a linear material, if `options` want studies. Other models add nothing.
+void study_small_strains(const Case& c, const contact::History& history, const RunOptions& options,
+                         const Say& say, std::vector<comparisons::SmallStrains>& studies);
+
 /// Throws NotConverged if a check of the audit of the model called `name` failed.
 void require_sound(const contact::Audit& audit, const std::string& name);
 

@@ -57,9 +57,10 @@ Case without_rolling(Case c) {
 
 /// The case as the study rolls it. A contact that shakes down does so by turning points as well, in
 /// a fraction of the time; the shift per period of what ratchets is that of the run's own steps.
-/// Without rolling where that would take too long.
+/// Without rolling where that would take too long, as it does at finite strains.
 Case rolled(const Case& c, const History& history) {
     if (!c.rolling) return c;
+    if (c.law != Case::Law::linear) return without_rolling(c);
     if (history.verdict.state != State::ratcheting && contact::turning_points_suffice(c)) {
         Case result = c;
         result.rolling->steps = Case::Steps::turning_points;
@@ -144,7 +145,8 @@ double frictionless_stiffness(const Case& c, const contact::Model& model) {
     // Nodes join the contact one by one: wider steps average over that, and the parabola is good to
     // 1e-3 over this range.
     constexpr std::array shares{0.6, 0.8, 1.0};
-    const auto sibling = model.sibling(uncoupled);
+    auto sibling = model.sibling(uncoupled);
+    if (!sibling) sibling = model.sibling(c.contact);  // without friction it is the same
     std::array<contact::StepRecord, 3> pressed;
     for (int k = 0; k < 3; ++k) {
         contact::LoadStep step = contact::press_step(c);
@@ -197,7 +199,8 @@ void study_loading(const Case& c, const contact::Model& model, const History& hi
     const auto coupled = model.sibling({.coupling = true});
     if (!coupled || !coupled->is_coupled()) return;
     Variants variants(c, model, history, say, study.variants);
-    variants.add("contact.coupling", [](Case& v) { return flip(v.contact.coupling); });
+    if (model.sibling({.coupling = !c.contact.coupling}))
+        variants.add("contact.coupling", [](Case& v) { return flip(v.contact.coupling); });
     if (model.is_coupled()) {
         variants.add("load.press", [](Case& v) { return flip(v.load.press); });
         if (c.load.press == Case::Press::friction && c.load.press_steps > 1)
@@ -228,6 +231,32 @@ void study_relaxation(const Case& c, const contact::History& history, const RunO
     say(fmt::format("{}: looking for the drive speed from which on relaxation matters",
                     history.model));
     study.limit = speed_limit(c, comparison, options.threads);
+}
+
+void study_small_strains(const Case& c, const History& history, const RunOptions& options,
+                         const Say& say, std::vector<comparisons::SmallStrains>& studies) {
+    if (c.law == Case::Law::linear || history.model != "fem") return;
+    comparisons::SmallStrains study{
+        .model = history.model,
+        .finite = comparisons::Results(c, history),
+        .linear = {},
+        .why_none = {},
+        .long_steps = c.rolling && c.rolling->steps == Case::Steps::turning_points};
+    if (!options.studies) {
+        study.why_none = "skipped (--no-studies)";
+    } else {
+        say(fmt::format("{}: once more with a linear material", history.model));
+        Case linear = c;
+        linear.law = Case::Law::linear;
+        linear.c01_ratio.reset();
+        try {
+            study.linear = comparisons::Results(
+                linear, history_of(history.model, linear, options.threads, silent));
+        } catch (const std::runtime_error& error) {  // the run itself is none the worse for it
+            study.why_none = error.what();
+        }
+    }
+    studies.push_back(std::move(study));
 }
 
 }  // namespace tricontact::app

@@ -38,6 +38,7 @@ struct Case {
     enum class Base { bonded, frictionless, half_space };
     enum class Sides { free, fixed };
     enum class Press { friction, frictionless };
+    enum class Law { linear, neo_hookean, mooney_rivlin };
 
     /// Lengths that a shape has not are 0.
     struct IndenterData {
@@ -178,6 +179,8 @@ struct Case {
     std::vector<std::string> models;
     IndenterData indenter;
     Material substrate{0, 0};              ///< of a relaxing one: its relaxed state
+    Law law = Law::linear;                 ///< of the substrate in fem; others are linear
+    std::optional<double> c01_ratio;       ///< c01/(c10 + c01) of Mooney and Rivlin's law [-]
     std::optional<Relaxation> relaxation;  ///< of the substrate; empty: elastic
     RelaxationInput relaxation_input;
     std::optional<DmaFit> dma_fit;  ///< table and fit, if `relaxation` comes from one

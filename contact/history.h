@@ -27,6 +27,24 @@ class Audit {
     const std::vector<Check>& checks() const { return checks_; }
     bool passed() const { return std::ranges::all_of(checks_, &Check::passed); }
 
+    /// To and from a StateWriter's bytes.
+    template <class Writer>
+    void write(Writer& out) const {
+        out(checks_.size());
+        for (const auto& [name, worst, allowed] : checks_) out(name, worst, allowed);
+    }
+    template <class Reader>
+    void read(Reader& in) {
+        std::size_t n = 0;
+        in(n);
+        checks_.clear();
+        for (std::size_t k = 0; k < n; ++k) {
+            Check check;
+            in(check.name, check.worst, check.allowed);
+            record(check.name, check.worst, check.allowed);
+        }
+    }
+
   private:
     std::vector<Check> checks_;  // in order of first appearance
 };
@@ -44,6 +62,8 @@ struct StepRecord {
     double material_dissipation = 0;  ///< by the relaxing substrate, in this step [J]
     double stored_energy = 0;         ///< elastic, at the end of the step [J]
     double contact_area = 0, stick_area = 0, slip_area = 0, open_area = 0;  ///< [m^2]
+    /// At finite strains the largest principal stretch, and difference of two; else 0.
+    double largest_stretch = 0, largest_shear = 0;
     int normal_iterations = 0, tangential_iterations = 0;
     double normal_residual = 0, tangential_residual = 0;  ///< as their solvers define them [-]
     double force_residual = 0;  ///< worst force balance over F_N or mu F_N [-]

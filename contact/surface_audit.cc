@@ -12,8 +12,6 @@ namespace tricontact::contact {
 
 namespace {
 
-constexpr double rounding_allowed = 1e-12;
-
 constexpr double product_rounding = 1e-13;
 
 }  // namespace
@@ -53,7 +51,7 @@ void audit_tangential(const TangentialFacts& facts, double tolerance, Audit& aud
         }
     }
     mean_bound = total_bound / contact_area;
-    audit.record("friction_bound", excess / mean_bound, rounding_allowed);
+    audit.record("friction_bound", excess / mean_bound, facts.excess_allowed);
     // `stick` counts points at the bound whose slip is below the threshold of the classification.
     audit.record("no_slip_where_stick", stick / facts.length, 10 * tolerance);
     // Directions of tractions are known to the tolerance: what slips across them is that part of

@@ -253,6 +253,12 @@ std::array<double, 3> Discretisation::held_forces(const NodalDisplacement& displ
     return forces;
 }
 
+contact::Interior Discretisation::undeformed() const {
+    contact::Interior interior;
+    add_points(space, NodalDisplacement(space.nodes.size(), {0, 0, 0}), interior);
+    return interior;
+}
+
 contact::Interior Discretisation::interior(std::span<const double> displacement,
                                            std::span<const double> force) const {
     NodalDisplacement nodal(space.nodes.size(), {0, 0, 0});

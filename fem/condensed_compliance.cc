@@ -3,9 +3,6 @@
 #include <Eigen/Sparse>
 #include <algorithm>
 
-#include "fem/condensation.h"
-#include "fem/discretisation.h"
-
 namespace tricontact::fem {
 
 using contact::TangentialField;
@@ -29,18 +26,6 @@ std::vector<double> seen_from_the_indenter(CondensedLayer& layer) {
 }
 
 }  // namespace
-
-/// The whole body, to look inside.
-struct CondensedCompliance::Body {
-    explicit Body(const LayerProblem& problem)
-        : discretisation(problem),
-          condensation(discretisation.assemble().matrix, discretisation.unknowns.node_of_unknown,
-                       discretisation.unknowns.n_interior) {
-        condensation.factorise();
-    }
-    Discretisation discretisation;
-    Condensation condensation;
-};
 
 struct CondensedCompliance::SurfaceMass {
     using Matrix = Eigen::SparseMatrix<double>;
@@ -108,10 +93,14 @@ double CondensedCompliance::allowed_missing_reaction() const {
     return problem_->base == contact::Case::Base::bonded ? 1e-8 : 1e-7;
 }
 
+const WholeBody& CondensedCompliance::whole() const {
+    if (!whole_) whole_ = std::make_unique<const WholeBody>(*problem_);
+    return *whole_;
+}
+
 std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
     std::span<const double> p, const TangentialField& t) const {
-    if (!body_) body_ = std::make_unique<Body>(*problem_);
-    const auto& discretisation = body_->discretisation;
+    const auto& [discretisation, condensation] = whole();
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points().size();
     std::vector<double> force(discretisation.unknowns.n);
@@ -124,7 +113,7 @@ std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
             if (const int u = unknown[c * nodes.size() + k]; u >= 0)
                 force[discretisation.unknowns.n_interior + u] = f[c];
     }
-    const std::vector<double> displacement = body_->condensation.solve(force);
+    const std::vector<double> displacement = condensation.solve(force);
     return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));
 }
 

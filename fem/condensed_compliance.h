@@ -5,6 +5,7 @@
 #include "contact/solvers/compliance.h"
 #include "fem/condensed_layer.h"
 #include "fem/dense_compliance.h"
+#include "fem/whole_body.h"
 
 namespace tricontact::fem {
 
@@ -25,14 +26,16 @@ class CondensedCompliance final : public DenseCompliance {
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
 
+    /// Made when first asked for.
+    const WholeBody& whole() const;
+
   private:
-    struct Body;         // the whole body's discretisation and factor
     struct SurfaceMass;  // factors of the contact patch's mass
 
     std::shared_ptr<const LayerProblem> problem_;
     SparseMatrix mass_;
     std::array<std::vector<double>, 3> missing_reaction_;  // see CondensedLayer
-    mutable std::unique_ptr<Body> body_;
+    mutable std::unique_ptr<const WholeBody> whole_;
     mutable std::unique_ptr<SurfaceMass> surface_mass_;
 };
 

@@ -55,6 +55,8 @@ struct Discretisation {
     /// the displacement of every node [m].
     using NodalDisplacement = std::vector<std::array<double, 3>>;
     std::array<double, 3> held_forces(const NodalDisplacement& displacement) const;
+    /// Points and hexahedra of the inside, at rest, without stresses.
+    contact::Interior undeformed() const;
     /// Fields inside for the displacements [m] of all free unknowns under the forces [N] on them.
     /// Points on the interface of two regions appear once for each. Stresses come from the
     /// 2 x 2 x 2 Gauss points, where those of Q2 elements are most accurate (Barlow 1976), linearly

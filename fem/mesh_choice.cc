@@ -137,7 +137,7 @@ bool is_symmetric(const Case& c) {
     return !c.rolling || std::abs(std::sin(c.rolling->angle)) < 1e-12;
 }
 
-meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius) {
+meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius, double shift) {
     const Vector2 extent = path_extent(c, contact_radius);
     meshes::LayerMeshSpec spec;
     spec.size = size;
@@ -145,7 +145,7 @@ meshes::LayerMeshSpec spec_for(const Case& c, double size, double contact_radius
     spec.thickness = *c.layer.thickness;
     spec.lower_thickness = c.layer.lower.empty() ? 0 : c.layer.lower.front().thickness;
     spec.half_model = is_symmetric(c);
-    spec.patch_x = whole_elements(contact_radius + extent[0], size);
+    spec.patch_x = whole_elements(contact_radius + extent[0] + shift, size);
     const double total = spec.thickness + spec.lower_thickness;
     const double reach = far_sides(c) * total;
     auto half_side = [&](const std::optional<double>& given, double patch) {

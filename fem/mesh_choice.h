@@ -10,10 +10,11 @@ namespace tricontact::fem {
 /// Whether the case's path and load are symmetric about the plane y = 0.
 bool is_symmetric(const contact::Case& c);
 
-/// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path.
-/// Under a cylinder a slice in plane strain; under a roller the patch is as long as it, and finer
-/// towards its ends.
-meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double contact_radius);
+/// A mesh of elements of `size` in a patch that a contact of this radius sweeps on the case's path
+/// and `shift` [m] aside along x. Under a cylinder a slice in plane strain; under a roller the
+/// patch is as long as it, and finer towards its ends.
+meshes::LayerMeshSpec spec_for(const contact::Case& c, double size, double contact_radius,
+                               double shift = 0);
 
 /// Radius (along x of a cylinder or roller) of the case's contact under `control` on a layer of
 /// coarse elements [m], rounded up by an element. Presses again on a larger patch when the contact

@@ -7,6 +7,7 @@
 #include "contact/error.h"
 #include "contact/substrates/relaxing_case.h"
 #include "contact/surface_model.h"
+#include "fem/finite_strain/strained_model.h"
 #include "fem/layer_condenser.h"
 #include "fem/mesh_choice.h"
 #include "meshes/mesh_file.h"
@@ -17,8 +18,10 @@ using contact::Case;
 
 namespace {
 
-/// The surface moves under the indenter by friction; a displaced surface also moves it.
+/// The surface moves under the indenter by friction.
 constexpr double patch_margin = 1.03;
+/// Of the room in the patch when the contact has reached its edge.
+constexpr double patch_growth = 1.3;
 
 void require_layer(const Case& c) {
     if (!c.layer.thickness && !c.fem.mesh)
@@ -53,17 +56,37 @@ void require_room(const char* side, double half, double patch, double size) {
             side, 2 * patch, 2 * half));
 }
 
-meshes::LayerMeshSpec plan(const Case& c, LayerCondenser& condenser) {
+/// What a mesh has to have room for [m].
+struct Plan {
+    double size, contact_radius, shift;
+};
+
+meshes::LayerMeshSpec spec_of(const Case& c, const Plan& plan) {
+    const auto spec = spec_for(c, plan.size, plan.contact_radius, plan.shift);
+    require_room("width", spec.half_x, spec.patch_x, spec.size);
+    if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, spec.size);
+    return spec;
+}
+
+/// At finite strains the contact goes where friction and F_T shift the indenter: about 1 to 2 mu
+/// f_T d, and d is half of a^2/R on thin layers, nearly all of it on thick ones. Where that is too
+/// little, the run begins anew on a larger patch.
+double shift_to_expect(const Case& c, double contact_radius) {
+    if (c.law == Case::Law::linear || (!c.load.tangential_ratio && !c.load.tangential_force))
+        return 0;
+    const double f = std::abs(c.load.tangential_ratio.value_or(1));
+    return c.friction_coefficient * f * contact_radius * contact_radius / c.indenter.radius;
+}
+
+Plan plan(const Case& c, LayerCondenser& condenser) {
     require_layer(c);
     contact::NormalControl hardest = contact::press_step(c).normal;
     hardest.value *= contact::crest_factor(c);
     const double radius = patch_margin * probe_radius(c, hardest, condenser);
     const double size = c.fem.size ? *c.fem.size : size_for_accuracy(c, radius, condenser);
-    meshes::LayerMeshSpec spec = spec_for(c, size, radius);
-    require_room("width", spec.half_x, spec.patch_x, size);
-    if (!c.is_cylindrical()) require_room("depth", spec.half_y, spec.patch_y, size);
-    say_what_was_chosen(c, spec, condenser);
-    return spec;
+    const Plan plan{size, radius, shift_to_expect(c, radius)};
+    say_what_was_chosen(c, spec_of(c, plan), condenser);
+    return plan;
 }
 
 meshes::HexMesh read_users_mesh(const Case& c) {
@@ -81,11 +104,37 @@ meshes::HexMesh read_users_mesh(const Case& c) {
     return mesh;
 }
 
+std::unique_ptr<contact::Model> make_strained(const Case& c, const std::optional<Plan>& own,
+                                              const Say& say) {
+    StrainedModel::Setup setup{.layer = {},
+                               .indenter = c.make_indenter(),
+                               .rolling_radius = c.indenter.radius,
+                               .friction_coefficient = c.friction_coefficient,
+                               .tolerance = of_fem_tolerance * c.fem.tolerance,
+                               .c01_ratio = {c.c01_ratio.value_or(0), c.c01_ratio.value_or(0)},
+                               .relaxation = c.relaxation.value_or(contact::Relaxation{})};
+    if (!own) {
+        setup.layer = LayerCondenser(c, say).make(read_users_mesh(c));
+        return std::make_unique<StrainedModel>(std::move(setup));
+    }
+    const auto on = [c, say](const Plan& plan) -> std::shared_ptr<const CondensedCompliance> {
+        LayerCondenser condenser(c, say);
+        return make_fitting(c, spec_of(c, plan), condenser);
+    };
+    setup.layer = on(*own);
+    setup.larger_layer = [on, plan = *own]() mutable {
+        plan.contact_radius *= patch_growth;
+        plan.shift *= patch_growth;
+        return on(plan);
+    };
+    return std::make_unique<StrainedModel>(std::move(setup));
+}
+
 }  // namespace
 
 meshes::LayerMeshSpec mesh_spec(const Case& c, const Say& say) {
     LayerCondenser condenser(c, say);
-    return plan(c, condenser);
+    return spec_of(c, plan(c, condenser));
 }
 
 meshes::HexMesh make_mesh(const Case& c, const Say& say) {
@@ -95,11 +144,13 @@ meshes::HexMesh make_mesh(const Case& c, const Say& say) {
 std::unique_ptr<contact::Model> make_model(const Case& c, const Say& say) {
     require_layer(c);
     LayerCondenser condenser(c, say);
-    std::optional<meshes::LayerMeshSpec> own;
+    std::optional<Plan> own;
     if (!c.fem.mesh) own = plan(c, condenser);
+    if (c.law != Case::Law::linear) return make_strained(c, own, say);
     auto of_elastic = [&](const Case& elastic) {
         LayerCondenser other(elastic, say);
-        return own ? make_fitting(elastic, *own, other) : other.make(read_users_mesh(elastic));
+        return own ? make_fitting(elastic, spec_of(c, *own), other)
+                   : other.make(read_users_mesh(elastic));
     };
     auto relaxed = contact::relaxes_as_one(c) ? of_elastic(c) : nullptr;
     return std::make_unique<contact::SurfaceModel>(

@@ -25,9 +25,11 @@ std::string glossary() {
            section("Limits", of_limit()) + section("Mapping", of_mapping()) +
            section("Frictional work", of_dissipation()) + section("Relaxation", of_relaxation()) +
            section("Ends of rollers", of_roller()) +
-           section("Inside of the substrate", of_subsurface()) + section("Cost", of_cost()) +
-           section("Of layers and half-spaces, beside runs",
-                   {&normal_stiffness, &tangential_stiffness, &coupled_tangential_stiffness});
+           section("Inside of the substrate", of_subsurface()) + section("Strains", of_strain()) +
+           section("Cost", of_cost()) +
+           section("Of comparisons, beside runs",
+                   {&normal_stiffness, &tangential_stiffness, &coupled_tangential_stiffness,
+                    &shift_of_rolling});
 }
 
 std::string summary_keys() {

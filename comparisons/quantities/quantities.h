@@ -9,7 +9,8 @@ namespace tricontact::comparisons::quantities {
 extern const Quantity normal_force, indentation, contact_radius, peak_pressure, unit_shift,
     tangential_ratio, amplitude, amplitude_ratio;  // contact.cc
 /// Of theory and of a layer's comparison, not of every run.
-extern const Quantity normal_stiffness, tangential_stiffness, coupled_tangential_stiffness;
+extern const Quantity normal_stiffness, tangential_stiffness, coupled_tangential_stiffness,
+    shift_of_rolling;
 extern const Quantity static_shift, static_shift_ratio, final_shift, final_shift_ratio,
     settled_shift, settled_shift_ratio, settled_shift_error_ratio, shift_increment,
     shift_increment_ratio, shift_ratio_per_period, state, periods;                 // shift.cc
@@ -17,11 +18,12 @@ extern const Quantity limit_tangential_ratio, limit_amplitude_ratio, stick_ratio
 extern const Quantity kappa, eta;                                                  // mapping.cc
 extern const Quantity dissipation_ratio_per_period;                                // dissipation.cc
 extern const Quantity frequency, storage_modulus, loss_modulus;                    // relaxation.cc
+extern const Quantity largest_stretch, largest_shear;                              // strain.cc
 extern const Quantity steps, wall_time;                                            // cost.cc
 
 /// The declarations of each file.
 using List = std::vector<const Quantity*>;
 List of_contact(), of_shift(), of_limit(), of_mapping(), of_dissipation(), of_relaxation(),
-    of_roller(), of_subsurface(), of_cost();
+    of_roller(), of_subsurface(), of_strain(), of_cost();
 
 }  // namespace tricontact::comparisons::quantities

@@ -119,6 +119,14 @@ constinit const Quantity settled_shift_ratio = over_unit_shift(
     settled_shift, "settled_shift_ratio", "u_sd", "Settled shift over the model's own U_max.",
     [](const Subject& s) { return ratio(s, settled_shift_of(s)); });
 
+constinit const Quantity shift_of_rolling{
+    .key = "shift_of_rolling_m",
+    .symbol = "U_sd - U_stat",
+    .unit = "m",
+    .name = "shift that rolling adds",
+    .meaning = "Settled less static shift.",
+    .defined = "in deviations of the linear law from finite strains, where the shift settles"};
+
 constinit const Quantity settled_shift_error_ratio{
     .key = "settled_shift_error_ratio",
     .over = "U_max",

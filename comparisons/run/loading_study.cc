@@ -1,5 +1,7 @@
 #include "comparisons/run/loading_study.h"
 
+#include <algorithm>
+
 #include "comparisons/quantities/quantities.h"
 #include "contact/special_values.h"
 #include "contact/verdict.h"
@@ -60,14 +62,14 @@ json loading_json(const std::vector<LoadingVariant>& variants) {
     return report::list_of(variants, variant_json);
 }
 
-report::DocumentTable variants_table(const contact::Case& c,
-                                     const std::vector<LoadingVariant>& variants) {
+report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants) {
+    const bool rolls = std::ranges::any_of(
+        variants, [](const LoadingVariant& v) { return v.run.state.has_value(); });
     report::DocumentTable table{
         .id = "variants",
         .title = "Shift with one choice changed",
-        .note =
-            std::string("Each row loads the case once more with one key changed.") +
-            (c.rolling ? " Contacts that shake down are rolled by turning points until nothing "
+        .note = std::string("Each row loads the case once more with one key changed.") +
+                (rolls ? " Contacts that shake down are rolled by turning points until nothing "
                          "moves, or 40 periods, “this run” too, so that its value may differ from "
                          "that of the case's own steps and periods; what ratchets is rolled as the "
                          "case has it."

@@ -37,8 +37,7 @@ std::vector<std::string> treatment_sentences(const contact::Case& c,
                                              const std::vector<LoadingVariant>& variants);
 
 /// Shifts after loading and, where it was computed, after rolling with one choice changed.
-report::DocumentTable variants_table(const contact::Case& c,
-                                     const std::vector<LoadingVariant>& variants);
+report::DocumentTable variants_table(const std::vector<LoadingVariant>& variants);
 
 /// "151.6 µm instead of 150.6 µm (+0.64 %)": shifts [m], the error that of the changed one.
 std::string instead(std::optional<double> changed, std::optional<double> chosen,

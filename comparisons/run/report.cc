@@ -78,11 +78,18 @@ std::vector<DocumentSection> study_sections(const contact::Case& c,
     const auto& variants = extras.study.variants;
     if (c.layer.thickness || !variants.empty())
         add("loading", "Coupling and pressing", treatment_sentences(c, c.models, variants),
-            variants.empty() ? Tables() : Tables{variants_table(c, variants)});
+            variants.empty() ? Tables() : Tables{variants_table(variants)});
     if (c.relaxation)
         add("relaxation", "Relaxation", relaxation_sentences(c, extras.relaxation),
             extras.relaxation.twins.empty() ? Tables()
                                             : Tables{relaxation_table(c, extras.relaxation)});
+    if (!extras.small_strains.empty()) {
+        Tables tables;
+        for (const SmallStrains& study : extras.small_strains)
+            if (study.linear) tables.push_back(small_strain_table(study));
+        add("small_strains", "Finite strains", small_strain_sentences(extras.small_strains),
+            tables);
+    }
     if (extras.refinement)
         add("refinement", "Refinement", refinement_sentences(*extras.refinement),
             {refinement_table(*extras.refinement)});

@@ -7,6 +7,7 @@
 #include "comparisons/quantities/relaxation_study.h"
 #include "comparisons/resolution/refinement.h"
 #include "comparisons/run/loading_study.h"
+#include "comparisons/run/small_strains.h"
 #include "contact/case.h"
 #include "contact/history.h"
 #include "report/document.h"
@@ -22,8 +23,9 @@ struct ReportFile {
 /// What a report may carry besides the histories.
 struct ReportExtras {
     LoadingStudy study;
-    std::optional<Refinement> refinement;  ///< of which the histories are the finest level
-    RelaxationStudy relaxation;            ///< of cases with a relaxing substrate
+    std::optional<Refinement> refinement;     ///< of which the histories are the finest level
+    RelaxationStudy relaxation;               ///< of cases with a relaxing substrate
+    std::vector<SmallStrains> small_strains;  ///< of cases at finite strains
 };
 
 /// The report of a run or a refinement. `resolved_case` is the case's TOML text with all defaults.

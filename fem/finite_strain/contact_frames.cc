@@ -31,7 +31,7 @@ Vector3 ContactFrames::traction(std::size_t i, double p, const Vector2& t) const
     return sum;
 }
 
-DenseCompliance ContactFrames::turned(const contact::Compliance& compliance) const {
+DenseCompliance ContactFrames::turned(const contact::Compliance& compliance, double factor) const {
     const std::size_t n = size(), stride = 3 * n;
     const double* const from = compliance.dense();
     std::vector<double> to(stride * stride);
@@ -52,7 +52,7 @@ DenseCompliance ContactFrames::turned(const contact::Compliance& compliance) con
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t r = 0; r < 3; ++r)
                     turned[r * n + i] =
-                        dot(axes[i][r], {column[i], column[n + i], column[2 * n + i]});
+                        factor * dot(axes[i][r], {column[i], column[n + i], column[2 * n + i]});
         }
     return {compliance.points(), std::move(to)};
 }

@@ -26,6 +26,10 @@ class ContactFrames {
     const contact::TangentialField& slope() const { return slope_; }
     /// Length of (slope, 1): what friction is bounded by is mu times it times p.
     double stretch(std::size_t i) const { return stretch_[i]; }
+    /// (slope, 1) of the length 1.
+    Vector3 normal(std::size_t i) const {
+        return {slope_.x[i] / stretch_[i], slope_.y[i] / stretch_[i], 1 / stretch_[i]};
+    }
     /// Components of a displacement along (slope, 1).
     double along_normal(std::size_t i, const Vector3& u) const {
         return slope_.x[i] * u[0] + slope_.y[i] * u[1] + u[2];
@@ -34,9 +38,9 @@ class ContactFrames {
         return {dot(tangent_[i][0], u), dot(tangent_[i][1], u)};
     }
     Vector3 traction(std::size_t i, double p, const contact::Vector2& t) const;
-    /// The compliance between tractions and displacements in these directions: normal ones, then
-    /// those of friction.
-    DenseCompliance turned(const contact::Compliance& compliance) const;
+    /// `factor` times the compliance, between tractions and displacements in these directions:
+    /// normal ones, then those of friction.
+    DenseCompliance turned(const contact::Compliance& compliance, double factor) const;
 
   private:
     std::vector<double> height_, stretch_;

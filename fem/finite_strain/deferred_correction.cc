@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "contact/error.h"
+#include "contact/solvers/fixed_point.h"
 #include "contact/special_values.h"
 
 namespace tricontact::fem {
@@ -21,16 +22,24 @@ using contact::Vector2;
 namespace {
 
 constexpr int max_iterations = 60;
+constexpr int first_combined = 4;  ///< iterates before are too far away to tell of others
 constexpr int max_staggers = 4;
 constexpr double of_contact_solvers = .1;  ///< their tolerance over that of the whole
+
+std::vector<Vector3> scaled(std::vector<Vector3> tractions, double part) {
+    for (Vector3& t : tractions)
+        for (double& component : t) component *= part;
+    return tractions;
+}
 
 }  // namespace
 
 /// Contact on the linear layer in the frames that the surface has when the step begins. Those of
 /// later iterations differ by little: what this leaves is corrected by them.
 struct DeferredCorrection::Contact {
-    Contact(const ContactFrames& frames, const contact::Compliance& of_layer, double tolerance)
-        : compliance(frames.turned(of_layer)),
+    Contact(const ContactFrames& frames, const contact::Compliance& of_layer, double stiffness,
+            double tolerance)
+        : compliance(frames.turned(of_layer, 1 / stiffness)),
           normal(compliance, tolerance),
           tangential(compliance, tolerance) {}
 
@@ -42,27 +51,6 @@ struct DeferredCorrection::Contact {
 DeferredCorrection::DeferredCorrection(const Problem& problem)
     : problem_(problem), halves_(problem.condensation) {}
 DeferredCorrection::~DeferredCorrection() = default;
-
-ContactedBody DeferredCorrection::at_rest() const {
-    const std::size_t n = problem_.compliance.points().size();
-    ContactedBody state;
-    state.body = problem_.body.at_rest();
-    state.position = positions(state.body);
-    state.pressure.assign(n, 0);
-    state.traction = state.slip = TangentialField(n);
-    return state;
-}
-
-std::vector<Vector3> DeferredCorrection::positions(const StrainedState& body) const {
-    const auto& nodes = problem_.discretisation.surface.nodes;
-    const auto& points = problem_.compliance.points();
-    std::vector<Vector3> position(nodes.size());
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double* const u = body.displacement.data() + 3 * static_cast<std::size_t>(nodes[i]);
-        position[i] = {points.x[i] + u[0], points.y[i] + u[1], -u[2]};
-    }
-    return position;
-}
 
 /// Forces on all unknowns of those on nodes.
 std::vector<double> DeferredCorrection::on_unknowns(const std::vector<double>& by_nodes) const {
@@ -123,73 +111,58 @@ std::vector<double> DeferredCorrection::move_all(const std::vector<Vector3>& tra
     return displacement;
 }
 
-std::vector<Vector3> DeferredCorrection::tractions(const ContactedBody& state,
-                                                   const ContactFrames& frames) const {
-    std::vector<Vector3> all(state.pressure.size());
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (state.pressure[i] > 0)
-            all[i] = frames.traction(i, state.pressure[i], state.traction.at(i));
-    return all;
-}
-
-/// What the body's forces and these tractions leave, over the tractions' forces.
-double DeferredCorrection::balance_residual(const std::vector<Vector3>& traction,
-                                            const std::vector<double>& of_body) const {
-    const auto& nodes = problem_.discretisation.surface.nodes;
-    const auto& points = problem_.compliance.points();
-    std::vector<double> left = of_body;
-    double size = 0, missing = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const double area = points.area[i] * modelled_part(points);
-        double* const f = left.data() + 3 * static_cast<std::size_t>(nodes[i]);
-        for (int a = 0; a < 3; ++a) {
-            const double force = area * traction[i][a];
-            f[a] -= a == 2 ? -force : force;
-            size += force * force;
-        }
-    }
-    for (const double f : on_unknowns(left)) missing += f * f;
-    return size > 0 ? std::sqrt(missing / size) : contact::infinity;
-}
-
 DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
+                                                     const RelaxingStep& relaxing,
                                                      const ContactedBody& before,
                                                      ContactedBody& now) {
     Report report;
     now.pose.offset = step.offset;
     StrainedBody::Response response;
     std::optional<Contact> contact;
+    contact::FixedPoint iteration;
     for (int k = 1; k <= max_iterations; ++k) {
         report.iterations = k;
-        problem_.body.evaluate(now.body, response);
+        problem_.body.evaluate(now.body, relaxing, response);
         if (!(response.least_volume > 0))
             throw NotConverged("fem: finite strains turn elements inside out");
         now.position = positions(now.body);
         const ContactFrames frames(problem_.indenter, now.position, now.pose.lowest_point());
         if (!contact)
-            contact.emplace(frames, problem_.compliance, of_contact_solvers * problem_.tolerance);
+            contact.emplace(frames, problem_.compliance, relaxing.stiffness,
+                            of_contact_solvers * problem_.tolerance);
         const std::vector<Vector3> traction = tractions(now, frames);
         report.force_residual = balance_residual(traction, response.force);
-        if (k > 1 && report.force_residual <= problem_.tolerance &&
-            report.displacement_residual <= problem_.tolerance)
+        report.gap_residual = gap_residual(now, frames);
+        report.energy = response.energy;
+        const double residual = report.force_residual;
+        if (k > 1 && residual <= problem_.tolerance &&
+            report.displacement_residual <= problem_.tolerance &&
+            report.gap_residual <= problem_.tolerance)
             return report;
+        const bool combines = k >= first_combined;
+        const std::vector<double> x = combines ? as_one(now) : std::vector<double>{};
+        // In the step the body is stiffer than relaxed, as the layer under smaller forces.
+        const double part = 1 / relaxing.stiffness;
         std::vector<double> load(response.effective_force.size());
-        for (std::size_t i = 0; i < load.size(); ++i) load[i] = -response.effective_force[i];
-        const std::vector<Vector3> moved = move_surface(load, traction);
+        for (std::size_t i = 0; i < load.size(); ++i) load[i] = -part * response.effective_force[i];
+        const std::vector<Vector3> moved = move_surface(load, scaled(traction, part));
         solve_contact(step, before, frames, moved, *contact, now, report);
-        const std::vector<double> change = move_all(tractions(now, frames));
+        const std::vector<double> change = move_all(scaled(tractions(now, frames), part));
         double largest = 0;
         for (const int node : problem_.discretisation.surface.nodes)
             for (int a = 0; a < 3; ++a)
                 largest =
                     std::max(largest, std::abs(change[3 * static_cast<std::size_t>(node) + a]));
         report.displacement_residual = largest / now.pose.indentation;
-        problem_.body.add(change, response, now.body);
+        problem_.body.add(change, response, relaxing, now.body);
+        if (combines) take(iteration.next(x, as_one(now), residual), now);
     }
-    throw NotConverged(
-        fmt::format("fem: finite strains: the balance of forces is still off by {:.1e} and the "
-                    "surface moves by {:.1e} of the indentation after {} iterations",
-                    report.force_residual, report.displacement_residual, max_iterations));
+    throw NotConverged(fmt::format(
+        "fem: finite strains: the balance of forces is still off by {:.1e}, the gap by {:.1e} and "
+        "the surface moves by {:.1e} of the indentation after {} iterations; {:.1e} is allowed, "
+        "1/{:.0f} of fem.tolerance",
+        report.force_residual, report.gap_residual, report.displacement_residual, max_iterations,
+        problem_.tolerance, 1 / of_fem_tolerance));
 }
 
 /// Contact on the linear elasticity whose surface moves by `moved` under the present tractions.
@@ -201,7 +174,7 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
     const std::size_t n = points.size();
     const double mu = problem_.friction_coefficient;
     const DenseCompliance& compliance = contact.compliance;
-    const IndenterMotion motion(before.pose, now.pose, problem_.rolling_radius);
+    const StepSlip slip = step_slip(before, now.pose);
     const Vector2 present_shift = now.pose.shift - before.pose.shift;
     const contact::Tilt tilt(frames.slope());
 
@@ -216,20 +189,18 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
         const Vector3& x = now.position[i];
         bare_height[i] =
             frames.height(i) + x[2] + frames.along_normal(i, moved[i]) - height[i] - lowering[i];
-        const Vector3 was = motion.before(x), old = before.position[i];
-        const Vector3 slip{old[0] - was[0], old[1] - was[1], old[2] - was[2]};
-        bare_slip.set(i, frames.along_surface(i, slip) - frames.along_surface(i, moved[i]) +
-                             u.at(i) + by_pressure.at(i) - tilt.apply(i, present_shift));
+        bare_slip.set(i, slip.at(i, frames, x) - frames.along_surface(i, moved[i]) + u.at(i) +
+                             by_pressure.at(i) - tilt.apply(i, present_shift));
     }
     contact::TangentialSolution& tangential = report.tangential;
     tangential.traction = now.traction;
     tangential.shift_increment = present_shift;
     for (int k = 0; k < max_staggers; ++k) {
         NormalControl control = step.normal;
-        if (control.kind == NormalControl::Kind::force)
-            for (std::size_t i = 0; i < n; ++i)
-                control.value -=
-                    points.area[i] * frames.traction(i, 0, tangential.traction.at(i))[2];
+        double by_friction = 0;  // what friction on slopes carries of F_N
+        for (std::size_t i = 0; i < n; ++i)
+            by_friction += points.area[i] * frames.traction(i, 0, tangential.traction.at(i))[2];
+        if (control.kind == NormalControl::Kind::force) control.value -= by_friction;
         compliance.normal_from_tangential(tangential.traction, lowering);
         for (std::size_t i = 0; i < n; ++i) height[i] = bare_height[i] + lowering[i];
         const bool touches = std::ranges::any_of(now.pressure, [](double p) { return p > 0; });
@@ -257,7 +228,7 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
             auto& [kind, value] = controls[d];
             if (kind == TangentialControl::Kind::ratio) {
                 kind = TangentialControl::Kind::force;
-                value *= mu * report.normal.force;
+                value *= mu * (report.normal.force + by_friction);
             }
             value -= kind == TangentialControl::Kind::shift ? before.pose.shift[d] : carried[d];
         }
@@ -269,19 +240,6 @@ void DeferredCorrection::solve_contact(const LoadStep& step, const ContactedBody
     now.pose.shift = before.pose.shift + (step.friction ? tangential.shift_increment : Vector2{});
     for (std::size_t i = 0; i < n; ++i)
         now.slip.set(i, bare_slip.at(i) + tilt.apply(i, tangential.shift_increment));
-}
-
-Vector3 DeferredCorrection::forces(const ContactedBody& state) const {
-    const auto& points = problem_.compliance.points();
-    const ContactFrames frames(problem_.indenter, state.position, state.pose.lowest_point());
-    Vector3 sum{};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!(state.pressure[i] > 0)) continue;
-        const Vector3 t = frames.traction(i, state.pressure[i], state.traction.at(i));
-        for (int a = 0; a < 3; ++a) sum[a] += points.area[i] * t[a];
-    }
-    if (points.mirrored) sum[1] = 0;
-    return sum;
 }
 
 }  // namespace tricontact::fem

@@ -11,6 +11,7 @@
 #include "fem/condensation.h"
 #include "fem/discretisation.h"
 #include "fem/finite_strain/contact_frames.h"
+#include "fem/finite_strain/step_slip.h"
 #include "fem/finite_strain/strained_body.h"
 
 namespace tricontact::fem {
@@ -25,11 +26,16 @@ struct ContactedBody {
     contact::TangentialField slip;      ///< of the step, indenter over substrate, likewise [m]
 };
 
+/// Tolerance over fem.tolerance: it costs an iteration or two.
+constexpr double of_fem_tolerance = .01;
+
 /// Solves a step of frictional contact at finite strains by the linear layer's factor and its
 /// condensed compliance: what the linear elasticity leaves of the balance of forces is a load on it
 /// in the next iteration (deferred correction), in which contact is linear in the frames of the
 /// present surface. Gap, normals and slip are those of the displaced surface and of the indenter's
-/// full motion.
+/// full motion. Iterates are combined as FixedPoint does, which for a body that is smooth about its
+/// state is GMRES on its consistent tangent with the linear factor as preconditioner (Walker and Ni
+/// 2011, SIAM J. Numer. Anal. 49, section 2).
 class DeferredCorrection {
   public:
     struct Problem {
@@ -46,7 +52,9 @@ class DeferredCorrection {
     struct Report {
         int iterations = 0;
         double force_residual = 0;         ///< of all nodes, over the forces on the surface [-]
+        double gap_residual = 0;           ///< what penetrates or does not touch, over d [-]
         double displacement_residual = 0;  ///< last change of the surface over d [-]
+        double energy = 0;                 ///< stored in the modelled part of the body [J]
         contact::NormalSolution normal;
         contact::TangentialSolution tangential;
     };
@@ -54,10 +62,12 @@ class DeferredCorrection {
     explicit DeferredCorrection(const Problem& problem);
     ~DeferredCorrection();
 
-    /// From the state `before` to that at the end of the step; `now` holds the start of the
-    /// iteration. Throws NotConverged.
-    Report solve(const contact::LoadStep& step, const ContactedBody& before, ContactedBody& now);
+    /// From the state `before` to that at the end of the step, in which the body relaxes as
+    /// `relaxing` says; `now` holds the start of the iteration. Throws NotConverged.
+    Report solve(const contact::LoadStep& step, const RelaxingStep& relaxing,
+                 const ContactedBody& before, ContactedBody& now);
     ContactedBody at_rest() const;
+    StepSlip step_slip(const ContactedBody& before, const Pose& now) const;
     /// F_N downwards and F_T in the plane [N], of the whole contact.
     Vector3 forces(const ContactedBody& state) const;
 
@@ -68,6 +78,9 @@ class DeferredCorrection {
     std::vector<Vector3> tractions(const ContactedBody& state, const ContactFrames& frames) const;
     double balance_residual(const std::vector<Vector3>& traction,
                             const std::vector<double>& of_body) const;
+    double gap_residual(const ContactedBody& state, const ContactFrames& frames) const;
+    std::vector<double> as_one(const ContactedBody& state) const;
+    void take(const std::vector<double>& all, ContactedBody& state) const;
     std::vector<Vector3> move_surface(const std::vector<double>& load,
                                       const std::vector<Vector3>& traction);
     std::vector<double> move_all(const std::vector<Vector3>& traction);

@@ -88,10 +88,18 @@ struct ElementBatch {
     std::array<Matrix3<Lanes>, n_points> to_physical;     // [own axis][axis], [1/m]
     std::array<std::array<Lanes, 4>, n_points> pressure;  // orthonormal functions [m^-3/2]
     MooneyRivlin<Lanes> material;
-    Lanes bulk;      // K [Pa]
-    Lanes relaxing;  // 1 where branches lie beside the material, else 0
-    bool relaxes;    // anywhere
+    Lanes bulk;  // K [Pa]
 };
+
+/// VTK's number of the node at each place of a tensor product.
+inline std::array<int, n_points> tensor_order() {
+    std::array<int, n_points> order{};
+    for (int i = 0; i < n_points; ++i) {
+        const auto& at = node_positions[i];
+        order[at[0] + 3 * at[1] + 9 * at[2]] = i;
+    }
+    return order;
+}
 
 using Nodal = std::array<Scalar<Lanes>, 3>;
 using Own = std::array<Gradient<Lanes>, 3>;

@@ -41,14 +41,19 @@ class IndenterMotion {
         sine_ = std::sin(angle);
     }
 
-    /// Where its material point that is now at `x` was before the step [m].
-    Vector3 before(const Vector3& x) const {
+    /// Where its material point is now that was at `x` before the step [m].
+    Vector3 after(const Vector3& x) const {
         const contact::Vector2 now = to_.lowest_point(), then = from_.lowest_point();
-        const contact::Vector2 r{x[0] - now[0], x[1] - now[1]};
-        const double along = contact::dot(r, direction_), down = x[2] - to_.indentation + radius_;
-        const double turned = cosine_ * along + sine_ * down;
-        const contact::Vector2 at = then + r + (turned - along) * direction_;
-        return {at[0], at[1], from_.indentation - radius_ + cosine_ * down - sine_ * along};
+        const Vector3 r =
+            turned({x[0] - then[0], x[1] - then[1], x[2] - from_.indentation + radius_});
+        return {now[0] + r[0], now[1] + r[1], to_.indentation - radius_ + r[2]};
+    }
+    /// What a direction in it has become.
+    Vector3 turned(const Vector3& r) const {
+        const double along = contact::dot({r[0], r[1]}, direction_);
+        const double by = (cosine_ - 1) * along - sine_ * r[2];
+        return {r[0] + by * direction_[0], r[1] + by * direction_[1],
+                cosine_ * r[2] + sine_ * along};
     }
 
   private:

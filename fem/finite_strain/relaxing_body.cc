@@ -106,7 +106,7 @@ void finish_batch(const ElementBatch& batch, const double* displacement, const B
             path.y[1] = branch_strain(path.strain[1], unimodular(halfway));
             path.y[2] = branch_strain(next, viscous);
             const auto each = branch_energies(batch.material, path, quadrature);
-            const Lanes factor = batch.weight[q] * batch.relaxing * memory.constants[b].ratio;
+            const Lanes factor = batch.weight[q] * memory.constants[b].ratio;
             for (int k = 0; k < 2; ++k) energies[k] += factor * each[k];
         }
         strain = next;
@@ -117,45 +117,110 @@ void finish_batch(const ElementBatch& batch, const double* displacement, const B
 
 StrainMemory StrainedBody::unstrained() const {
     if (relaxation_.branches.empty()) return {};
-    const std::size_t n = batches_.size() * n_points;
-    return {std::vector<Symmetric3<Lanes>>(n),
-            std::vector<Symmetric3<Lanes>>(n * relaxation_.branches.size())};
+    const std::size_t n = batches_.size() * n_points, n_branches = relaxation_.branches.size();
+    return {std::vector<Symmetric3<Lanes>>(n), std::vector<Symmetric3<Lanes>>(n * n_branches),
+            Amplitudes(n_cells_), Amplitudes(n_cells_ * n_branches)};
 }
 
 RelaxingStep StrainedBody::begin(const StrainMemory& memory, double duration) const {
-    RelaxingStep step{std::vector<RelaxingStep::Branch>(memory.viscous.size()), duration};
     const auto& constants = relaxation_.branches;
-    if (constants.empty()) return step;
+    const std::size_t n = constants.size();
+    if (n == 0) return {};
+    const contact::RelaxationStep linear(relaxation_, duration);
+    RelaxingStep step{std::vector<RelaxingStep::Branch>(memory.viscous.size()),
+                      Amplitudes(n_cells_ * n),
+                      Amplitudes(n_cells_),
+                      linear.gain,
+                      duration,
+                      linear.stiffness};
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const std::size_t first = b * n_points;
-        if (batches_[b].relaxes)
-            begin_batch(&memory.strain[first], &memory.viscous[first * constants.size()], constants,
-                        duration, &step.branches[first * constants.size()]);
+        begin_batch(&memory.strain[first], &memory.viscous[first * n], constants, duration,
+                    &step.branches[first * n]);
     }
+    for (std::size_t c = 0; c < n_cells_; ++c)
+        for (std::size_t b = 0; b < n; ++b)
+            for (int m = 0; m < 4; ++m) {
+                double& h = step.dilatation[c * n + b][m];
+                h = linear.decay[b] * memory.viscous_dilatation[c * n + b][m] -
+                    linear.gain[b] * memory.dilatation[c][m];
+                step.remembered[c][m] += h;
+            }
     return step;
+}
+
+double StrainedBody::dilatation(const StrainedState& state, const RelaxingStep& step,
+                                std::size_t cell, int m) const {
+    const double remembered = step.remembered.empty() ? 0 : step.remembered[cell][m];
+    return (state.mean_stress[cell][m] / bulk(cell) - remembered) / step.stiffness;
+}
+
+/// K/2 e^2 + sum K h^2/(2g), of springs and branches.
+double StrainedBody::energy_of_volume(const StrainedState& state, const RelaxingStep& step,
+                                      std::size_t cell) const {
+    double squares = 0;
+    for (int m = 0; m < 4; ++m) {
+        const double e = dilatation(state, step, cell, m);
+        squares += e * e;
+        for (std::size_t b = 0; b < step.gain.size(); ++b) {
+            const double h = step.dilatation[cell * step.gain.size() + b][m] + step.gain[b] * e;
+            squares += h * h / relaxation_.branches[b].ratio;
+        }
+    }
+    return bulk(cell) / 2 * squares;
 }
 
 StrainedBody::StepEnergies StrainedBody::finish(const StrainedState& state,
                                                 const RelaxingStep& step,
                                                 StrainMemory& memory) const {
     const auto& constants = relaxation_.branches;
+    StepEnergies energies;
+    if (constants.empty()) return energies;
     std::vector<StepQuadrature> quadratures;
     for (const auto& branch : constants) quadratures.emplace_back(step.duration / branch.time);
     std::array<Lanes, 2> sums{};
-    for (std::size_t b = 0; b < batches_.size() && !constants.empty(); ++b) {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
         const std::size_t first = b * n_points;
-        if (batches_[b].relaxes)
-            finish_batch(
-                batches_[b], state.displacement.data(),
-                {&memory.strain[first], &memory.viscous[first * constants.size()], constants},
-                quadratures.data(), &step.branches[first * constants.size()], sums);
+        finish_batch(batches_[b], state.displacement.data(),
+                     {&memory.strain[first], &memory.viscous[first * constants.size()], constants},
+                     quadratures.data(), &step.branches[first * constants.size()], sums);
     }
-    StepEnergies energies;
     for (std::size_t l = 0; l < n_lanes; ++l) {
         energies.dissipated += sums[0][l];
         energies.work += sums[1][l];
     }
+    remember_volume(state, step, memory, energies);
     return energies;
+}
+
+StrainedState StrainedBody::springs(StrainedState state, const StrainMemory& memory) const {
+    for (std::size_t c = 0; c < memory.dilatation.size(); ++c)
+        for (int m = 0; m < 4; ++m) state.mean_stress[c][m] = bulk(c) * memory.dilatation[c][m];
+    return state;
+}
+
+/// As RelaxingSubstrate.
+void StrainedBody::remember_volume(const StrainedState& state, const RelaxingStep& step,
+                                   StrainMemory& memory, StepEnergies& energies) const {
+    const auto& constants = relaxation_.branches;
+    std::vector<contact::StepIntegrals> integrals;
+    for (const auto& branch : constants) integrals.emplace_back(step.duration / branch.time);
+    for (std::size_t c = 0; c < n_cells_; ++c)
+        for (int m = 0; m < 4; ++m) {
+            double& old = memory.dilatation[c][m];
+            const double now = dilatation(state, step, c, m);
+            const double change = now - old;
+            for (std::size_t b = 0; b < constants.size(); ++b) {
+                double& h = memory.viscous_dilatation[c * constants.size() + b][m];
+                const double ratio = constants[b].ratio;
+                const contact::StepIntegrals& s = integrals[b];
+                energies.dissipated += bulk(c) * (h * h / ratio * s.ee + 2 * h * change * s.ew +
+                                                  ratio * change * change * s.ww);
+                energies.work += bulk(c) * (h * s.mean + ratio * change * s.drift) * change;
+                h = step.dilatation[c * constants.size() + b][m] + step.gain[b] * now;
+            }
+            old = now;
+        }
 }
 
 }  // namespace tricontact::fem

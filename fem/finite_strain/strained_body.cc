@@ -3,25 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/finite_strain/element_batch.h"
+#include "fem/finite_strain/branches.h"
 
 namespace tricontact::fem {
 
 namespace {
 
-using Amplitudes = std::vector<std::array<double, 4>>;
-
 TRICONTACT_INLINE void scatter(const ElementBatch& batch, const Nodal& nodal, double* field) {
     for (int i = 0; i < n_points; ++i)
         for (std::size_t l = 0; l < n_lanes; ++l)
             for (int a = 0; a < 3; ++a) field[3 * batch.node[i][l] + a] += nodal[a][i][l];
-}
-
-TRICONTACT_INLINE std::array<Lanes, 4> gather(const Amplitudes& amplitudes, std::size_t first) {
-    std::array<Lanes, 4> lanes{};
-    for (std::size_t l = 0; l < n_lanes && first + l < amplitudes.size(); ++l)
-        for (int m = 0; m < 4; ++m) lanes[m][l] = amplitudes[first + l][m];
-    return lanes;
 }
 
 /// Sums of one batch beside the forces.
@@ -30,58 +21,26 @@ struct Totals {
     Lanes least_volume = 1;
 };
 
-TRICONTACT_INLINE void prefetch(const RelaxingStep::Branch* branch) {
-    constexpr std::size_t cache_line = 64;
-    for (std::size_t k = 0; k < sizeof(*branch); k += cache_line)
-        __builtin_prefetch(reinterpret_cast<const char*>(branch) + k);
-}
-
-/// What lies beside the material: nothing.
-struct NoBranches {
-    TRICONTACT_INLINE void add(const ElementBatch&, const Strain<Lanes>&, int, Matrix3<Lanes>&,
-                               Lanes&) const {}
-};
-
-/// Branches of a batch, by points, in a step.
-struct Branches {
-    const RelaxingStep::Branch* first;
-    std::size_t n_ahead;  // from there to the end of all batches'
-    const std::vector<contact::Relaxation::Branch>& constants;
-
-    /// Adds their stress M and their energy per volume at Gauss point q.
-    TRICONTACT_INLINE void add(const ElementBatch& batch, const Strain<Lanes>& strain, int q,
-                               Matrix3<Lanes>& stress, Lanes& energy) const {
-        const auto isochoric = isochoric_strain(strain);
-        const Lanes of_stress = batch.relaxing / (strain.dilatation + 1.);
-        const std::size_t n = constants.size();
-        for (std::size_t b = 0; b < n; ++b) {
-            const auto& branch = first[q * n + b];
-            // They are read once and in order, but come too late otherwise: a fifth of the time.
-            prefetch(first + std::min((q + 3) * n + b, n_ahead - 1));
-            Symmetric3<Lanes> mixed;
-            for (int k = 0; k < 6; ++k)
-                mixed[k] = branch.remembered[k] + branch.share * isochoric[k];
-            const auto y = branch_strain(isochoric, unimodular(mixed));
-            const auto t = branch_stress(batch.material, y);
-            const Lanes ratio = constants[b].ratio;
-            for (int a = 0; a < 3; ++a)
-                for (int c = 0; c < 3; ++c) stress[a][c] += ratio * of_stress * t[a][c];
-            energy += ratio * batch.relaxing * branch_energy(batch.material, y);
-        }
-    }
+/// What is known of a batch's volumes.
+struct Volumes {
+    std::array<Lanes, 4> mean_stress;  // q
+    std::array<Lanes, 4> remembered;   // see RelaxingStep
+    double stiffness;                  // of the step
 };
 
 template <class Beside>
 TRICONTACT_INLINE void evaluate_lanes(const ElementBatch& batch, const double* displacement,
-                                      const std::array<Lanes, 4>& mean_stress, const Beside& beside,
-                                      double* force, double* effective,
-                                      std::array<Lanes, 4>& excess, Totals& totals) {
+                                      const Volumes& volumes, const Beside& beside, double* force,
+                                      double* effective, std::array<Lanes, 4>& excess,
+                                      Totals& totals) {
+    const auto& mean_stress = volumes.mean_stress;
     Nodal nodal;
     gather(batch, displacement, nodal);
     Own own, linear;
     for (int a = 0; a < 3; ++a) differentiate(nodal[a], own[a]);
     Scalar<Lanes> mean;
-    for (int m = 0; m < 4; ++m) excess[m] = -mean_stress[m] / batch.bulk;
+    for (int m = 0; m < 4; ++m)
+        excess[m] = (volumes.remembered[m] - mean_stress[m] / batch.bulk) / volumes.stiffness;
     for (int q = 0; q < n_points; ++q) {
         const Strain<Lanes> strain(physical_gradient(batch, own, q));
         const auto& psi = batch.pressure[q];
@@ -104,14 +63,12 @@ TRICONTACT_INLINE void evaluate_lanes(const ElementBatch& batch, const double* d
         totals.energy += batch.weight[q] * energy;
         totals.least_volume = smaller(totals.least_volume, strain.dilatation + 1.);
     }
-    for (int m = 0; m < 4; ++m)
-        totals.energy += mean_stress[m] * mean_stress[m] / (2. * batch.bulk);
     for (int a = 0; a < 3; ++a) integrate(own[a], nodal[a]);
     scatter(batch, nodal, force);
     for (int q = 0; q < n_points; ++q) {
         Lanes sum{};
         for (int m = 0; m < 4; ++m) sum += excess[m] * batch.pressure[q][m];
-        sum *= batch.bulk * batch.weight[q];
+        sum *= volumes.stiffness * batch.bulk * batch.weight[q];
         for (int a = 0; a < 3; ++a)
             for (int r = 0; r < 3; ++r) linear[a][r][q] = sum * batch.to_physical[q][r][a];
     }
@@ -120,19 +77,17 @@ TRICONTACT_INLINE void evaluate_lanes(const ElementBatch& batch, const double* d
 }
 
 TRICONTACT_LANES_CLONES
-void evaluate_batch(const ElementBatch& batch, const double* displacement,
-                    const std::array<Lanes, 4>& mean_stress, double* force, double* effective,
-                    std::array<Lanes, 4>& excess, Totals& totals) {
-    evaluate_lanes(batch, displacement, mean_stress, NoBranches{}, force, effective, excess,
-                   totals);
+void evaluate_batch(const ElementBatch& batch, const double* displacement, const Volumes& volumes,
+                    double* force, double* effective, std::array<Lanes, 4>& excess,
+                    Totals& totals) {
+    evaluate_lanes(batch, displacement, volumes, NoBranches{}, force, effective, excess, totals);
 }
 
 TRICONTACT_LANES_CLONES
 void evaluate_relaxing_batch(const ElementBatch& batch, const double* displacement,
-                             const std::array<Lanes, 4>& mean_stress, const Branches& branches,
-                             double* force, double* effective, std::array<Lanes, 4>& excess,
-                             Totals& totals) {
-    evaluate_lanes(batch, displacement, mean_stress, branches, force, effective, excess, totals);
+                             const Volumes& volumes, const Branches& branches, double* force,
+                             double* effective, std::array<Lanes, 4>& excess, Totals& totals) {
+    evaluate_lanes(batch, displacement, volumes, branches, force, effective, excess, totals);
 }
 
 /// B du.
@@ -209,16 +164,6 @@ void set_pressures(const std::array<std::array<double, 3>, n_points>& nodes, std
     }
 }
 
-/// VTK's number of the node at each place of a tensor product.
-std::array<int, n_points> tensor_order() {
-    std::array<int, n_points> order{};
-    for (int i = 0; i < n_points; ++i) {
-        const auto& at = node_positions[i];
-        order[at[0] + 3 * at[1] + 9 * at[2]] = i;
-    }
-    return order;
-}
-
 }  // namespace
 
 StrainedBody::StrainedBody(const Discretisation& discretisation,
@@ -248,10 +193,6 @@ StrainedBody::StrainedBody(const Discretisation& discretisation,
         batch.material.c10[lane] = moduli.shear / 2 * (1 - c01_ratio[region]);
         batch.material.c01[lane] = moduli.shear / 2 * c01_ratio[region];
         batch.bulk[lane] = moduli.bulk;
-        const bool relaxes =
-            !relaxation_.branches.empty() && space.regions[cell] == meshes::Region::layer;
-        batch.relaxing[lane] = relaxes ? 1 : 0;
-        batch.relaxes = (lane > 0 && batch.relaxes) || relaxes;
     }
 }
 StrainedBody::~StrainedBody() = default;
@@ -272,22 +213,24 @@ void StrainedBody::evaluate(const StrainedState& state, const RelaxingStep& step
     Totals totals;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const std::size_t first = b * n_lanes;
-        const auto mean_stress = gather(state.mean_stress, first);
+        const Volumes volumes{gather(state.mean_stress, first), gather(step.remembered, first),
+                              step.stiffness};
         std::array<Lanes, 4> excess;
         const std::size_t first_branch = b * n_points * relaxation_.branches.size();
-        if (batches_[b].relaxes && !step.branches.empty())
-            evaluate_relaxing_batch(batches_[b], state.displacement.data(), mean_stress,
+        if (step.branches.empty())
+            evaluate_batch(batches_[b], state.displacement.data(), volumes, r.force.data(),
+                           r.effective_force.data(), excess, totals);
+        else
+            evaluate_relaxing_batch(batches_[b], state.displacement.data(), volumes,
                                     {&step.branches[first_branch],
                                      step.branches.size() - first_branch, relaxation_.branches},
                                     r.force.data(), r.effective_force.data(), excess, totals);
-        else
-            evaluate_batch(batches_[b], state.displacement.data(), mean_stress, r.force.data(),
-                           r.effective_force.data(), excess, totals);
         for (std::size_t l = 0; l < n_lanes && first + l < n_cells_; ++l)
             for (int m = 0; m < 4; ++m) r.excess_volume[first + l][m] = excess[m][l];
     }
     for (std::size_t i = 0; i < r.force.size(); ++i) r.effective_force[i] += r.force[i];
     r.energy = 0;
+    for (std::size_t c = 0; c < n_cells_; ++c) r.energy += energy_of_volume(state, step, c);
     r.least_volume = 1;
     for (std::size_t l = 0; l < n_lanes; ++l) {
         r.energy += totals.energy[l];
@@ -295,8 +238,20 @@ void StrainedBody::evaluate(const StrainedState& state, const RelaxingStep& step
     }
 }
 
+double StrainedBody::root_of_cell() const {
+    double volume = 0;
+    for (const ElementBatch& batch : batches_)
+        for (const Lanes& weight : batch.weight)
+            for (std::size_t l = 0; l < n_lanes; ++l) volume += weight[l];
+    return std::sqrt(volume / static_cast<double>(n_cells_));
+}
+
+double StrainedBody::bulk(std::size_t cell) const {
+    return batches_[cell / n_lanes].bulk[cell % n_lanes];
+}
+
 void StrainedBody::add(std::span<const double> displacement, const Response& before,
-                       StrainedState& state) const {
+                       const RelaxingStep& step, StrainedState& state) const {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const std::size_t first = b * n_lanes;
         std::array<Lanes, 4> dilatation;
@@ -304,7 +259,8 @@ void StrainedBody::add(std::span<const double> displacement, const Response& bef
         for (std::size_t l = 0; l < n_lanes && first + l < n_cells_; ++l)
             for (int m = 0; m < 4; ++m)
                 state.mean_stress[first + l][m] +=
-                    batches_[b].bulk[l] * (dilatation[m][l] + before.excess_volume[first + l][m]);
+                    step.stiffness * bulk(first + l) *
+                    (dilatation[m][l] + before.excess_volume[first + l][m]);
     }
     for (std::size_t i = 0; i < displacement.size(); ++i) state.displacement[i] += displacement[i];
 }

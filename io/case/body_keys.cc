@@ -141,6 +141,21 @@ std::vector<CaseKey> substrate_keys() {
         {poisson_key("substrate.poisson", "0.5", "Poisson's ratio; 0.5 is incompressible",
                      {.required = true}),
          at<&Case::substrate, &Material::poisson>},
+        {choice_key(
+             "substrate.material",
+             {choice("linear", Case::Law::linear), choice("neo-hookean", Case::Law::neo_hookean),
+              choice("mooney-rivlin", Case::Law::mooney_rivlin)},
+             R"("neo-hookean")",
+             "law of elasticity in fem: linear, or a rubber at finite strains under a "
+             "paraboloid or sphere, whose contact is that of the deformed surface; all "
+             "other models are linear",
+             {.default_value = R"("linear")"}),
+         at<&Case::law>},
+        {number_key("substrate.c01_ratio", {0, 1, true, true}, "0.2",
+                    "share of the second constant, c01/(c10 + c01), in the shear modulus of a "
+                    "Mooney-Rivlin material, 2 (c10 + c01)",
+                    {.needs = "substrate.material"}),
+         at<&Case::c01_ratio>},
         {length_key("substrate.thickness", R"("8 mm")",
                     "thickness b of the layer; half-space models do not see it"),
          at<&Case::layer, &Layer::thickness>},

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "contact/load_path.h"
+#include "contact/substrates/relaxing_case.h"
 #include "io/case/case_checks.h"
 
 namespace tricontact::io {
@@ -25,6 +26,28 @@ void check_indenter(const Case& c, const Document& document) {
                rounded(ratio) + " of the substrate's, more than " +
                rounded(largest_compliance_ratio),
            "omit young and poisson of the indenter to make it rigid, or leave out fem");
+}
+
+// What fem computes at finite strains.
+void check_law(const Case& c, const Document& document) {
+    const bool has_second = c.law == Case::Law::mooney_rivlin;
+    if (has_second != c.c01_ratio.has_value())
+        refuse(document, has_second ? "substrate.material" : "substrate.c01_ratio",
+               "substrate.c01_ratio goes with material = \"mooney-rivlin\", and only with it",
+               has_second ? "add c01_ratio, 0 to 1" : "leave it out or change substrate.material");
+    if (c.law == Case::Law::linear) return;
+    const auto refuse_law = [&](const std::string& rule, const std::string& remedy) {
+        refuse(document, "substrate.material", "at finite strains " + rule,
+               remedy + ", or set substrate.material to \"linear\"");
+    };
+    if (!contact::is_hertz_round(c))
+        refuse_law("fem knows smooth paraboloids and spheres", "change indenter.shape");
+    if (!contact::relaxes_as_one(c))
+        refuse_law("all of fem relaxes with Poisson's ratio kept, or nothing",
+                   "leave out substrate.relaxation or what stays elastic beside it");
+    if (!c.contact.coupling)
+        refuse_law("normal and tangential contact are always coupled",
+                   "set contact.coupling to true");
 }
 
 // Contact and rolling path: half sides of their rectangle [m].
@@ -187,6 +210,7 @@ RadiusBounds contact_radius_bounds(const Case& c) {
 void check_fem(const Case& c, double steps, const Document& document) {
     check_layer("fem", c, document);
     check_indenter(c, document);
+    check_law(c, document);
     const RadiusBounds a = contact_radius_bounds(c);
     const Patch patch = patch_of(c, a.low);
     check_extent(c, patch, a, document);

@@ -11,7 +11,7 @@ namespace {
 using contact::StepRecord;
 using Place = std::variant<const double*, const int*>;
 
-constexpr std::array<HistoryColumn, 22> columns{{
+constexpr std::array<HistoryColumn, 24> columns{{
     {"phase", [](const StepRecord& s) { return Place(&s.phase); }},
     {"time_s", [](const StepRecord& s) { return Place(&s.time); }},
     {"offset_x_m", [](const StepRecord& s) { return Place(&s.offset[0]); }},
@@ -29,6 +29,8 @@ constexpr std::array<HistoryColumn, 22> columns{{
     {"stick_area_m2", [](const StepRecord& s) { return Place(&s.stick_area); }},
     {"slip_area_m2", [](const StepRecord& s) { return Place(&s.slip_area); }},
     {"open_area_m2", [](const StepRecord& s) { return Place(&s.open_area); }},
+    {"largest_stretch", [](const StepRecord& s) { return Place(&s.largest_stretch); }},
+    {"largest_shear", [](const StepRecord& s) { return Place(&s.largest_shear); }},
     {"normal_iterations", [](const StepRecord& s) { return Place(&s.normal_iterations); }},
     {"tangential_iterations", [](const StepRecord& s) { return Place(&s.tangential_iterations); }},
     {"normal_residual", [](const StepRecord& s) { return Place(&s.normal_residual); }},

@@ -115,7 +115,7 @@ TEST(TreatmentSentences, CouplingThatIsLeftOutIsSaid) {
 }
 
 TEST(VariantsTable, HasARowForLoadingAndOneForRolling) {
-    const report::DocumentTable table = variants_table(Case{}, variants());
+    const report::DocumentTable table = variants_table(variants());
     std::vector<std::vector<report::Cell>> settled;
     std::size_t n_static = 0;
     for (const auto& row : table.rows) {

@@ -36,6 +36,7 @@ radius = "0.04 m"
 [substrate]
 young = "5200000 Pa"
 poisson = 0.5
+material = "linear"
 thickness = "0.008 m"
 base = "bonded"
 

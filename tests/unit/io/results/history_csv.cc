@@ -40,6 +40,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
     s.shift = {1e-5 / 3, -1e-6 / 3};
     s.dissipation = 1e-9 / 7;
     s.material_dissipation = 1e-9 / 11;
+    s.largest_stretch = 12. / 11;
+    s.largest_shear = 2. / 11;
     s.stored_energy = 1e-3 / 7;
     s.contact_area = 1. / 11;
     s.stick_area = 1. / 13;
@@ -71,6 +73,8 @@ TEST(HistoryCsv, HoldsEveryNumberOfEveryStepExactly) {
                                                  {"stick_area_m2", s.stick_area},
                                                  {"slip_area_m2", s.slip_area},
                                                  {"open_area_m2", s.open_area},
+                                                 {"largest_stretch", s.largest_stretch},
+                                                 {"largest_shear", s.largest_shear},
                                                  {"normal_iterations", 48},
                                                  {"tangential_iterations", 5},
                                                  {"normal_residual", s.normal_residual},

@@ -1,0 +1,121 @@
+// What DeferredCorrection asks of states: where surfaces are, what forces leave, all as one vector.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/special_values.h"
+#include "fem/finite_strain/deferred_correction.h"
+
+namespace tricontact::fem {
+
+using contact::TangentialField;
+
+ContactedBody DeferredCorrection::at_rest() const {
+    const std::size_t n = problem_.compliance.points().size();
+    ContactedBody state;
+    state.body = problem_.body.at_rest();
+    state.position = positions(state.body);
+    state.pressure.assign(n, 0);
+    state.traction = state.slip = TangentialField(n);
+    return state;
+}
+
+std::vector<Vector3> DeferredCorrection::positions(const StrainedState& body) const {
+    const auto& nodes = problem_.discretisation.surface.nodes;
+    const auto& points = problem_.compliance.points();
+    std::vector<Vector3> position(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double* const u = body.displacement.data() + 3 * static_cast<std::size_t>(nodes[i]);
+        position[i] = {points.x[i] + u[0], points.y[i] + u[1], -u[2]};
+    }
+    return position;
+}
+
+std::vector<Vector3> DeferredCorrection::tractions(const ContactedBody& state,
+                                                   const ContactFrames& frames) const {
+    std::vector<Vector3> all(state.pressure.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (state.pressure[i] > 0)
+            all[i] = frames.traction(i, state.pressure[i], state.traction.at(i));
+    return all;
+}
+
+/// What touches has no gap, nothing penetrates: over the indentation.
+double DeferredCorrection::gap_residual(const ContactedBody& state,
+                                        const ContactFrames& frames) const {
+    double worst = 0;
+    for (std::size_t i = 0; i < state.pressure.size(); ++i) {
+        const double g = frames.height(i) + state.position[i][2] - state.pose.indentation;
+        if (std::isfinite(g)) worst = std::max(worst, state.pressure[i] > 0 ? std::abs(g) : -g);
+    }
+    return worst / state.pose.indentation;
+}
+
+/// Everything an iteration changes as displacements of about the same size.
+std::vector<double> DeferredCorrection::as_one(const ContactedBody& s) const {
+    const double per_pressure = problem_.compliance.local_tangential();
+    const double per_amplitude = per_pressure / problem_.body.root_of_cell();
+    std::vector<double> all = s.body.displacement;
+    for (const auto& q : s.body.mean_stress)
+        for (const double amplitude : q) all.push_back(per_amplitude * amplitude);
+    for (const auto* field : {&s.pressure, &s.traction.x, &s.traction.y})
+        for (const double t : *field) all.push_back(per_pressure * t);
+    all.insert(all.end(), {s.pose.indentation, s.pose.shift[0], s.pose.shift[1]});
+    return all;
+}
+
+void DeferredCorrection::take(const std::vector<double>& all, ContactedBody& s) const {
+    const double per_pressure = problem_.compliance.local_tangential();
+    const double per_amplitude = per_pressure / problem_.body.root_of_cell();
+    auto from = all.begin();
+    for (double& u : s.body.displacement) u = *from++;
+    for (auto& q : s.body.mean_stress)
+        for (double& amplitude : q) amplitude = *from++ / per_amplitude;
+    for (auto* field : {&s.pressure, &s.traction.x, &s.traction.y})
+        for (double& t : *field) t = *from++ / per_pressure;
+    for (double& p : s.pressure) p = std::max(p, 0.);
+    s.pose.indentation = from[0];
+    s.pose.shift = {from[1], from[2]};
+}
+
+/// What the body's forces and these tractions leave, over the tractions' forces.
+double DeferredCorrection::balance_residual(const std::vector<Vector3>& traction,
+                                            const std::vector<double>& of_body) const {
+    const auto& nodes = problem_.discretisation.surface.nodes;
+    const auto& points = problem_.compliance.points();
+    std::vector<double> left = of_body;
+    double size = 0, missing = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const double area = points.area[i] * modelled_part(points);
+        double* const f = left.data() + 3 * static_cast<std::size_t>(nodes[i]);
+        for (int a = 0; a < 3; ++a) {
+            const double force = area * traction[i][a];
+            f[a] -= a == 2 ? -force : force;
+            size += force * force;
+        }
+    }
+    for (const double f : on_unknowns(left)) missing += f * f;
+    return size > 0 ? std::sqrt(missing / size) : contact::infinity;
+}
+
+StepSlip DeferredCorrection::step_slip(const ContactedBody& before, const Pose& now) const {
+    return {problem_.indenter,
+            problem_.rolling_radius,
+            {before.pose, before.position, before.pressure},
+            now};
+}
+
+Vector3 DeferredCorrection::forces(const ContactedBody& state) const {
+    const auto& points = problem_.compliance.points();
+    const ContactFrames frames(problem_.indenter, state.position, state.pose.lowest_point());
+    Vector3 sum{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!(state.pressure[i] > 0)) continue;
+        const Vector3 t = frames.traction(i, state.pressure[i], state.traction.at(i));
+        for (int a = 0; a < 3; ++a) sum[a] += points.area[i] * t[a];
+    }
+    if (points.mirrored) sum[1] = 0;
+    return sum;
+}
+
+}  // namespace tricontact::fem
