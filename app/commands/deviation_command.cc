@@ -1,6 +1,8 @@
 #include "app/commands/command.h"
+#include "app/commands/strain_deviation.h"
 #include "app/roll_models.h"
 #include "app/studies/study_kind.h"
+#include "comparisons/finite_strain/strain_runs.h"
 #include "comparisons/half_space/deviation_output.h"
 
 namespace tricontact::app {
@@ -13,6 +15,8 @@ using comparisons::RolledRun;
 
 struct DeviationOptions : CommandOptions {
     bool runs = true;  ///< of boundary elements; else exact theory alone
+    bool finite_strain = false;
+    double elements = comparisons::StrainContact{}.elements;
 };
 
 void add_runs(const DeviationOptions& options, HalfSpaceDeviation& deviation) {
@@ -67,17 +71,31 @@ void compare_with_half_space(DeviationOptions options) {
     options.say(options.where());
 }
 
+void compare(const DeviationOptions& options) {
+    if (!options.finite_strain) return compare_with_half_space(options);
+    if (!options.runs)
+        throw contact::InputError(
+            "--no-runs: what finite strains change is known from runs alone; drop --no-runs or "
+            "--finite-strain");
+    compare_with_finite_strains(options, options.elements);
+}
+
 }  // namespace
 
 Command deviation_command() {
     return Declared<DeviationOptions>("deviation",
-                                      "How far the layer of a case is from a half-space",
-                                      compare_with_half_space)
+                                      "How far the layer of a case is from a half-space, or linear "
+                                      "elasticity from finite strains",
+                                      compare)
         .on_case()
         .jobs()
-        .output("Folder (results/<case>_deviation)")
+        .output("Folder (results/<case>_deviation or <case>_finite_strain)")
         .flag("--no-runs", &DeviationOptions::runs, "Exact theory alone: no friction, no rolling",
               false)
+        .flag("--finite-strain", &DeviationOptions::finite_strain,
+              "Linear elasticity against finite strains instead, by finite elements")
+        .number("--elements", &DeviationOptions::elements,
+                "Elements in the contact radius, with --finite-strain (5)", 2, 20)
         .quiet();
 }
 

@@ -77,7 +77,8 @@ RigReport check_rig(const Rig& rig, const StaticShift& static_shift) {
         case Rig::Kind::sphere:
             report.assumptions = {
                 quasi_static_drive(rig), ideal_rolling(rig),           half_space(rig),
-                elastic_substrate(rig),  uncoupled(rig, static_shift), fitted_constants(rig)};
+                elastic_substrate(rig),  uncoupled(rig, static_shift), small_strains(rig),
+                fitted_constants(rig)};
             if (roller_is_rigid(rig)) report.curves = force_curves(rig);
             break;
         case Rig::Kind::cylinder:

@@ -70,6 +70,7 @@ Assumption half_space_of_line(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
 Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
+Assumption small_strains(const Rig& rig);
 Assumption fitted_constants(const Rig& rig);
 
 /// Whether these are the data of one of the thesis' three rolling rigs (Wetter 2016, tables 5.1.1

@@ -152,12 +152,54 @@ TEST(RigSentences, TheEffectOfCouplingOnTheShiftDecides) {
     EXPECT_FALSE(says(experiments::uncoupled(rig, {}).consequence, "static shift"));
 }
 
+TEST(RigSentences, FiniteStrainsAreToldWithinTheRangeOfTheirFit) {
+    const auto error = [](const experiments::Assumption& a, std::size_t i) {
+        return a.criteria.at(i).calculation.result;
+    };
+    // Runs by both laws: U_stat 1.69 to 1.76 %, d -0.21 %.
+    const experiments::Assumption thesis = experiments::small_strains(thesis_sphere());
+    EXPECT_EQ(thesis.standing(), experiments::Standing::holds);
+    EXPECT_NEAR(error(thesis, 0).value, .0173, .0010);
+    EXPECT_NEAR(error(thesis, 1).value, .0021, .0002);
+    EXPECT_TRUE(says(thesis.consequence, "% too high, the indentation 0.21")) << thesis.consequence;
+    // One that the fit has not seen: 2.86 %, -0.49 %.
+    Rig other = thesis_sphere();
+    other.data["R"] = {25e-3};
+    other.data["b"] = {12e-3};
+    other.data["E_2"] = {3e6};
+    other.data["F_N"] = {10};
+    other.data["mu"] = {.4};
+    const experiments::Assumption thick = experiments::small_strains(other);
+    EXPECT_NEAR(error(thick, 0).value, .0286, .0015);
+    EXPECT_NEAR(error(thick, 1).value, .0049, .0003);
+    EXPECT_LT(error(thick, 0).standard_error, .002);
+}
+
+TEST(RigSentences, FiniteStrainsAreNotToldBeyondTheirFit) {
+    const auto open = [](const char* symbol, double value, const char* named) {
+        Rig rig = thesis_sphere();
+        rig.data[symbol] = {value};
+        const experiments::Assumption a = experiments::small_strains(rig);
+        EXPECT_EQ(a.standing(), experiments::Standing::cannot_tell) << symbol;
+        EXPECT_TRUE(a.consequence.empty()) << a.consequence;
+        EXPECT_TRUE(a.criteria.empty()) << symbol;
+        ASSERT_EQ(a.missing.size(), 1) << symbol;
+        EXPECT_TRUE(says(a.missing.front(), named)) << a.missing.front();
+    };
+    open("b", 3e-3, "an estimate for a/b = 1.");
+    open("b", 80e-3, "an estimate for a/b = 0.05");
+    open("mu", 1.2, "an estimate for mu = 1.20");
+    open("nu_2", .45, "an estimate for nu_2 = 0.450");
+    open("R", 5e-3, "an estimate for a/R = 0.");
+    open("E_1", 50e6, "not rigid");
+}
+
 TEST(RigSentences, ARollerThatIsNotRigidIsNotComparedWithALayerUnderARigidOne) {
     Rig rig = ball_on_polyurethane();
     rig.data["E_1"] = {50e6};
     const auto report = experiments::check_rig(
         rig, [](const Rig& /*rig*/, bool /*coupled*/) -> double { throw "not asked"; });
-    for (const char* name : {"half_space", "fitted_constants", "uncoupled"})
+    for (const char* name : {"half_space", "fitted_constants", "uncoupled", "small_strains"})
         EXPECT_NE(assumption_of(report, name).standing(), Standing::holds) << name;
     const auto& half_space = assumption_of(report, "half_space");
     EXPECT_FALSE(says(half_space.consequence, "true one")) << half_space.consequence;

@@ -1,0 +1,76 @@
+#include "app/commands/strain_deviation.h"
+
+#include <algorithm>
+
+#include "app/commands/command.h"
+#include "app/models.h"
+#include "app/roll_models.h"
+#include "app/studies/study_kind.h"
+#include "comparisons/finite_strain/strain_output.h"
+
+namespace tricontact::app {
+
+namespace {
+
+using comparisons::StrainContact;
+using comparisons::StrainDeviation;
+
+/// Two by two: by the linear law, at finite strains.
+StudyPoints points_of(const StrainContact& contact, const std::string& file) {
+    StudyPoints points;
+    for (const auto& point : comparisons::strain_points(contact))
+        for (const bool finite : {false, true}) {
+            const Case c = comparisons::strain_case(contact, point, finite);
+            // Whatever the user's case passes, that of a run is checked by itself.
+            const Case checked = io::parse_case(io::write_case(c), file);
+            points.push_back(make_point(checked, checked.models.front(), point.level, file));
+        }
+    return points;
+}
+
+StrainDeviation computed(const CommandOptions& options, const StrainContact& contact,
+                         const StudyPoints& points) {
+    io::ResultStore store = open_results(options.output);
+    compute_missing(contact_kind(), points, store,
+                    {.name = "deviation", .jobs = options.threads, .quiet = options.quiet});
+    std::vector<std::optional<comparisons::Results>> results;
+    for (const StudyPoint& point : points) results.push_back(results_of(store.find(point.key)));
+    return comparisons::strain_deviation(contact, results);
+}
+
+void write(const CommandOptions& options, const StrainDeviation& deviation, double elements) {
+    options.write("finite_strain.csv", strain_csv(deviation));
+    options.write("finite_strain.json",
+                  strain_json(files::version, io::write_case(deviation.contact.c), deviation));
+    std::string command = "tricontact deviation " + options.file;
+    for (const std::string& text : options.overrides) command += fmt::format(" --set \"{}\"", text);
+    command += " --finite-strain";
+    if (elements != StrainContact{}.elements) command += fmt::format(" --elements {}", elements);
+    options.write_report(strain_document(deviation), command);
+}
+
+}  // namespace
+
+void compare_with_finite_strains(CommandOptions options, double elements) {
+    options.choose_folder("_finite_strain");
+    const Case c = io::read_case(options.file, options.overrides);
+    refuse_rolling_on(c, options.file);
+    if (!std::ranges::count(known_models(), "fem", &ModelDescription::name))
+        options.refuse("--finite-strain: this program was built without the model fem");
+    // Before anything is removed.
+    const StrainContact contact =
+        options.told_of_file([&] { return comparisons::strain_contact(c, elements); });
+    const StudyPoints points = points_of(contact, options.file);
+    StrainDeviation deviation;
+    options.fill(
+        {{"finite_strain.csv", "finite_strain.json", "report.html"}, io::result_store_files()},
+        [&] {
+            deviation = computed(options, contact, points);
+            write(options, deviation, elements);
+        });
+    std::cout << strain_text(deviation);
+    for (const auto& verdict : strain_verdicts(deviation)) std::cout << verdict.sentence << '\n';
+    options.say(options.where());
+}
+
+}  // namespace tricontact::app

@@ -1,0 +1,123 @@
+// Whether the strains under a sphere are small enough for linear elasticity.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "experiments/assumptions/rolling_parts.h"
+
+namespace tricontact::experiments {
+
+namespace {
+
+// Fitted to finite elements by the linear and the neo-Hookean law on bonded incompressible layers
+// (scripts/finite_strain_fit.sh, which also tells what the fit leaves).
+constexpr const char* strain_source = "fit to finite elements, docs/rig.md";
+constexpr double thickest = 0.14, thinnest = 0.7;  // a/b
+constexpr double least_friction = 0.3, most_friction = 0.9;
+constexpr double largest_slope = 0.22;  // a/R
+constexpr double least_poisson = 0.49;
+// Standard errors over a/R: what the fit leaves (rms .0036, .0002) and the mesh of the runs.
+constexpr double shift_scatter = 0.012, indentation_scatter = 0.001;
+
+constexpr const char* strain_keys = "R F_N b E_2 nu_2 mu";
+
+struct Slenderness {
+    double over_radius, over_thickness;  ///< a/R, a/b of the linear layer
+};
+
+Slenderness slenderness_of(const Values& x) {
+    const double a = layer_of({x[0], x[1], x[2], x[3], x[4]}).contact_radius;
+    return {a / x[0], a / x[2]};
+}
+
+constexpr Formula strain_measure("strain_measure", "a/R", "a of the linear layer",
+                                 "exact contact with a bonded layer", "1", strain_keys,
+                                 [](const Values& x) { return slenderness_of(x).over_radius; });
+
+/// U_stat by the linear law over that at finite strains, minus 1, at coupling_tangential_ratio.
+double shift_off(const Values& x) {
+    const auto [slope, t] = slenderness_of(x);
+    const double mu = x[5];
+    const auto quadratic = [mu](double c0, double c1, double c2) {
+        return c0 + mu * (c1 + mu * c2);
+    };
+    return slope *
+           (quadratic(.2377, -.0584, .0169) +
+            t * t * (quadratic(-.8616, 2.1312, -1.3926) + t * quadratic(.3143, -1.3043, .9219)));
+}
+
+/// The same of d.
+double indentation_off(const Values& x) {
+    const auto [slope, t] = slenderness_of(x);
+    return -slope * (.0478 - t * t * (.1945 - .181 * t));
+}
+
+Calculation strain_calculation(const Rig& rig, const char* name, const char* symbol,
+                               const char* formula, double scatter, double (*off)(const Values&)) {
+    std::vector<Given> values = given(rig, strain_keys);
+    values.push_back({"delta", {0, scatter}, "1"});
+    return calculate(name, symbol, formula, strain_source, "1", std::move(values),
+                     [off](const auto& x) {
+                         return std::abs(off(x) + x.back() * slenderness_of(x).over_radius);
+                     });
+}
+
+/// What the fit does not reach; empty where it holds.
+std::string out_of_fit(const Rig& rig) {
+    const Values x = values_of(given(rig, strain_keys));
+    const auto [slope, t] = slenderness_of(x);
+    const auto outside = [](const char* symbol, double value, double low, double high) {
+        return fmt::format(
+            "an estimate for {} = {}: it is known from {} to {}; tricontact "
+            "deviation --finite-strain computes it",
+            symbol, significant(value, 3), low, high);
+    };
+    if (x[4] < least_poisson) return outside("nu_2", x[4], least_poisson, .5);
+    if (t < thickest || t > thinnest) return outside("a/b", t, thickest, thinnest);
+    if (slope > largest_slope) return outside("a/R", slope, 0, largest_slope);
+    if (x[5] < least_friction || x[5] > most_friction)
+        return outside("mu", x[5], least_friction, most_friction);
+    return {};
+}
+
+}  // namespace
+
+Assumption small_strains(const Rig& rig) {
+    using enum Criterion::Relation;
+    Assumption a{.name = "small_strains",
+                 .title = "Small strains",
+                 .claim = "The substrate's strains are small: linear elasticity holds"};
+    if (!roller_is_rigid(rig)) {
+        a.missing = {theory_of_elastic_roller};
+        return a;
+    }
+    a.background = {calculate(rig, strain_measure)};
+    if (std::string why = out_of_fit(rig); !why.empty()) {
+        a.missing = {std::move(why)};
+        return a;
+    }
+    a.criteria = {
+        {strain_calculation(rig, "strain_shift_error", "|U_stat linear/U_stat - 1|",
+                            "a/R f(a/b, mu) + delta a/R, f fitted", shift_scatter, shift_off),
+         at_most, accepted_difference, accepted_reason},
+        {strain_calculation(rig, "strain_indentation_error", "|d linear/d - 1|",
+                            "a/R f(a/b) + delta a/R, f fitted", indentation_scatter,
+                            indentation_off),
+         at_most, accepted_difference, accepted_reason}};
+    const auto part = [&](std::size_t i, double off) {
+        const Estimate& e = a.criteria[i].calculation.result;
+        return fmt::format("{} % too {}", with_error(100 * e.value, 100 * e.standard_error, 2),
+                           off > 0 ? "high" : "low");
+    };
+    const Values x = values_of(given(rig, strain_keys));
+    a.consequence = fmt::format(
+        "Beside a neo-Hookean rubber linear elasticity puts the static shift at F_T = {} mu F_N "
+        "{}, "
+        "the indentation {}. What rolling adds to the shift is off by more: tricontact deviation "
+        "--finite-strain computes it.",
+        coupling_tangential_ratio, part(0, shift_off(x)), part(1, indentation_off(x)));
+    return a;
+}
+
+}  // namespace tricontact::experiments
