@@ -103,7 +103,10 @@ same_table workers "after its processes were killed"
 start_sweep --output "$work/crashed" --jobs 1 --quiet 2>/dev/null
 for _ in $(seq 1 200); do
     process=$(processes_of crashed | grep -vx "$child" | head -n 1)
-    [ -n "$process" ] && kill -SEGV "$process" 2>/dev/null && break
+    # Stopped first: a process that has just ended takes signals too, and leaves no trace of them.
+    [ -n "$process" ] && kill -STOP "$process" 2>/dev/null &&
+        grep -q '^State:.T' "/proc/$process/status" 2>/dev/null &&
+        kill -SEGV "$process" && kill -CONT "$process" && break
     sleep 0.01
 done
 wait "$child"
