@@ -14,9 +14,6 @@
 extern "C" {
 // LAPACK: inverse of a symmetric positive definite matrix from its Cholesky factor.
 void dpotri_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-// BLAS: solves a triangular system.
-void dtrsv_(const char* uplo, const char* transposed, const char* diagonal, const int* n,
-            const double* a, const int* lda, double* x, const int* stride);
 }
 
 namespace tricontact::fem {
@@ -310,41 +307,28 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
     return solution;
 }
 
-Condensation::Halves::Halves(const Condensation& whole)
-    : whole_(whole), factor_(whole.contact_factor(whole.parts_->n_contact)) {}
+SingleFactor Condensation::single() const {
+    parts_->refuse_unfactorised();
+    const auto& factor = *parts_->factor.get();
+    const auto* super = static_cast<const Index*>(factor.super);
+    const auto* row_start = static_cast<const Index*>(factor.pi);
+    const auto* value_start = static_cast<const Index*>(factor.px);
+    const auto* row = static_cast<const Index*>(factor.s);
+    const auto* value = static_cast<const double*>(factor.x);
 
-/// Divides by the contact's factor ('N') or its transpose ('T').
-void Condensation::Halves::solve_contact(char transposed, std::vector<double>& x) const {
-    const int n = whole_.parts_->n_contact, stride = 1;
-    if (n > 0) dtrsv_("L", &transposed, "N", &n, factor_.data(), &n, x.data(), &stride);
-}
-
-std::vector<double> Condensation::Halves::eliminate(std::span<const double> forces) {
-    Parts& parts = *whole_.parts_;
-    const Dense b = parts.vectors(1);
-    auto* const rhs = static_cast<double*>(b->x);
-    for (std::size_t k = 0; k < parts.order.size(); ++k) rhs[k] = forces[parts.order[k]];
-    const Dense y = parts.solve(b.get(), CHOLMOD_L);
-    const auto* const reduced = static_cast<const double*>(y->x);
-    reduced_.assign(reduced, reduced + parts.order.size());
-    std::vector<double> contact(reduced_.begin() + parts.n_interior, reduced_.end());
-    solve_contact('T', contact);
-    return contact;
-}
-
-std::vector<double> Condensation::Halves::complete(std::span<const double> contact_forces) {
-    Parts& parts = *whole_.parts_;
-    std::vector<double> added(contact_forces.begin(), contact_forces.end());
-    solve_contact('N', added);
-    const Dense b = parts.vectors(1);
-    auto* const rhs = static_cast<double*>(b->x);
-    std::ranges::copy(reduced_, rhs);
-    for (std::size_t k = 0; k < added.size(); ++k) rhs[parts.n_interior + k] += added[k];
-    const Dense x = parts.solve(b.get(), CHOLMOD_Lt);
-    const auto* const found = static_cast<const double*>(x->x);
-    std::vector<double> solution(parts.order.size());
-    for (std::size_t k = 0; k < parts.order.size(); ++k) solution[parts.order[k]] = found[k];
-    return solution;
+    SingleFactor single({parts_->order.begin(), parts_->order.end()}, parts_->n_interior,
+                        factor.xsize);
+    for (std::size_t s = 0; s < factor.nsuper; ++s) {
+        const std::span<const Index> rows(row + row_start[s], row + row_start[s + 1]);
+        for (Index first = super[s], end = 0; first < super[s + 1]; first = end) {
+            end = std::min<Index>(first + SingleFactor::widest_panel, super[s + 1]);
+            if (first < parts_->n_interior) end = std::min<Index>(end, parts_->n_interior);
+            const std::size_t above = first - super[s];
+            single.add(static_cast<int>(end - first), rows.subspan(above),
+                       value + value_start[s] + above * rows.size() + above, rows.size());
+        }
+    }
+    return single;
 }
 
 }  // namespace tricontact::fem

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fem/matrices.h"
+#include "fem/single_factor.h"
 
 namespace tricontact::fem {
 
@@ -32,23 +33,8 @@ class Condensation {
     /// several right-hand sides one after another. After factorise().
     std::vector<double> solve(std::span<const double> forces) const;
 
-    /// A solution in two halves, for forces on the contact unknowns that depend on what the others
-    /// do there; without refinement. After factorise().
-    class Halves {
-      public:
-        explicit Halves(const Condensation& whole);
-        /// Eliminates the interior. Returns the displacements of the contact unknowns [m].
-        std::vector<double> eliminate(std::span<const double> forces);
-        /// All displacements, `contact_forces` [N] being added to those that were eliminated.
-        std::vector<double> complete(std::span<const double> contact_forces);
-
-      private:
-        void solve_contact(char transposed, std::vector<double>& x) const;
-
-        const Condensation& whole_;
-        std::vector<double> factor_;   // of the contact's Schur complement, lower, by columns
-        std::vector<double> reduced_;  // L^-1 f
-    };
+    /// The factor in single precision, which has half the size. After factorise().
+    SingleFactor single() const;
 
   private:
     struct Parts;

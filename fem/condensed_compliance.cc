@@ -93,14 +93,15 @@ double CondensedCompliance::allowed_missing_reaction() const {
     return problem_->base == contact::Case::Base::bonded ? 1e-8 : 1e-7;
 }
 
-const WholeBody& CondensedCompliance::whole() const {
-    if (!whole_) whole_ = std::make_unique<const WholeBody>(*problem_);
-    return *whole_;
+const CorrectedBody& CondensedCompliance::corrected() const {
+    if (!corrected_) corrected_ = std::make_unique<const CorrectedBody>(*problem_);
+    return *corrected_;
 }
 
 std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
     std::span<const double> p, const TangentialField& t) const {
-    const auto& [discretisation, condensation] = whole();
+    if (!whole_) whole_ = std::make_unique<const WholeBody>(*problem_);
+    const auto& [discretisation, condensation] = *whole_;
     const auto& unknown = discretisation.unknowns.of_contact;
     const std::size_t n = points().size();
     std::vector<double> force(discretisation.unknowns.n);

@@ -26,8 +26,8 @@ class CondensedCompliance final : public DenseCompliance {
     std::unique_ptr<const contact::Interior> interior(
         std::span<const double> p, const contact::TangentialField& t) const override;
 
-    /// Made when first asked for.
-    const WholeBody& whole() const;
+    /// The whole body for corrections, made when first asked for: as long as a condensation.
+    const CorrectedBody& corrected() const;
 
   private:
     struct SurfaceMass;  // factors of the contact patch's mass
@@ -36,6 +36,7 @@ class CondensedCompliance final : public DenseCompliance {
     SparseMatrix mass_;
     std::array<std::vector<double>, 3> missing_reaction_;  // see CondensedLayer
     mutable std::unique_ptr<const WholeBody> whole_;
+    mutable std::unique_ptr<const CorrectedBody> corrected_;
     mutable std::unique_ptr<SurfaceMass> surface_mass_;
 };
 

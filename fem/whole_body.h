@@ -18,4 +18,22 @@ struct WholeBody {
     Condensation condensation;
 };
 
+/// The same for corrections.
+struct CorrectedBody {
+    /// As WholeBody.
+    explicit CorrectedBody(const LayerProblem& problem)
+        : discretisation(problem), factor(single_factor(discretisation)) {}
+    Discretisation discretisation;
+    SingleFactor factor;
+
+  private:
+    static SingleFactor single_factor(const Discretisation& discretisation) {
+        Condensation condensation(discretisation.assemble().matrix,
+                                  discretisation.unknowns.node_of_unknown,
+                                  discretisation.unknowns.n_interior);
+        condensation.factorise();
+        return condensation.single();
+    }
+};
+
 }  // namespace tricontact::fem

@@ -26,12 +26,6 @@ constexpr int first_combined = 4;  ///< iterates before are too far away to tell
 constexpr int max_staggers = 4;
 constexpr double of_contact_solvers = .1;  ///< their tolerance over that of the whole
 
-std::vector<Vector3> scaled(std::vector<Vector3> tractions, double part) {
-    for (Vector3& t : tractions)
-        for (double& component : t) component *= part;
-    return tractions;
-}
-
 }  // namespace
 
 /// Contact on the linear layer in the frames that the surface has when the step begins. Those of
@@ -48,62 +42,39 @@ struct DeferredCorrection::Contact {
     contact::TangentialSolver tangential;
 };
 
-DeferredCorrection::DeferredCorrection(const Problem& problem)
-    : problem_(problem), halves_(problem.condensation) {}
+DeferredCorrection::DeferredCorrection(const Problem& problem) : problem_(problem) {}
 DeferredCorrection::~DeferredCorrection() = default;
 
-/// Forces on all unknowns of those on nodes.
-std::vector<double> DeferredCorrection::on_unknowns(const std::vector<double>& by_nodes) const {
-    const auto& unknowns = problem_.discretisation.unknowns;
-    std::vector<double> free(unknowns.n);
-    for (int u = 0; u < unknowns.n; ++u)
-        free[u] = by_nodes[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
-                           unknowns.direction_of_unknown[u]];
-    return free;
-}
-
-/// Displacements of the contact points on the linear layer, if `load` acted on it beside the
-/// present tractions.
-std::vector<Vector3> DeferredCorrection::move_surface(const std::vector<double>& load,
-                                                      const std::vector<Vector3>& traction) {
-    const auto& points = problem_.compliance.points();
-    const std::size_t n = points.size();
-    const std::vector<double> without = halves_.eliminate(on_unknowns(load));
-    std::vector<Vector3> moved(n);
-    TangentialField t(n), u(n), by_pressure(n);
-    std::vector<double> p(n), u_z(n), lowering(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        t.set(i, {traction[i][0], traction[i][1]});
-        p[i] = traction[i][2];
-    }
-    problem_.compliance.tangential(t, u);
-    problem_.compliance.tangential_from_normal(p, by_pressure);
-    problem_.compliance.normal(p, u_z);
-    problem_.compliance.normal_from_tangential(t, lowering);
+/// Displacements of the contact points on the linear layer under what was eliminated.
+std::vector<Vector3> DeferredCorrection::move_surface(std::span<const float> eliminated) const {
+    const std::vector<double> u = problem_.factor.contact_displacements(eliminated);
+    const std::size_t n = problem_.compliance.points().size();
     const auto& unknown = problem_.discretisation.unknowns.of_contact;
-    const auto alone = [&](std::size_t c, std::size_t i) {
-        const int k = unknown[c * n + i];
-        return k < 0 ? 0 : without[k];
-    };
+    std::vector<Vector3> moved(n);
     for (std::size_t i = 0; i < n; ++i)
-        moved[i] = {alone(0, i) + u.x[i] + by_pressure.x[i],
-                    alone(1, i) + u.y[i] + by_pressure.y[i], -alone(2, i) + u_z[i] + lowering[i]};
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const int k = unknown[c * n + i]; k >= 0) moved[i][c] = c == 2 ? -u[k] : u[k];
     return moved;
 }
 
-/// Displacements by nodes under what move_surface() has got, and these tractions.
-std::vector<double> DeferredCorrection::move_all(const std::vector<Vector3>& traction) {
+/// Displacements by nodes under what was eliminated and `part` of what the tractions changed by.
+std::vector<double> DeferredCorrection::move_all(std::span<const float> eliminated,
+                                                 const std::vector<Vector3>& old_traction,
+                                                 const std::vector<Vector3>& traction,
+                                                 double part) const {
     const auto& unknowns = problem_.discretisation.unknowns;
     const auto& points = problem_.compliance.points();
     const std::size_t n = points.size();
     std::vector<double> force(unknowns.n - unknowns.n_interior);
     for (std::size_t i = 0; i < n; ++i) {
-        const double area = points.area[i] * modelled_part(points);
-        for (std::size_t c = 0; c < 3; ++c)
+        const double area = part * points.area[i] * modelled_part(points);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double change = area * (traction[i][c] - old_traction[i][c]);
             if (const int k = unknowns.of_contact[c * n + i]; k >= 0)
-                force[k] = area * (c == 2 ? -traction[i][c] : traction[i][c]);
+                force[k] = c == 2 ? -change : change;
+        }
     }
-    const std::vector<double> solution = halves_.complete(force);
+    const std::vector<double> solution = problem_.factor.complete(eliminated, force);
     std::vector<double> displacement(3 * problem_.discretisation.space.nodes.size());
     for (int u = 0; u < unknowns.n; ++u)
         displacement[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
@@ -143,11 +114,12 @@ DeferredCorrection::Report DeferredCorrection::solve(const LoadStep& step,
         const std::vector<double> x = combines ? as_one(now) : std::vector<double>{};
         // In the step the body is stiffer than relaxed, as the layer under smaller forces.
         const double part = 1 / relaxing.stiffness;
-        std::vector<double> load(response.effective_force.size());
-        for (std::size_t i = 0; i < load.size(); ++i) load[i] = -part * response.effective_force[i];
-        const std::vector<Vector3> moved = move_surface(load, scaled(traction, part));
-        solve_contact(step, before, frames, moved, *contact, now, report);
-        const std::vector<double> change = move_all(scaled(tractions(now, frames), part));
+        std::vector<double> load = missing_forces(traction, response.effective_force);
+        for (double& force : load) force *= part;
+        const std::vector<float> eliminated = problem_.factor.eliminate(load);
+        solve_contact(step, before, frames, move_surface(eliminated), *contact, now, report);
+        const std::vector<double> change =
+            move_all(eliminated, traction, tractions(now, frames), part);
         double largest = 0;
         for (const int node : problem_.discretisation.surface.nodes)
             for (int a = 0; a < 3; ++a)

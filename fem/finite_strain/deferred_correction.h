@@ -8,11 +8,11 @@
 #include "contact/load_path.h"
 #include "contact/solvers/normal_solver.h"
 #include "contact/solvers/tangential_solver.h"
-#include "fem/condensation.h"
 #include "fem/discretisation.h"
 #include "fem/finite_strain/contact_frames.h"
 #include "fem/finite_strain/step_slip.h"
 #include "fem/finite_strain/strained_body.h"
+#include "fem/single_factor.h"
 
 namespace tricontact::fem {
 
@@ -41,7 +41,7 @@ class DeferredCorrection {
     struct Problem {
         const Discretisation& discretisation;
         const StrainedBody& body;
-        const Condensation& condensation;       ///< factor of the linear stiffness
+        const SingleFactor& factor;             ///< of the linear stiffness
         const contact::Compliance& compliance;  ///< of the same, on the contact points
         const contact::Indenter& indenter;
         double rolling_radius;        ///< [m]
@@ -74,22 +74,23 @@ class DeferredCorrection {
   private:
     struct Contact;
     std::vector<Vector3> positions(const StrainedState& body) const;
-    std::vector<double> on_unknowns(const std::vector<double>& by_nodes) const;
     std::vector<Vector3> tractions(const ContactedBody& state, const ContactFrames& frames) const;
+    std::vector<double> missing_forces(const std::vector<Vector3>& traction,
+                                       const std::vector<double>& of_body) const;
     double balance_residual(const std::vector<Vector3>& traction,
                             const std::vector<double>& of_body) const;
     double gap_residual(const ContactedBody& state, const ContactFrames& frames) const;
     std::vector<double> as_one(const ContactedBody& state) const;
     void take(const std::vector<double>& all, ContactedBody& state) const;
-    std::vector<Vector3> move_surface(const std::vector<double>& load,
-                                      const std::vector<Vector3>& traction);
-    std::vector<double> move_all(const std::vector<Vector3>& traction);
+    std::vector<Vector3> move_surface(std::span<const float> eliminated) const;
+    std::vector<double> move_all(std::span<const float> eliminated,
+                                 const std::vector<Vector3>& old_traction,
+                                 const std::vector<Vector3>& traction, double part) const;
     void solve_contact(const contact::LoadStep& step, const ContactedBody& before,
                        const ContactFrames& frames, const std::vector<Vector3>& moved,
                        Contact& contact, ContactedBody& now, Report& report) const;
 
     Problem problem_;
-    Condensation::Halves halves_;
 };
 
 }  // namespace tricontact::fem

@@ -78,23 +78,36 @@ void DeferredCorrection::take(const std::vector<double>& all, ContactedBody& s) 
     s.pose.shift = {from[1], from[2]};
 }
 
+/// What the tractions' forces exceed those of the body by, on all unknowns.
+std::vector<double> DeferredCorrection::missing_forces(const std::vector<Vector3>& traction,
+                                                       const std::vector<double>& of_body) const {
+    const auto& unknowns = problem_.discretisation.unknowns;
+    const auto& points = problem_.compliance.points();
+    std::vector<double> missing(unknowns.n);
+    for (int u = 0; u < unknowns.n; ++u)
+        missing[u] = -of_body[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
+                              unknowns.direction_of_unknown[u]];
+    const std::size_t n = points.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const double area = points.area[i] * modelled_part(points);
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const int k = unknowns.of_contact[c * n + i]; k >= 0)
+                missing[unknowns.n_interior + k] +=
+                    area * (c == 2 ? -traction[i][c] : traction[i][c]);
+    }
+    return missing;
+}
+
 /// What the body's forces and these tractions leave, over the tractions' forces.
 double DeferredCorrection::balance_residual(const std::vector<Vector3>& traction,
                                             const std::vector<double>& of_body) const {
-    const auto& nodes = problem_.discretisation.surface.nodes;
     const auto& points = problem_.compliance.points();
-    std::vector<double> left = of_body;
     double size = 0, missing = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < traction.size(); ++i) {
         const double area = points.area[i] * modelled_part(points);
-        double* const f = left.data() + 3 * static_cast<std::size_t>(nodes[i]);
-        for (int a = 0; a < 3; ++a) {
-            const double force = area * traction[i][a];
-            f[a] -= a == 2 ? -force : force;
-            size += force * force;
-        }
+        for (const double t : traction[i]) size += area * area * t * t;
     }
-    for (const double f : on_unknowns(left)) missing += f * f;
+    for (const double f : missing_forces(traction, of_body)) missing += f * f;
     return size > 0 ? std::sqrt(missing / size) : contact::infinity;
 }
 

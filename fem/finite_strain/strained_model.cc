@@ -32,8 +32,8 @@ double halfway(double a, double b) {
 }  // namespace
 
 StrainedModel::Solver::Solver(const Setup& s)
-    : body(s.layer->whole().discretisation, s.c01_ratio, s.relaxation),
-      correction({s.layer->whole().discretisation, body, s.layer->whole().condensation, *s.layer,
+    : body(s.layer->corrected().discretisation, s.c01_ratio, s.relaxation),
+      correction({s.layer->corrected().discretisation, body, s.layer->corrected().factor, *s.layer,
                   *s.indenter, s.rolling_radius, s.friction_coefficient, s.tolerance}) {}
 
 StrainedModel::StrainedModel(Setup setup)

@@ -132,7 +132,7 @@ Surface StrainedModel::surface() const {
 std::unique_ptr<const contact::Interior> StrainedModel::interior() {
     // In no time nothing relaxes: the present state.
     auto inside = std::make_unique<contact::Interior>(solver_->body.interior(
-        setup_.layer->whole().discretisation, now_.body, solver_->body.begin(memory_, 0)));
+        setup_.layer->corrected().discretisation, now_.body, solver_->body.begin(memory_, 0)));
     inside->applied = {forces_[0], forces_[1], -normal_force_};
     return inside;
 }

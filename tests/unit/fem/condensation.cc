@@ -51,6 +51,40 @@ TEST(FemCondensation, IsTheInversesLastBlock) {
     EXPECT_EQ(square(wider).rightCols(3).norm() + square(wider).bottomRows(3).norm(), 0);
 }
 
+// Some forces come on the contact later. Single precision alone: 6e-8; the sums and K/G = 1e6 make
+// more of it.
+TEST(FemCondensation, SolvesInSinglePrecisionInTwoHalves) {
+    const Discretisation layer(distorted_layer(true));
+    const auto sparse = layer.assemble().matrix;
+    const auto& unknowns = layer.unknowns;
+    Condensation condensation(sparse, unknowns.node_of_unknown, unknowns.n_interior);
+    EXPECT_THROW(condensation.single(), std::logic_error);  // not factorised
+    condensation.factorise();
+    const fem::SingleFactor single = condensation.single();
+    const VectorXd first = VectorXd::Random(sparse.n);
+    const VectorXd later = VectorXd::Random(sparse.n - unknowns.n_interior);
+    VectorXd all = first;
+    const auto eliminated = single.eliminate({all.data(), static_cast<std::size_t>(all.size())});
+    const auto contact = single.contact_displacements(eliminated);
+    const auto solved = condensation.solve({all.data(), static_cast<std::size_t>(all.size())});
+    all.tail(later.size()) += later;
+    const auto expected = condensation.solve({all.data(), static_cast<std::size_t>(all.size())});
+    const auto found =
+        single.complete(eliminated, {later.data(), static_cast<std::size_t>(later.size())});
+    constexpr double tolerance = 1e-5;
+    double size = 0;
+    for (const double u : expected) size = std::max(size, std::abs(u));
+    ASSERT_EQ(contact.size(), static_cast<std::size_t>(later.size()));
+    ASSERT_EQ(found.size(), expected.size());
+    double off = 0, contact_off = 0;
+    for (std::size_t u = 0; u < found.size(); ++u)
+        off = std::max(off, std::abs(found[u] - expected[u]));
+    for (std::size_t k = 0; k < contact.size(); ++k)
+        contact_off = std::max(contact_off, std::abs(contact[k] - solved[unknowns.n_interior + k]));
+    EXPECT_LT(off, tolerance * size) << off / size;
+    EXPECT_LT(contact_off, tolerance * size);
+}
+
 TEST(FemCondensation, SolvesForAllUnknownsAndSeveralForces) {
     const Discretisation layer(distorted_layer(true));
     const auto sparse = layer.assemble().matrix;

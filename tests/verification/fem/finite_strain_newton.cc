@@ -36,8 +36,8 @@ struct Layer {
     Layer()
         : problem(std::make_shared<LayerProblem>(coarse_layer())),
           compliance(problem, condense(*problem)),
-          body(compliance.whole().discretisation, {0, 0}),
-          correction({compliance.whole().discretisation, body, compliance.whole().condensation,
+          body(compliance.corrected().discretisation, {0, 0}),
+          correction({compliance.corrected().discretisation, body, compliance.corrected().factor,
                       compliance, *indenter, radius, friction, tolerance}) {}
 
     std::shared_ptr<const LayerProblem> problem;
@@ -107,7 +107,7 @@ class Equations {
 
   private:
     const Discretisation& discretisation() const {
-        return layer_.compliance.whole().discretisation;
+        return layer_.compliance.corrected().discretisation;
     }
     std::size_t component(int unknown) const {
         const auto& unknowns = discretisation().unknowns;
