@@ -38,5 +38,5 @@ between() {
 }
 "$program" keys summary >"$tables"
 between "$root/README.md" '<!-- results:' '<!-- end of results'
-"$program" keys results | sed -n '/^### Of layers/q; s/^| `\([^`]*\)`.*/    @property\n    def \1(self) -> _Quantity: .../p' >"$tables"
+"$program" keys results | sed -n '/^### Of comparisons/q; s/^| `\([^`]*\)`.*/    @property\n    def \1(self) -> _Quantity: .../p' >"$tables"
 between "$root/python/tricontact/_core.pyi" 'class Results:' '# end of Results'
