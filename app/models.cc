@@ -36,4 +36,10 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
     throw contact::InputError("models: this program was built without the model " + name);
 }
 
+void load_model([[maybe_unused]] const std::string& name) {
+#ifdef TRICONTACT_WITH_FEM
+    if (name == "fem") fem_entries();
+#endif
+}
+
 }  // namespace tricontact::app

@@ -20,4 +20,8 @@ const std::vector<ModelDescription>& known_models();
 std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& c, int n_threads,
                                            const Say& say);
 
+/// Loads the code of a model, if it is kept apart: processes that are forked afterwards share it.
+/// Throws std::runtime_error if it is not where it was installed.
+void load_model(const std::string& name);
+
 }  // namespace tricontact::app

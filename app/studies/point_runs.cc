@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "app/models.h"
 #include "app/studies/study_kind.h"
 #include "app/studies/worker_pool.h"
 #include "files/version.h"
@@ -89,6 +90,7 @@ void compute_missing(const StudyKind& kind, const StudyPoints& points, io::Resul
     const std::size_t n_found = points.size() - open.size();
     if (n_found > 0 && !runs.quiet)
         std::cerr << fmt::format("{} of {} points are there already\n", n_found, points.size());
+    for (const std::size_t i : open) load_model(points[i].model);  // once, not in each process
     const std::vector<Places> lots = kind.lots(points, open);
     Places all(lots.size());
     std::iota(all.begin(), all.end(), 0);

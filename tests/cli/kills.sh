@@ -3,7 +3,7 @@
 # nothing else is left behind. A kill that comes too late is repeated until KILLS have met a command at work.
 # usage: kills.sh PROGRAM SOURCE_DIR [KILLS [SEED]]
 source "$(dirname -- "${BASH_SOURCE[0]}")/at_random.bash"
-kills=${3:-7}
+kills=${3:-5}
 
 # The commands run here, alone with their files; what this script keeps stands above.
 mkdir calls temporary

@@ -69,11 +69,11 @@ TEST_P(FemBesideBemLayer, Agree) {
     const auto& [b, w, loads] = GetParam();
     for (const double f : loads) expect_agreement({b, w, f});
 }
-INSTANTIATE_TEST_SUITE_P(
-    Rig, FemBesideBemLayer,
-    testing::Values(Rolling{8e-3, .24, {.24, .56, .8}}, Rolling{8e-3, .51, {.15, .24, .72}},
-                    Rolling{8e-3, .75, {.05, .3, .5}}, Rolling{4e-3, .24, {.24, .56, .8}},
-                    Rolling{4e-3, .51, {.15, .24, .72}}, Rolling{4e-3, .75, {.05, .3, .5}}));
+// Both thicknesses and all amplitudes, not all pairs: a layer takes 8 s to condense.
+INSTANTIATE_TEST_SUITE_P(Rig, FemBesideBemLayer,
+                         testing::Values(Rolling{8e-3, .24, {.24, .56, .8}},
+                                         Rolling{8e-3, .75, {.05, .3, .5}},
+                                         Rolling{4e-3, .51, {.15, .24, .72}}));
 
 // A relaxing layer, incompressible: one function of time for all its stiffness, in both.
 TEST(FemBesideBemLayer, RelaxingLayersAgree) {
