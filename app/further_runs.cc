@@ -6,6 +6,7 @@
 
 #include "app/case_run.h"
 #include "comparisons/run/relaxation_report.h"
+#include "contact/own_limit.h"
 
 namespace tricontact::app {
 
@@ -79,7 +80,7 @@ class Variants {
     Variants(const Case& c, const contact::Model& model, const History& history, const Say& say,
              std::vector<LoadingVariant>& variants)
         : model_(model), name_(history.model), say_(say), variants_(variants) {
-        as_rolled_ = rolled(c, history);
+        as_rolled_ = contact::loaded_as(rolled(c, history), history);
         run_ = as_the_run(c, history);
     }
 
@@ -246,7 +247,7 @@ void study_small_strains(const Case& c, const History& history, const RunOptions
         study.why_none = "skipped (--no-studies)";
     } else {
         say(fmt::format("{}: once more with a linear material", history.model));
-        Case linear = c;
+        Case linear = contact::loaded_as(c, history);
         linear.law = Case::Law::linear;
         linear.c01_ratio.reset();
         try {

@@ -70,8 +70,9 @@ bool holds_with_friction(const contact::Compliance& compliance, const contact::C
                          const contact::Vector2& extent, const contact::NormalControl& hardest,
                          double normal_force) {
     const double limit = c.friction_coefficient * normal_force;
-    const double mean =
-        c.load.tangential_force.value_or(c.load.tangential_ratio.value_or(0) * limit);
+    // The model's own limit is at most 1.
+    const double ratio = c.load.tangential_ratio.value_or(c.load.limit_fraction.value_or(0));
+    const double mean = c.load.tangential_force.value_or(ratio * limit);
     const double amplitude = c.load.tangential_amplitude_ratio;
     std::vector<double> factors{1 + amplitude};
     if (amplitude > 1) factors.push_back(1 - amplitude);

@@ -65,12 +65,13 @@ struct Case {
             double thickness = 0;  ///< [m]
             Material material{0, 0};
         };
-        std::optional<double> thickness;  ///< b [m]
-        Base base = Base::bonded;         ///< what the lowest layer rests on
-        std::optional<double> width;      ///< along x [m]; empty: unbounded
-        std::optional<double> depth;      ///< along y [m]; empty: unbounded
-        std::vector<Lower> lower;         ///< further elastic layers below, from the top down
-        std::optional<Material> ground;   ///< the half-space of Base::half_space
+        std::optional<double> thickness;        ///< b [m]
+        std::optional<double> thickness_ratio;  ///< while the case is read: b/(2a) [-]
+        Base base = Base::bonded;               ///< what the lowest layer rests on
+        std::optional<double> width;            ///< along x [m]; empty: unbounded
+        std::optional<double> depth;            ///< along y [m]; empty: unbounded
+        std::vector<Lower> lower;               ///< further elastic layers below, from the top down
+        std::optional<Material> ground;         ///< the half-space of Base::half_space
 
         double total_thickness() const;  ///< of all layers; `thickness` must be there [m]
     };
@@ -102,6 +103,7 @@ struct Case {
         std::optional<double> indentation;       ///< d [m], instead of normal_force
         std::optional<double> tangential_force;  ///< F_T [N] along x
         std::optional<double> tangential_ratio;  ///< F_T / (mu F_N), instead of tangential_force
+        std::optional<double> limit_fraction;    ///< of the model's own limit, see own_limit.h
         /// Superposed oscillation in the rolling period's phase: the normal control (force or
         /// indentation) and F_T are multiplied by 1 + ratio * triangle(phase + shift).
         double normal_amplitude_ratio = 0;      ///< [-], in [0, 1)

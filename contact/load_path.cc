@@ -65,7 +65,8 @@ double check_friction_limit(const Case& c, double phase, double tangential_force
     if (tangential_force >= limit && tangential_force > 0)
         throw InputError(fmt::format(
             "load: the tangential force {:.6g} N reaches the friction limit mu F_N = {:.6g} N at "
-            "phase {:.4g}; lower tangential_force or tangential_ratio (or their amplitude)",
+            "phase {:.4g}; lower tangential_force, tangential_ratio or limit_fraction (or their "
+            "amplitude)",
             tangential_force, limit, phase));
     return limit - tangential_force;
 }
@@ -117,9 +118,9 @@ LoadStep press_step(const Case& c) {
 }
 
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius) {
-    const double mean_force =
-        c.load.tangential_force ? *c.load.tangential_force
-                                : *c.load.tangential_ratio * c.friction_coefficient * normal_force;
+    const double mean_force = c.load.tangential_force ? *c.load.tangential_force
+                                                      : c.load.tangential_ratio.value() *
+                                                            c.friction_coefficient * normal_force;
     auto loads_at = [&](LoadStep& step) {
         auto factor = [&](double ratio, double shift) {
             return ratio == 0

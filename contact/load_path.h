@@ -62,9 +62,9 @@ double path_amplitude(const Case& c, double model_radius);
 double check_friction_limit(const Case& c, double phase, double tangential_force,
                             double normal_force);
 
-/// The whole path. `normal_force` [N] and `contact_radius` [m] are the pressed model's
-/// own: what ratios over "the model" refer to. Throws InputError when F_T exceeds mu F_N somewhere
-/// on the path (force control).
+/// The whole path; F_T is said by force or ratio (see own_limit.h). `normal_force` [N] and
+/// `contact_radius` [m] are the pressed model's own: what ratios over "the model" refer to. Throws
+/// InputError when F_T exceeds mu F_N somewhere on the path (force control).
 LoadPath make_load_path(const Case& c, double normal_force, double contact_radius);
 
 /// F_T/(mu F_N) is prescribed under a depth whose F_N friction changes in coupled contact: what the

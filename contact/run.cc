@@ -10,6 +10,7 @@
 #include "contact/bodies/half_space_scales.h"
 #include "contact/error.h"
 #include "contact/load_path.h"
+#include "contact/own_limit.h"
 #include "contact/special_values.h"
 #include "contact/verdict.h"
 
@@ -88,6 +89,7 @@ class Run {
         const double cpu = cpu_now();
         const auto wall = std::chrono::steady_clock::now();
         history_.model = model_.name();
+        case_ = loaded_by_own_limit(case_, model_);
         press_and_load();
         roll();
         finish();
@@ -288,7 +290,7 @@ class Run {
         history_.audit = model_.audit();
     }
 
-    const Case& case_;
+    Case case_;
     Model& model_;
     const Observer& observer_;
     std::optional<double> negligible_;

@@ -72,9 +72,12 @@ meshes::LayerMeshSpec spec_of(const Case& c, const Plan& plan) {
 /// f_T d, and d is half of a^2/R on thin layers, nearly all of it on thick ones. Where that is too
 /// little, the run begins anew on a larger patch.
 double shift_to_expect(const Case& c, double contact_radius) {
-    if (c.law == Case::Law::linear || (!c.load.tangential_ratio && !c.load.tangential_force))
-        return 0;
-    const double f = std::abs(c.load.tangential_ratio.value_or(1));
+    const Case::Load& load = c.load;
+    const bool loaded = load.tangential_ratio || load.tangential_force || load.limit_fraction;
+    if (c.law == Case::Law::linear || !loaded) return 0;
+    // The limit of which a fraction is given is at most 1.
+    const double f =
+        std::min(1., std::abs(load.tangential_ratio.value_or(load.limit_fraction.value_or(1))));
     return c.friction_coefficient * f * contact_radius * contact_radius / c.indenter.radius;
 }
 

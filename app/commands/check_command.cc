@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/commands/command.h"
@@ -38,9 +39,11 @@ std::string derived_values(const Case& c) {
         line("xi_unit", rolling::creepage_unit(c), "-", "unit of creepage, mu a/R");
     if (c.tractive_rolling && c.tractive_rolling->longitudinal_creepage) return text;
     const comparisons::Reference r = comparisons::reference(c);
-    line("F_T", r.tangential_ratio * c.friction_coefficient * hertz.normal_force, "N",
-         "tangential force");
-    line("f_T", r.tangential_ratio, "-", "F_T/(mu F_N)");
+    if (std::isfinite(r.tangential_ratio)) {
+        line("F_T", r.tangential_ratio * c.friction_coefficient * hertz.normal_force, "N",
+             "tangential force");
+        line("f_T", r.tangential_ratio, "-", "F_T/(mu F_N)");
+    }
     if (!c.rolling) return text;
     line("W", r.amplitude_ratio * hertz.contact_radius * 1e3, "mm", "rolling amplitude");
     line("w", r.amplitude_ratio, "-", "W/a");

@@ -16,7 +16,7 @@ bool in_unit_range(double ratio);
 
 /// f_T = F_T/(mu F_N) of a history after loading; 0 without friction.
 double tangential_ratio(const contact::History& history);
-/// The same of a case's load, pressed by F_N [N].
+/// The same of a case's load, pressed by F_N [N]; NaN of a fraction of a limit.
 double tangential_ratio(const contact::Case& c, double normal_force);
 /// w = W/a over the model's own contact radius.
 double amplitude_ratio(const contact::History& history);
@@ -28,7 +28,7 @@ double amplitude_ratio(const contact::History& history);
 struct Reference {
     contact::HalfSpaceScales hertz{};
     bool is_nominal = false;        ///< `hertz` are scales of a nominally flat contact, no solution
-    double tangential_ratio = 0;    ///< f_T
+    double tangential_ratio = 0;    ///< f_T; NaN: a fraction of a limit that theory has not
     double amplitude_ratio = 0;     ///< w over the Hertz radius
     double static_shift_ratio = 0;  ///< u_stat; 0 if f_T is out of range or it is unavailable
     bool static_shift_is_relaxed = true;  ///< see there

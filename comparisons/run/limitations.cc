@@ -69,6 +69,20 @@ std::string pressure_sentence(const contact::Case& c, const Summaries& summaries
     return text;
 }
 
+/// Loads that each model sets by its own limit.
+std::string own_load_sentence(const contact::Case& c, const Summaries& summaries) {
+    if (!c.load.limit_fraction || summaries.size() < 2) return {};
+    std::vector<std::string> loads;
+    for (const Results& s : summaries)
+        loads.push_back(fmt::format("{} for {}",
+                                    report::significant(s.number(quantities::tangential_ratio)),
+                                    report::display_name(s.model)));
+    return fmt::format(
+        "Each model's F_T is {} of its own limit of shakedown, so the models are under different "
+        "loads: f_T = {}.",
+        report::as_given(*c.load.limit_fraction), fmt::join(loads, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> uncoupled_half_spaces(const contact::Case& c, const Summaries& summaries) {
@@ -85,8 +99,8 @@ std::vector<std::string> limitations(const contact::Case& c, const Summaries& su
             "MDR's springs lie on one line, so it cannot tell rolling along the load from rolling "
             "across it: its result is the same for every angle. Transformed back to three "
             "dimensions its traction may exceed μp: the bound holds spring by spring only.");
-    for (const auto& sentence :
-         {thickness_sentence, uncoupled_sentence, coupled_sentence, pressure_sentence})
+    for (const auto& sentence : {own_load_sentence, thickness_sentence, uncoupled_sentence,
+                                 coupled_sentence, pressure_sentence})
         findings.push_back(sentence(c, summaries));
     if (c.indenter.shape == contact::Case::Shape::sphere)
         findings.push_back(

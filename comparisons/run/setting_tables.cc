@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numbers>
 
 #include "comparisons/quantities/reference.h"
@@ -160,6 +161,7 @@ void add_load(const Case& c, Settings& settings) {
     settings.add("indentation d, prescribed", load.indentation, "m");
     settings.add("tangential force F_T", load.tangential_force, "N");
     settings.add("tangential force over μF_N", load.tangential_ratio);
+    settings.add("tangential force over each model's limit of shakedown", load.limit_fraction);
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, settings);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     settings);
@@ -217,7 +219,7 @@ report::DocumentTable derived_table(const Case& c) {
     add("normal force F_N", r.hertz.normal_force, "N");
     add("friction limit μF_N", c.friction_coefficient * r.hertz.normal_force, "N");
     add("unit of shift U_max", r.hertz.unit_shift, "m");
-    add("f_T = F_T/(μF_N)", r.tangential_ratio);
+    if (std::isfinite(r.tangential_ratio)) add("f_T = F_T/(μF_N)", r.tangential_ratio);
     if (c.rolling) add("w = W/a", r.amplitude_ratio);
     if (r.limit_tangential_ratio) add("limit of shakedown f_T,lim", *r.limit_tangential_ratio);
     return table;

@@ -7,7 +7,10 @@
 #include <limits>
 #include <numeric>
 
+#include "comparisons/quantities/reference.h"
 #include "contact/error.h"
+#include "contact/load_path.h"
+#include "contact/own_limit.h"
 #include "contact/run.h"
 
 namespace tricontact::comparisons {
@@ -27,6 +30,7 @@ constexpr double smallest_amplitude = 1e-6;
 Case with_value(Case c, LimitVariable variable, double value) {
     if (variable == LimitVariable::load) {
         c.load.tangential_force.reset();
+        c.load.limit_fraction.reset();
         c.load.tangential_ratio = value;
     } else {
         c.rolling->amplitude.reset();
@@ -40,7 +44,7 @@ class LimitSearch {
   public:
     LimitSearch(const Case& c, const std::string& name, const ModelMaker& make,
                 const LimitQuestion& question, const SayLimit& say)
-        : case_(c),
+        : case_(c.load.limit_fraction ? with_value(c, LimitVariable::load, 0) : c),
           make_(make),
           variable_(question.variable),
           tolerance_(question.tolerance.value_or(name == "mdr" ? 1e-6 : 1e-3)),
@@ -76,20 +80,8 @@ class LimitSearch {
     };
 
     Overlap overlap(const Case& c) {
-        contact::Model& model = model_for(c);
-        contact::LoadStep step = contact::press_step(c);
-        step.friction = false;
-        model.advance(step);
-        const contact::Scales scales = model.scales();
-        const auto path = contact::make_load_path(c, scales.normal_force, scales.contact_radius);
-        model.start_limit();
-        for (contact::LoadStep at : path.period) {
-            at.tangential = {};
-            at.friction = false;
-            model.advance(at);
-        }
-        return {model.limit_tangential_ratio(), path.loading.front().tangential[0].value /
-                                                    (c.friction_coefficient * scales.normal_force)};
+        const auto [scales, limit] = contact::frictionless_limit(c, model_for(c));
+        return {limit, tangential_ratio(c, scales.normal_force)};
     }
 
     /// By how much the points that are never left carry more than f_T.

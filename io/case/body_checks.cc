@@ -74,7 +74,7 @@ void check_gliding(const Case& c, const Document& document) {
     if (c.layer.base != Base::frictionless) return;
     const double least = thinnest_gliding * contact::half_space_scales(c).contact_radius;
     if (c.layer.total_thickness() >= least) return;
-    refuse(document, "substrate.thickness",
+    refuse(document, thickness_key(document),
            "a layer that glides on its ground must be at least " + rounded(least) + " m thick, " +
                rounded(thinnest_gliding) +
                " of the contact radius on a half-space: thinner, it is a membrane",
@@ -180,6 +180,25 @@ void check_rough_bodies(const Case& c, const Document& document) {
     if (!c.bem.spacing) refuse(document, "bem.cells_per_radius", rule, "give bem.spacing");
     if (c.rolling && c.rolling->amplitude_ratio)
         refuse(document, "rolling.amplitude_ratio", rule, "give rolling.amplitude");
+}
+
+void resolve_thickness(Case& c, const Document& document) {
+    if (!c.layer.thickness_ratio) return;
+    const std::string key = "substrate.thickness_ratio";
+    const std::string remedy = "give substrate.thickness";
+    if (contact::is_nominally_flat(c))
+        refuse(document, key, "a nominally flat contact has no radius", remedy);
+    const double a =
+        told_at(document, load_key(document), [&] { return half_space_scales(c).contact_radius; });
+    const double thickness = 2 * a * *c.layer.thickness_ratio;
+    constexpr double thickest = 1e6;  // as a thickness that is given [m]
+    if (!(thickness > 0) || thickness > thickest)
+        refuse(document, key,
+               "makes a layer of " + rounded(thickness) + " m: the contact diameter is " +
+                   rounded(2 * a) + " m",
+               "check the units of radius, moduli and load, or " + remedy);
+    c.layer.thickness = thickness;
+    c.layer.thickness_ratio.reset();
 }
 
 void resolve_lower_layers(Case& c, const Document& document) {

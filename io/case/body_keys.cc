@@ -159,6 +159,11 @@ std::vector<CaseKey> substrate_keys() {
         {length_key("substrate.thickness", R"("8 mm")",
                     "thickness b of the layer; half-space models do not see it"),
          at<&Case::layer, &Layer::thickness>},
+        {number_key("substrate.thickness_ratio", above_zero(1e6), "0.9",
+                    "b/(2a), thickness over the diameter of the contact on the half-space (of a "
+                    "cylinder the width) under the mean normal load",
+                    {.stands_for = "substrate.thickness"}),
+         at<&Case::layer, &Layer::thickness_ratio>},
         {choice_key(
              "substrate.base",
              {choice("bonded", Case::Base::bonded),
@@ -168,7 +173,10 @@ std::vector<CaseKey> substrate_keys() {
              "what the lowest layer rests on: rigid ground, to which it is bonded or on which it "
              "glides, or the elastic half-space of `[ground]`, to which it is bonded",
              {.default_value = R"("bonded")", .needs = "substrate.thickness"}),
-         [](Case& c) { return c.layer.thickness ? Field(&c.layer.base) : Field(); }},
+         [](Case& c) {
+             const bool layer = c.layer.thickness || c.layer.thickness_ratio;
+             return layer ? Field(&c.layer.base) : Field();
+         }},
         {length_key("substrate.width", R"("60 mm")", "extent along x; without it unbounded",
                     {.needs = "substrate.thickness"}),
          at<&Case::layer, &Layer::width>},

@@ -49,6 +49,14 @@ RadiusBounds contact_radius_bounds(const contact::Case& c);
 /// whole run.
 void check_fem(const contact::Case& c, double steps, const Document& document);
 
+/// The key that says how thick the layer is.
+inline std::string thickness_key(const Document& document) {
+    return used(document, "substrate.thickness", "substrate.thickness_ratio");
+}
+
+/// Makes a thickness of its ratio to the contact on the half-space.
+void resolve_thickness(contact::Case& c, const Document& document);
+
 /// Makes the case's lower layers of the lists of [lower_layer].
 void resolve_lower_layers(contact::Case& c, const Document& document);
 

@@ -68,6 +68,7 @@ Case resolve(const Document& document) {
     resolve_lower_layers(c, document);
     resolve_relaxation(c, document);
     resolve_indenter_file(c, document);
+    resolve_thickness(c, document);
     check_case(c, document);
     return c;
 }
@@ -94,6 +95,7 @@ void erase_alternatives(Document& document, const Key& key, const KeyList& keys)
     for (const Key* other : keys.alternatives(key)) {
         if (other == &key) continue;
         erase_from_file(document, other->path);
+        if (key.stands_for == other->path) continue;
         for (const Key* hanging : keys.keys())
             if (hanging->needs == other->path) erase_from_file(document, hanging->path);
     }

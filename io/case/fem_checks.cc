@@ -65,7 +65,7 @@ Patch patch_of(const Case& c, double contact_radius) {
 void check_extent(const Case& c, const Patch& patch, const RadiusBounds& a,
                   const Document& document) {
     if (*c.layer.thickness < thinnest * a.low)
-        refuse(document, "substrate.thickness",
+        refuse(document, thickness_key(document),
                "the layer is thinner than " + rounded(thinnest) +
                    " of the contact radius, at least " + rounded(a.low) + " m: it cannot be meshed",
                "leave out fem; bem-layer computes thin layers");

@@ -44,6 +44,11 @@ std::vector<CaseKey> load_keys() {
              "tangential force F_T along x; below 0 with [tractive_rolling] alone, where it drives",
              {.alternative = tangential_load}),
          at<&Case::load, &Load::tangential_force>},
+        {number_key("load.limit_fraction", above_zero(1e6), "0.5",
+                    "F_T over the load at which each model's own pressures, without friction, "
+                    "have their limit of shakedown at this amplitude, f_T,lim mu F_N",
+                    {.alternative = tangential_load, .needs = "rolling"}),
+         at<&Case::load, &Load::limit_fraction>},
         {number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
                     "superposed triangular oscillation of the normal load over its mean",
                     {.default_value = "0.0"}),

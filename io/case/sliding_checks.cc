@@ -155,6 +155,20 @@ void check_model(const std::string& model, const Case& c, const Document& docume
                    "omit it, or leave mdr out");
 }
 
+/// A limit of shakedown is that under constant loads.
+void check_limit_fraction(const Case& c, const Document& document) {
+    if (!c.load.limit_fraction) return;
+    const auto refuse_beside = [&](const std::string& what) {
+        refuse(
+            document, "load.limit_fraction",
+            "is a fraction of a limit that " + what + " has not: the least pressures on one path",
+            "give load.tangential_ratio");
+    };
+    if (c.load.normal_amplitude_ratio != 0 || c.load.tangential_amplitude_ratio != 0)
+        refuse_beside("a contact under oscillating loads");
+    if (c.relaxation) refuse_beside("a relaxing substrate");
+}
+
 /// F_T points along x except where the body rolls on.
 void check_direction(const Case& c, const Document& document) {
     if (c.load.tangential_ratio.value_or(0) < 0)
@@ -170,6 +184,7 @@ void check_direction(const Case& c, const Document& document) {
 
 void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Document& document) {
     if (!c.tractive_rolling) check_direction(c, document);
+    check_limit_fraction(c, document);
     if (c.load.indentation) return check_at_depth(c, scales, document);
     if (!c.load.tangential_ratio && !c.load.tangential_force) return;
     const double mean =

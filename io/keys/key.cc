@@ -45,8 +45,13 @@ std::vector<std::string_view> KeyList::sections() const {
 
 std::vector<const Key*> KeyList::alternatives(const Key& key) const {
     std::vector<const Key*> found;
-    for (const Key* other : keys_)
+    const auto substitutes = [](const Key& one, const Key& another) {
+        return one.stands_for == another.path;
+    };
+    for (const Key* other : keys_) {
         if (key.alternative > 0 && other->alternative == key.alternative) found.push_back(other);
+        if (substitutes(key, *other) || substitutes(*other, key)) found.push_back(other);
+    }
     return found;
 }
 

@@ -59,6 +59,9 @@ struct KeyExtras {
     bool required = false;                ///< in its section, if the section is there
     int alternative = 0;          ///< keys of the same number > 0: exactly one, or the default
     std::string_view needs = {};  ///< key or section without which this one has no effect
+    /// Another key that this one says in other words: at most one of both, and what needs that one
+    /// is content with this one.
+    std::string_view stands_for = {};
 };
 
 /// "a.b" of "a.b.key", "" of "key". A quoted key, as a document shows it, may hold dots.
@@ -205,8 +208,8 @@ class KeyList {
     std::vector<std::string_view> paths() const;
     /// Sections, in alphabetical order.
     std::vector<std::string_view> sections() const;
-    /// The keys that exclude each other with this one, itself included; none if it has no
-    /// alternative.
+    /// The keys that exclude each other with this one, itself included where they are a group; none
+    /// if it has no alternative.
     std::vector<const Key*> alternatives(const Key& key) const;
 
   private:

@@ -28,6 +28,13 @@ void check_table_known(const Entry& entry, Paths nested) {
     if (!near.empty()) refuse_unknown(entry.key_place, "section [" + entry.path + "]", near, {});
 }
 
+bool is_given(std::string_view needed, const Document& document, const KeyList& keys) {
+    if (document.find(needed) || document.find_section(needed)) return true;
+    return std::ranges::any_of(keys.keys(), [&](const Key* key) {
+        return key->stands_for == needed && document.find(key->path);
+    });
+}
+
 // At most one of the keys that exclude each other, and no key without the one it needs.
 void check_combinations(const Document& document, const KeyList& keys) {
     for (const Entry& entry : document.entries) {
@@ -37,8 +44,7 @@ void check_combinations(const Document& document, const KeyList& keys) {
                 &entry > document.find(other->path))  // blame the later one
                 fail(entry.place, entry.subject(),
                      "contradicts " + document.find(other->path)->subject(), "give one of the two");
-        if (key.needs.empty() || document.find(key.needs) || document.find_section(key.needs))
-            continue;
+        if (key.needs.empty() || is_given(key.needs, document, keys)) continue;
         const std::string need = keys.has_section(key.needs) ? '[' + std::string(key.needs) + ']'
                                                              : std::string(key.needs);
         fail(entry.place, entry.subject(), "has no effect without " + need + ", which is missing",
@@ -168,7 +174,7 @@ void read_or_default(const Key& key, const Field& field, const Document& documen
     const bool default_elsewhere =
         std::ranges::any_of(group, [](const Key* one) { return !one->default_value.empty(); });
     const bool has_place = !std::holds_alternative<std::monostate>(field);
-    if (has_place && !default_elsewhere && (key.required || !group.empty()))
+    if (has_place && !default_elsewhere && (key.required || key.alternative > 0))
         refuse_missing(key, document, keys);
 }
 

@@ -191,7 +191,7 @@ TEST(LoadPath, FrictionLimitHoldsAllAlongThePath) {
     EXPECT_EQ(
         message_of(c),
         "load: the tangential force 10 N reaches the friction limit mu F_N = 10 N at phase 0; "
-        "lower tangential_force or tangential_ratio (or their amplitude)");
+        "lower tangential_force, tangential_ratio or limit_fraction (or their amplitude)");
     c.load.tangential_ratio = -1.5;  // either direction
     EXPECT_NE(message_of(c).find("the tangential force 15 N reaches"), std::string::npos);
     c.load.tangential_ratio = .999;
@@ -199,9 +199,10 @@ TEST(LoadPath, FrictionLimitHoldsAllAlongThePath) {
     c.rolling->steps = Case::Steps::turning_points;
     c.load.tangential_ratio = .9;
     c.load.normal_amplitude_ratio = .2;  // the force is least at phase 3/4
-    EXPECT_EQ(message_of(c),
-              "load: the tangential force 9 N reaches the friction limit mu F_N = 8 N at phase "
-              "0.75; lower tangential_force or tangential_ratio (or their amplitude)");
+    EXPECT_EQ(
+        message_of(c),
+        "load: the tangential force 9 N reaches the friction limit mu F_N = 8 N at phase "
+        "0.75; lower tangential_force, tangential_ratio or limit_fraction (or their amplitude)");
 }
 
 }  // namespace

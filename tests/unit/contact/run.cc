@@ -245,7 +245,8 @@ TEST(Run, SlidingUnderAnOscillatingIndentationIsRefusedBeforeTheFirstStep) {
     } catch (const contact::InputError& error) {
         EXPECT_STREQ(error.what(),
                      "load: the tangential force 5 N reaches the friction limit mu F_N = 5 N at "
-                     "phase 0.75; lower tangential_force or tangential_ratio (or their amplitude)");
+                     "phase 0.75; lower tangential_force, tangential_ratio or limit_fraction (or "
+                     "their amplitude)");
     }
     EXPECT_FALSE(seen);
 }
