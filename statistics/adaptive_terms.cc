@@ -145,7 +145,8 @@ bool AdaptiveTerms::append(const Degrees& degrees) {
             look_at(next).is_admissible = true;
             for (std::size_t e = 0; e < n_variables; ++e) {
                 Degrees beyond = next;
-                if (beyond[e] > 0 && beyond[e]++ < largest_degree) look_at(beyond);
+                if (beyond[e] == 0 || beyond[e]++ == largest_degree) continue;
+                if (!set_.contains(beyond)) look_at(beyond);
             }
         }
     }
@@ -158,7 +159,8 @@ std::vector<Degrees> AdaptiveTerms::best_neighbours() const {
     // while its length is of all. With more points than terms the difference is small.
     for (const auto& [degrees, neighbour] : neighbours_) {
         const double product = dot(neighbour.column, squares_.residuals());
-        gains[degrees] = product * product / neighbour.length_squared;
+        gains[degrees] =
+            neighbour.length_squared > 0 ? product * product / neighbour.length_squared : 0;
     }
     std::vector<std::pair<double, Degrees>> ranked;
     for (const auto& [degrees, neighbour] : neighbours_) {

@@ -114,13 +114,13 @@ Solution solution(const GrowingLeastSquares& squares, const std::vector<Degrees>
             squares.leave_one_out_residuals(n_terms)};
 }
 
-Solution adaptive_fit(TermColumns& columns, std::span<const double> values,
+Solution adaptive_fit(TermColumns& columns, std::span<const double> values, double scale,
                       std::size_t most_terms) {
     GrowingLeastSquares squares({values.begin(), values.end()});
     AdaptiveTerms terms(columns, squares);
     BestSize best;
     // Coefficients, and errors, of this size are rounding.
-    const double rounding = 50 * std::numeric_limits<double>::epsilon() * largest_amount(values);
+    const double rounding = 50 * std::numeric_limits<double>::epsilon() * scale;
     const auto append = [&](const Degrees& degrees) {
         if (terms.append(degrees)) best.look(squares);
     };
@@ -207,13 +207,15 @@ double calibrate(std::span<const double> points, const std::vector<double>& scor
     return factor;
 }
 
-// Polynomial and error bar by leave-one-out residuals of the terms that have been chosen.
+// Polynomial and error bar by leave-one-out residuals of the terms that have been chosen. Of
+// `scale` are the largest values.
 PolynomialFit fit_by_leave_one_out(std::span<const double> points, std::span<const double> values,
-                                   int n_variables, const PolynomialFitOptions& options) {
+                                   int n_variables, double scale,
+                                   const PolynomialFitOptions& options) {
     const std::size_t n = values.size();
     TermColumns columns(points, n_variables);
     Solution main =
-        adaptive_fit(columns, values, std::clamp<std::size_t>(options.most_terms, 1, n / 2));
+        adaptive_fit(columns, values, scale, std::clamp<std::size_t>(options.most_terms, 1, n / 2));
     PolynomialFit fit{.polynomial = std::move(main.polynomial)};
     std::vector<double> errors = std::move(main.left_out);
     double sum = 0;
@@ -225,7 +227,7 @@ PolynomialFit fit_by_leave_one_out(std::span<const double> points, std::span<con
     fit.largest_error = *std::ranges::max_element(errors);
     fit.median_error = exceeded_by(errors, n / 2);
     const double floor = std::max(least_residual_share * fit.median_error,
-                                  std::numeric_limits<double>::epsilon() * largest_amount(values));
+                                  std::numeric_limits<double>::epsilon() * scale);
     for (double& error : errors) error = std::log(std::max(error, floor));
     Solution log_error = fit_log_error(columns, errors);
     fit.log_error = std::move(log_error.polynomial);
@@ -238,8 +240,8 @@ PolynomialFit fit_by_leave_one_out(std::span<const double> points, std::span<con
 // The leave-one-out residuals know the terms, which all points chose: they are too small where many
 // terms come from few points. By how much bars have to be longer is what points tell that take no
 // part in the choice: each fold of them against the fit of the others. At least 1.
-double optimism(std::span<const double> points, std::span<const double> values, int n_variables,
-                const PolynomialFitOptions& options) {
+double find_optimism(std::span<const double> points, std::span<const double> values,
+                     int n_variables, double scale, const PolynomialFitOptions& options) {
     const auto stride = static_cast<std::size_t>(n_variables);
     std::vector<double> scores;
     for (std::size_t fold = 0; fold < n_folds && scores.size() < enough_checks; ++fold) {
@@ -251,7 +253,7 @@ double optimism(std::span<const double> points, std::span<const double> values, 
             other_points.insert(other_points.end(), x.begin(), x.end());
         }
         const PolynomialFit fit =
-            fit_by_leave_one_out(other_points, other_values, n_variables, options);
+            fit_by_leave_one_out(other_points, other_values, n_variables, scale, options);
         ChebyshevTable table(n_variables);
         table.cover(fit.polynomial);
         table.cover(fit.log_error);
@@ -273,8 +275,10 @@ std::size_t least_points(int n_variables) {
 PolynomialFit fit_polynomial(std::span<const double> points, std::span<const double> values,
                              int n_variables, const PolynomialFitOptions& options) {
     check_fit_arguments(points, values, n_variables, options);
-    PolynomialFit fit = fit_by_leave_one_out(points, values, n_variables, options);
-    fit.error_factor *= optimism(points, values, n_variables, options);
+    const double scale = largest_amount(values);
+    PolynomialFit fit = fit_by_leave_one_out(points, values, n_variables, scale, options);
+    fit.optimism = find_optimism(points, values, n_variables, scale, options);
+    fit.error_factor *= fit.optimism;
     return fit;
 }
 

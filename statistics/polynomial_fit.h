@@ -22,7 +22,10 @@ struct PolynomialFit {
     /// ln of the typical size of the leave-one-out residual: degree 0 to 3.
     SparsePolynomial log_error;
     double error_factor = 0;  ///< bar over exp(log_error)
-    // Of the absolute leave-one-out residuals.
+    /// By how much bars from leave-one-out residuals had to be longer for points that had no part
+    /// in the choice of terms, at least 1; it is in `error_factor`. Far above 1: too few points.
+    double optimism = 1;
+    // Of the absolute leave-one-out residuals; `optimism` is not in them.
     double largest_error = 0;
     double median_error = 0;
     double rms_error = 0;

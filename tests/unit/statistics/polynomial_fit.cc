@@ -317,6 +317,19 @@ TEST(PolynomialFit, TakesLittle) {
     const PolynomialFit fit = fit_polynomial(points, values, 1);
     EXPECT_LE(fit.polynomial.n_terms(), 2U);
     EXPECT_LT(fit.largest_error, 5e-3);
+    // The second variable never changes, and its odd terms are zero.
+    std::vector<double> line, cubes;
+    for (int i = 0; i < 40; ++i) {
+        line.insert(line.end(), {std::cos(i), 0.});
+        cubes.push_back(std::pow(std::cos(i), 3));
+    }
+    EXPECT_LT(fit_polynomial(line, cubes, 2).largest_error, 1e-13);
+    // Without the one point all others are equal.
+    std::vector<double> spike(40, 0.);
+    spike[17] = 1;
+    const PolynomialFit with_spike = fit_polynomial(sample_points(40, 2), spike, 2);
+    EXPECT_TRUE(std::isfinite(with_spike.error_factor));
+    EXPECT_GT(with_spike.largest_error, 0.9);
 }
 
 }  // namespace
