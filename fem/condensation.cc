@@ -180,6 +180,23 @@ std::vector<Index> dissection_order(const SparseMatrix& stiffness,
     return order;
 }
 
+// The values of a numerical factor: supernode s has the columns super[s] to super[s + 1] and the
+// rows row[row_start[s]] to row[row_start[s + 1]], its values by columns from value_start[s] on.
+struct Supernodes {
+    std::size_t n;
+    const Index *super, *row_start, *value_start, *row;
+    const double* value;
+};
+
+Supernodes supernodes_of(const cholmod_factor& factor) {
+    return {factor.nsuper,
+            static_cast<const Index*>(factor.super),
+            static_cast<const Index*>(factor.pi),
+            static_cast<const Index*>(factor.px),
+            static_cast<const Index*>(factor.s),
+            static_cast<const double*>(factor.x)};
+}
+
 }  // namespace
 
 struct Condensation::Parts {
@@ -254,15 +271,11 @@ void Condensation::factorise() {
 /// The trailing block of the factor, lower, by columns of `ld` entries; the rest zero.
 std::vector<double> Condensation::contact_factor(int ld) const {
     parts_->refuse_unfactorised();
-    const auto& factor = *parts_->factor.get();
-    const auto* super = static_cast<const Index*>(factor.super);
-    const auto* row_start = static_cast<const Index*>(factor.pi);
-    const auto* value_start = static_cast<const Index*>(factor.px);
-    const auto* row = static_cast<const Index*>(factor.s);
-    const auto* value = static_cast<const double*>(factor.x);
+    const auto [n_supernodes, super, row_start, value_start, row, value] =
+        supernodes_of(*parts_->factor);
 
     std::vector<double> lower(static_cast<std::size_t>(ld) * ld, 0.0);
-    for (std::size_t s = 0; s < factor.nsuper; ++s) {
+    for (std::size_t s = 0; s < n_supernodes; ++s) {
         const Index n_rows = row_start[s + 1] - row_start[s];
         for (Index c = std::max<Index>(super[s], parts_->n_interior); c < super[s + 1]; ++c) {
             const Index local = c - super[s];
@@ -309,16 +322,12 @@ std::vector<double> Condensation::solve(std::span<const double> forces) const {
 
 SingleFactor Condensation::single() const {
     parts_->refuse_unfactorised();
-    const auto& factor = *parts_->factor.get();
-    const auto* super = static_cast<const Index*>(factor.super);
-    const auto* row_start = static_cast<const Index*>(factor.pi);
-    const auto* value_start = static_cast<const Index*>(factor.px);
-    const auto* row = static_cast<const Index*>(factor.s);
-    const auto* value = static_cast<const double*>(factor.x);
+    const auto [n_supernodes, super, row_start, value_start, row, value] =
+        supernodes_of(*parts_->factor);
 
     SingleFactor single({parts_->order.begin(), parts_->order.end()}, parts_->n_interior,
-                        factor.xsize);
-    for (std::size_t s = 0; s < factor.nsuper; ++s) {
+                        parts_->factor->xsize);
+    for (std::size_t s = 0; s < n_supernodes; ++s) {
         const std::span<const Index> rows(row + row_start[s], row + row_start[s + 1]);
         for (Index first = super[s], end = 0; first < super[s + 1]; first = end) {
             end = std::min<Index>(first + SingleFactor::widest_panel, super[s + 1]);

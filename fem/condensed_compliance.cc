@@ -114,7 +114,7 @@ std::unique_ptr<const contact::Interior> CondensedCompliance::interior(
             if (const int u = unknown[c * nodes.size() + k]; u >= 0)
                 force[discretisation.unknowns.n_interior + u] = f[c];
     }
-    const std::vector<double> displacement = condensation.solve(force);
+    const std::vector<double> displacement = condensation->solve(force);
     return std::make_unique<contact::Interior>(discretisation.interior(displacement, force));
 }
 

@@ -1,39 +1,35 @@
 #pragma once
 
+#include <memory>
+
 #include "fem/condensation.h"
 #include "fem/discretisation.h"
 
 namespace tricontact::fem {
 
-/// All of a layer: its discretisation and the factor of its stiffness.
+/// The factor of a layer's stiffness. Throws contact::NotConverged, std::bad_alloc.
+inline std::unique_ptr<const Condensation> factorised(const Discretisation& layer) {
+    auto condensation = std::make_unique<Condensation>(
+        layer.assemble().matrix, layer.unknowns.node_of_unknown, layer.unknowns.n_interior);
+    condensation->factorise();
+    return condensation;
+}
+
+/// All of a layer: its discretisation and the factor of its stiffness. Made as long as a
+/// condensation; throws contact::InputError, contact::NotConverged.
 struct WholeBody {
-    /// As long as a condensation. Throws contact::InputError, contact::NotConverged.
     explicit WholeBody(const LayerProblem& problem)
-        : discretisation(problem),
-          condensation(discretisation.assemble().matrix, discretisation.unknowns.node_of_unknown,
-                       discretisation.unknowns.n_interior) {
-        condensation.factorise();
-    }
+        : discretisation(problem), condensation(factorised(discretisation)) {}
     Discretisation discretisation;
-    Condensation condensation;
+    std::unique_ptr<const Condensation> condensation;
 };
 
 /// The same for corrections.
 struct CorrectedBody {
-    /// As WholeBody.
     explicit CorrectedBody(const LayerProblem& problem)
-        : discretisation(problem), factor(single_factor(discretisation)) {}
+        : discretisation(problem), factor(factorised(discretisation)->single()) {}
     Discretisation discretisation;
     SingleFactor factor;
-
-  private:
-    static SingleFactor single_factor(const Discretisation& discretisation) {
-        Condensation condensation(discretisation.assemble().matrix,
-                                  discretisation.unknowns.node_of_unknown,
-                                  discretisation.unknowns.n_interior);
-        condensation.factorise();
-        return condensation.single();
-    }
 };
 
 }  // namespace tricontact::fem

@@ -63,17 +63,9 @@ std::vector<double> DeferredCorrection::move_all(std::span<const float> eliminat
                                                  const std::vector<Vector3>& traction,
                                                  double part) const {
     const auto& unknowns = problem_.discretisation.unknowns;
-    const auto& points = problem_.compliance.points();
-    const std::size_t n = points.size();
-    std::vector<double> force(unknowns.n - unknowns.n_interior);
-    for (std::size_t i = 0; i < n; ++i) {
-        const double area = part * points.area[i] * modelled_part(points);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double change = area * (traction[i][c] - old_traction[i][c]);
-            if (const int k = unknowns.of_contact[c * n + i]; k >= 0)
-                force[k] = c == 2 ? -change : change;
-        }
-    }
+    std::vector<double> force = contact_forces(traction);
+    const std::vector<double> old = contact_forces(old_traction);
+    for (std::size_t k = 0; k < force.size(); ++k) force[k] = part * (force[k] - old[k]);
     const std::vector<double> solution = problem_.factor.complete(eliminated, force);
     std::vector<double> displacement(3 * problem_.discretisation.space.nodes.size());
     for (int u = 0; u < unknowns.n; ++u)

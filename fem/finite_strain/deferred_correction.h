@@ -75,6 +75,7 @@ class DeferredCorrection {
     struct Contact;
     std::vector<Vector3> positions(const StrainedState& body) const;
     std::vector<Vector3> tractions(const ContactedBody& state, const ContactFrames& frames) const;
+    std::vector<double> contact_forces(const std::vector<Vector3>& traction) const;
     std::vector<double> missing_forces(const std::vector<Vector3>& traction,
                                        const std::vector<double>& of_body) const;
     double balance_residual(const std::vector<Vector3>& traction,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "contact/special_values.h"
 #include "fem/finite_strain/deferred_correction.h"
@@ -78,23 +79,32 @@ void DeferredCorrection::take(const std::vector<double>& all, ContactedBody& s) 
     s.pose.shift = {from[1], from[2]};
 }
 
-/// What the tractions' forces exceed those of the body by, on all unknowns.
-std::vector<double> DeferredCorrection::missing_forces(const std::vector<Vector3>& traction,
-                                                       const std::vector<double>& of_body) const {
+/// Forces of tractions on the contact unknowns.
+std::vector<double> DeferredCorrection::contact_forces(const std::vector<Vector3>& traction) const {
     const auto& unknowns = problem_.discretisation.unknowns;
     const auto& points = problem_.compliance.points();
-    std::vector<double> missing(unknowns.n);
-    for (int u = 0; u < unknowns.n; ++u)
-        missing[u] = -of_body[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
-                              unknowns.direction_of_unknown[u]];
     const std::size_t n = points.size();
+    std::vector<double> force(unknowns.n - unknowns.n_interior);
     for (std::size_t i = 0; i < n; ++i) {
         const double area = points.area[i] * modelled_part(points);
         for (std::size_t c = 0; c < 3; ++c)
             if (const int k = unknowns.of_contact[c * n + i]; k >= 0)
-                missing[unknowns.n_interior + k] +=
-                    area * (c == 2 ? -traction[i][c] : traction[i][c]);
+                force[k] = area * (c == 2 ? -traction[i][c] : traction[i][c]);
     }
+    return force;
+}
+
+/// What the tractions' forces exceed those of the body by, on all unknowns.
+std::vector<double> DeferredCorrection::missing_forces(const std::vector<Vector3>& traction,
+                                                       const std::vector<double>& of_body) const {
+    const auto& unknowns = problem_.discretisation.unknowns;
+    std::vector<double> missing(unknowns.n);
+    for (int u = 0; u < unknowns.n; ++u)
+        missing[u] = -of_body[3 * static_cast<std::size_t>(unknowns.node_of_unknown[u]) +
+                              unknowns.direction_of_unknown[u]];
+    const std::vector<double> force = contact_forces(traction);
+    std::transform(force.begin(), force.end(), missing.begin() + unknowns.n_interior,
+                   missing.begin() + unknowns.n_interior, std::plus());
     return missing;
 }
 
