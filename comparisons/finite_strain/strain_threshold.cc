@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "comparisons/resolution/refined_grid.h"
 #include "contact/root.h"
 
 namespace tricontact::comparisons {
@@ -39,17 +40,6 @@ FirstRise first_rise(const Function& excess, const std::vector<double>& grid) {
     return rise;
 }
 
-/// Points and what lies between them: an interpolant of both signs passes a tolerance there too.
-std::vector<double> between(const std::vector<double>& points) {
-    constexpr int n_between = 20;
-    std::vector<double> grid;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        for (int k = 0; k < n_between; ++k)
-            grid.push_back(std::lerp(points[i], points[i + 1], static_cast<double>(k) / n_between));
-    grid.push_back(points.back());
-    return grid;
-}
-
 }  // namespace
 
 std::optional<StrainThreshold> strain_threshold(std::vector<DeviationPoint> points,
@@ -62,7 +52,7 @@ std::optional<StrainThreshold> strain_threshold(std::vector<DeviationPoint> poin
         deviations.push_back(p.deviation);
         errors.push_back(p.error);
     }
-    const std::vector<double> grid = between(at);
+    const std::vector<double> grid = refined_grid(at);
     using boost::math::interpolators::pchip;
     const pchip<std::vector<double>> deviation(std::vector<double>(at), std::move(deviations)),
         error(std::move(at), std::move(errors));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "comparisons/resolution/refined_grid.h"
 #include "contact/root.h"
 
 namespace tricontact::comparisons {
@@ -51,17 +52,6 @@ std::vector<double> over_thinness(const std::vector<RatioPoint>& points, Value v
     return result;
 }
 
-/// Fine enough for an interpolant's turning points, which are the points.
-std::vector<double> refined(const std::vector<double>& points) {
-    constexpr int n_between = 20;
-    std::vector<double> grid;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-        for (int k = 0; k < n_between; ++k)
-            grid.push_back(std::lerp(points[i], points[i + 1], static_cast<double>(k) / n_between));
-    grid.push_back(points.back());
-    return grid;
-}
-
 }  // namespace
 
 NeededThickness needed_thickness(const std::vector<RatioPoint>& points, const Function& exact,
@@ -93,7 +83,7 @@ NeededThickness needed_thickness(const std::vector<RatioPoint>& points, double t
     };
     const auto deviation = interpolant(over_thinness(points, [](auto& p) { return p.ratio - 1; }));
     const auto error = interpolant(over_thinness(points, [](auto& p) { return p.error; }));
-    const std::vector<double> grid = refined(thinness);
+    const std::vector<double> grid = refined_grid(thinness);
     const auto sought = [&](double n_errors) {  // |deviation| plus so many errors
         const auto excess = [&](double s) {
             return std::abs(deviation(s)) + n_errors * error(s) - tolerance;

@@ -10,32 +10,18 @@
 #include "comparisons/finite_strain/strain_output.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "tests/unit/comparisons/layer_rig.h"
 
 namespace tricontact::comparisons::strain_deviation_test {
 namespace {
 
 using contact::Case;
-
-/// The thesis' rig 5.1.1: rubber of 8 mm, rigid sphere.
-Case rig() {
-    Case c;
-    c.models = {"bem-layer"};
-    c.indenter.radius = .04;
-    c.substrate = {5.2e6, .5};
-    c.layer.thickness = 8e-3;
-    c.friction_coefficient = .57;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = .56;
-    c.rolling.emplace();
-    c.rolling->amplitude_ratio = .24;
-    c.bem.cells_per_radius = 22.5;
-    return c;
-}
+using synthetic::layer_rig;
 
 /// Runs whose static shift the linear law puts 1 % too high (sign -1: too low) from F_N = `force`
 /// on, and by the cube root of F_N f_T more above.
 StrainDeviation synthetic(double force, double sign = 1, double finer = 1) {
-    const StrainContact contact = strain_contact(rig(), 5);
+    const StrainContact contact = strain_contact(layer_rig(), 5);
     std::vector<std::optional<Results>> results;
     for (const StrainPoint& point : strain_points(contact))
         for (const bool finite : {false, true}) {
@@ -60,7 +46,7 @@ bool contains(const std::string& text, const char* part) {
 }
 
 TEST(StrainDeviation, ItsRunsAreCases) {
-    const StrainContact contact = strain_contact(rig(), 5);
+    const StrainContact contact = strain_contact(layer_rig(), 5);
     const auto points = strain_points(contact);
     EXPECT_EQ(points.size(), 7 * 4 + 6 + 1 + 5 + 1);
     EXPECT_EQ(std::ranges::count(points, own_point(contact, false)), 1);
@@ -76,7 +62,7 @@ TEST(StrainDeviation, ItsRunsAreCases) {
         EXPECT_LE(*linear.fem.size, *linear.layer.thickness / 3 * (1 + 1e-12));
         EXPECT_EQ(linear.rolling.has_value(), point.rolled);
     }
-    Case mooney = rig();
+    Case mooney = layer_rig();
     mooney.law = Case::Law::mooney_rivlin;
     mooney.c01_ratio = .2;
     const StrainContact own = strain_contact(mooney, 5);
@@ -86,7 +72,7 @@ TEST(StrainDeviation, ItsRunsAreCases) {
 
 TEST(StrainDeviation, RefusesWhatFiniteStrainsAreNotOfferedFor) {
     const auto refusal = [](auto change) -> std::string {
-        Case c = rig();
+        Case c = layer_rig();
         change(c);
         try {
             strain_contact(c, 5);
@@ -145,7 +131,7 @@ TEST(StrainDeviation, DoesNotNameALoadThatIsNotReached) {
 }
 
 TEST(StrainDeviation, FailedRunsAreCountedAndLeaveGaps) {
-    const StrainContact contact = strain_contact(rig(), 5);
+    const StrainContact contact = strain_contact(layer_rig(), 5);
     std::vector<std::optional<Results>> results(2 * strain_points(contact).size());
     const StrainDeviation deviation = strain_deviation(contact, results);
     EXPECT_TRUE(strain_rows(deviation).empty());

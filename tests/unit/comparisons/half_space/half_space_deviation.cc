@@ -10,6 +10,7 @@
 #include "comparisons/half_space/deviation_output.h"
 #include "contact/error.h"
 #include "io/case/case_reader.h"
+#include "tests/unit/comparisons/layer_rig.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::comparisons::half_space_deviation_test {
@@ -18,29 +19,14 @@ namespace {
 using contact::State;
 
 using contact::Case;
+using synthetic::layer_rig;
 using json = nlohmann::ordered_json;
 
-/// The thesis' rig 5.1.1: rubber of 8 mm, rigid sphere.
-Case rig() {
-    Case c;
-    c.models = {"bem-layer"};
-    c.indenter.radius = .04;
-    c.substrate = {5.2e6, .5};
-    c.layer.thickness = 8e-3;
-    c.friction_coefficient = .57;
-    c.load.normal_force = 21.1;
-    c.load.tangential_ratio = .56;
-    c.rolling.emplace();
-    c.rolling->amplitude_ratio = .24;
-    c.bem.cells_per_radius = 22.5;
-    return c;
-}
-
 TEST(HalfSpaceDeviation, TakesForceAndAmplitudeFromTheCase) {
-    const DeviationContact contact = deviation_contact(rig());
+    const DeviationContact contact = deviation_contact(layer_rig());
     EXPECT_NEAR(contact.hertz_diameter, 2 * 4.5028e-3, 2e-7);
     EXPECT_NEAR(contact.amplitude_ratio, .24 * 4.5028 / 4.3638, 1e-5);  // over the layer's a
-    Case c = rig();
+    Case c = layer_rig();
     c.rolling->amplitude_reference = Case::AmplitudeReference::model;
     EXPECT_NEAR(deviation_contact(c).amplitude_ratio, .24, 1e-12);
     c.load.normal_force.reset();
@@ -53,7 +39,7 @@ TEST(HalfSpaceDeviation, TakesForceAndAmplitudeFromTheCase) {
 
 TEST(HalfSpaceDeviation, RefusesWhatItCannotAnswer) {
     const auto refusal = [](auto change) -> std::string {
-        Case c = rig();
+        Case c = layer_rig();
         change(c);
         try {
             deviation_contact(c);
@@ -85,7 +71,7 @@ TEST(HalfSpaceDeviation, RollsOnBothSidesOfTheLimit) {
 }
 
 TEST(HalfSpaceDeviation, ItsRunsAreCases) {
-    const Case c = rig();
+    const Case c = layer_rig();
     const DeviationContact contact = deviation_contact(c);
     const RolledAmplitudes amplitudes = rolled_amplitudes(.24, .56);
     for (const RolledBody body : {RolledBody{.25, .3, true}, RolledBody{.poisson = .5}})
@@ -191,7 +177,7 @@ TEST(RolledDeviation, HasNoSettledShiftOfWhatRatchetsOrFailed) {
 /// As `exact_deviation` and `add_rolled` would make it, with few points.
 HalfSpaceDeviation small_deviation() {
     HalfSpaceDeviation d;
-    d.c = rig();
+    d.c = layer_rig();
     d.contact = deviation_contact(d.c);
     d.thickness_ratio = 8e-3 / d.contact.hertz_diameter;
     const ExactDeviation exact(d.contact, .5, theory::LayerBase::bonded);
