@@ -20,6 +20,7 @@ const std::vector<ModelDescription>& known_models() {
 #ifdef TRICONTACT_WITH_FEM
         {"fem", "finite elements of the elastic layer, condensed to the contact patch"},
 #endif
+        {"atlas", "maps of earlier runs, in sweeps; tricontact predict reads them elsewhere"},
     };
     return models;
 }
@@ -33,6 +34,10 @@ std::unique_ptr<contact::Model> make_model(const std::string& name, const Case& 
 #ifdef TRICONTACT_WITH_FEM
     if (name == "fem") return fem_entries().make_model(c, say);
 #endif
+    if (name == "atlas")
+        throw contact::InputError(
+            "models: atlas runs nothing: it knows what runs came to; take tricontact predict, or "
+            "name another model");
     throw contact::InputError("models: this program was built without the model " + name);
 }
 

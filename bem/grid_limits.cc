@@ -71,7 +71,8 @@ bool holds_with_friction(const contact::Compliance& compliance, const contact::C
                          double normal_force) {
     const double limit = c.friction_coefficient * normal_force;
     // The model's own limit is at most 1.
-    const double ratio = c.load.tangential_ratio.value_or(c.load.limit_fraction.value_or(0));
+    const double by_limit = c.load.is_by_limit() ? c.load.ratio_by_limit(1) : 0;
+    const double ratio = c.load.tangential_ratio.value_or(by_limit);
     const double mean = c.load.tangential_force.value_or(ratio * limit);
     const double amplitude = c.load.tangential_amplitude_ratio;
     std::vector<double> factors{1 + amplitude};

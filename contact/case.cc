@@ -2,6 +2,21 @@
 
 namespace tricontact::contact {
 
+const char* Case::Load::limit_key() const {
+    return limit_fraction ? "load.limit_fraction" : limit_excess ? "load.limit_excess" : nullptr;
+}
+
+double Case::Load::ratio_by_limit(double limit) const {
+    return limit_fraction ? *limit_fraction * limit : limit + *limit_excess * (1 - limit);
+}
+
+void Case::Load::set_tangential_ratio(double ratio) {
+    limit_fraction.reset();
+    limit_excess.reset();
+    tangential_force.reset();
+    tangential_ratio = ratio;
+}
+
 double Case::Layer::total_thickness() const {
     double sum = *thickness;
     for (const Lower& one : lower) sum += one.thickness;

@@ -104,6 +104,8 @@ struct Case {
         std::optional<double> tangential_force;  ///< F_T [N] along x
         std::optional<double> tangential_ratio;  ///< F_T / (mu F_N), instead of tangential_force
         std::optional<double> limit_fraction;    ///< of the model's own limit, see own_limit.h
+        /// Instead: the share of the way from the model's own limit to mu F_N, in (0, 1).
+        std::optional<double> limit_excess;
         /// Superposed oscillation in the rolling period's phase: the normal control (force or
         /// indentation) and F_T are multiplied by 1 + ratio * triangle(phase + shift).
         double normal_amplitude_ratio = 0;      ///< [-], in [0, 1)
@@ -119,6 +121,15 @@ struct Case {
         /// before rolling begins.
         std::optional<double> press_time;  ///< [s]
         double hold = 0;                   ///< [s]
+
+        /// F_T is said by the model's own limit of shakedown.
+        bool is_by_limit() const { return limit_fraction || limit_excess; }
+        /// The key that says so; null if there is none.
+        const char* limit_key() const;
+        /// F_T/(mu F_N) of a load by this limit.
+        double ratio_by_limit(double limit) const;
+        /// F_T/(mu F_N) in place of whatever says F_T.
+        void set_tangential_ratio(double ratio);
     };
 
     /// What ends a run: `periods`, or a shift that is known where it will stand (see Verdict).

@@ -12,9 +12,7 @@ namespace tricontact::contact {
 namespace {
 
 Case with_ratio(Case c, double tangential_ratio) {
-    c.load.limit_fraction.reset();
-    c.load.tangential_force.reset();
-    c.load.tangential_ratio = tangential_ratio;
+    c.load.set_tangential_ratio(tangential_ratio);
     return c;
 }
 
@@ -39,19 +37,19 @@ FrictionlessLimit frictionless_limit(const Case& c, Model& model) {
 }
 
 Case loaded_by_own_limit(const Case& c, Model& model) {
-    if (!c.load.limit_fraction) return c;
+    if (!c.load.is_by_limit()) return c;
     const auto [scales, limit] = frictionless_limit(c, model);
     model.release();
-    if (!(limit > 0))
+    if (c.load.limit_fraction && !(limit > 0))
         throw InputError(fmt::format(
             "load.limit_fraction: {}: rolling by {:.4g} mm leaves no point in contact all the "
             "time: the limit is 0; lower rolling.amplitude or rolling.amplitude_ratio",
             model.name(), 1e3 * path_amplitude(c, scales.contact_radius)));
-    return with_ratio(c, *c.load.limit_fraction * limit);
+    return with_ratio(c, c.load.ratio_by_limit(limit));
 }
 
 Case loaded_as(const Case& c, const History& history) {
-    if (!c.load.limit_fraction) return c;
+    if (!c.load.is_by_limit()) return c;
     return with_ratio(c, history.tangential_force / history.friction_limit);
 }
 

@@ -15,9 +15,9 @@ struct FrictionlessLimit {
 /// is at rest before. The loads must be constant. Throws NotConverged, ContactAtEdge, InputError.
 FrictionlessLimit frictionless_limit(const Case& c, Model& model);
 
-/// The case with F_T/(mu F_N) in place of `load.limit_fraction`, the fraction of this model's
-/// frictionless limit; others as they are. The model is at rest before and after it. Throws as
-/// frictionless_limit(), and InputError where the limit is 0.
+/// The case with F_T/(mu F_N) in place of `load.limit_fraction` or `load.limit_excess`, this
+/// model's frictionless limit being known; others as they are. The model is at rest before and
+/// after it. Throws as frictionless_limit(), and InputError where the limit is 0.
 Case loaded_by_own_limit(const Case& c, Model& model);
 
 /// The same where the model has run: other runs beside it have its F_T.

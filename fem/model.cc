@@ -73,11 +73,11 @@ meshes::LayerMeshSpec spec_of(const Case& c, const Plan& plan) {
 /// little, the run begins anew on a larger patch.
 double shift_to_expect(const Case& c, double contact_radius) {
     const Case::Load& load = c.load;
-    const bool loaded = load.tangential_ratio || load.tangential_force || load.limit_fraction;
+    const bool loaded = load.tangential_ratio || load.tangential_force || load.is_by_limit();
     if (c.law == Case::Law::linear || !loaded) return 0;
     // The limit of which a fraction is given is at most 1.
-    const double f =
-        std::min(1., std::abs(load.tangential_ratio.value_or(load.limit_fraction.value_or(1))));
+    const double by_limit = load.is_by_limit() ? load.ratio_by_limit(1) : 1;
+    const double f = std::min(1., std::abs(load.tangential_ratio.value_or(by_limit)));
     return c.friction_coefficient * f * contact_radius * contact_radius / c.indenter.radius;
 }
 

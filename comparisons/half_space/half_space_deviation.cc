@@ -44,10 +44,10 @@ void check(const Case& c) {
         throw contact::InputError(
             "load: deviations are those under constant loads; set normal_amplitude_ratio and "
             "tangential_amplitude_ratio to 0");
-    if (c.load.limit_fraction)
+    if (c.load.is_by_limit())
         throw contact::InputError(
-            "load.limit_fraction: layer and half-space are compared under one F_T; give "
-            "load.tangential_ratio");
+            std::string(c.load.limit_key()) +
+            ": layer and half-space are compared under one F_T; give load.tangential_ratio");
 }
 
 NeededThicknesses needed_on(const ExactDeviation& exact, const Quantity* q,

@@ -23,7 +23,7 @@ double tangential_ratio(const contact::History& history) {
 }
 
 double tangential_ratio(const contact::Case& c, double normal_force) {
-    if (c.load.limit_fraction) return std::numeric_limits<double>::quiet_NaN();
+    if (c.load.is_by_limit()) return std::numeric_limits<double>::quiet_NaN();
     return c.load.tangential_ratio
                ? *c.load.tangential_ratio
                : c.load.tangential_force.value_or(0) / (c.friction_coefficient * normal_force);
@@ -60,14 +60,14 @@ void add_point_contact(const contact::Case& c, Reference& r) {
     r.shakedown_shift_ratio = theory::bed_settled_shift_ratio(c, w, f);
 }
 
-/// f_T of a load that is a fraction of the limit; NaN where theory has none.
-double fraction_of_limit(const contact::Case& c, double amplitude_ratio) {
+/// f_T of a load that is said by the limit; NaN where theory has none.
+double ratio_by_limit(const contact::Case& c, double amplitude_ratio) {
     const std::optional<double> limit =
         !in_unit_range(amplitude_ratio) ? std::nullopt
         : c.is_cylindrical()            ? theory::line_shakedown_limit(amplitude_ratio)
         : theory::has_body_theory(c)    ? theory::shakedown_limit(c, amplitude_ratio)
                                         : std::nullopt;
-    return *c.load.limit_fraction * limit.value_or(std::numeric_limits<double>::quiet_NaN());
+    return c.load.ratio_by_limit(limit.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ Reference reference(const contact::Case& c) {
     if (c.rolling)
         r.amplitude_ratio =
             contact::rolling_amplitude(*c.rolling, r.hertz.contact_radius) / r.hertz.contact_radius;
-    if (c.load.limit_fraction) r.tangential_ratio = fraction_of_limit(c, r.amplitude_ratio);
+    if (c.load.is_by_limit()) r.tangential_ratio = ratio_by_limit(c, r.amplitude_ratio);
     r.has_mapping = contact::is_hertz_round(c);
     if (contact::pressure_falls(c) && !contact::has_conical_tip(c))
         r.peak_pressure = r.hertz.peak_pressure;

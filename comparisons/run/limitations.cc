@@ -71,16 +71,19 @@ std::string pressure_sentence(const contact::Case& c, const Summaries& summaries
 
 /// Loads that each model sets by its own limit.
 std::string own_load_sentence(const contact::Case& c, const Summaries& summaries) {
-    if (!c.load.limit_fraction || summaries.size() < 2) return {};
+    if (!c.load.is_by_limit() || summaries.size() < 2) return {};
     std::vector<std::string> loads;
     for (const Results& s : summaries)
         loads.push_back(fmt::format("{} for {}",
                                     report::significant(s.number(quantities::tangential_ratio)),
                                     report::display_name(s.model)));
-    return fmt::format(
-        "Each model's F_T is {} of its own limit of shakedown, so the models are under different "
-        "loads: f_T = {}.",
-        report::as_given(*c.load.limit_fraction), fmt::join(loads, ", "));
+    const std::string share =
+        c.load.limit_fraction
+            ? report::as_given(*c.load.limit_fraction) + " of its own limit of shakedown"
+            : report::as_given(*c.load.limit_excess) +
+                  " of the way from its own limit of shakedown to μF_N";
+    return fmt::format("Each model's F_T is {}, so the models are under different loads: f_T = {}.",
+                       share, fmt::join(loads, ", "));
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ std::string comparison_sentence(const Results& s, const Results& base) {
 /// stiffer body, and no closed form's.
 std::string static_sentence(const contact::Case& c, const Summaries& summaries,
                             const Reference& r) {
-    const bool other_load = c.load.limit_fraction && c.layer.thickness;  // of a layer's limit
+    const bool other_load = c.load.is_by_limit() && c.layer.thickness;  // of a layer's limit
     if (!(r.static_shift_ratio > 0) || other_load) return {};
     const bool relaxed = static_shift_is_relaxed(c);
     const std::string theory =

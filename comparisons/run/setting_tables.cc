@@ -162,6 +162,8 @@ void add_load(const Case& c, Settings& settings) {
     settings.add("tangential force F_T", load.tangential_force, "N");
     settings.add("tangential force over μF_N", load.tangential_ratio);
     settings.add("tangential force over each model's limit of shakedown", load.limit_fraction);
+    settings.add("share of the way from each model's limit of shakedown to μF_N",
+                 load.limit_excess);
     add_oscillation("normal load's", load.normal_amplitude_ratio, load.normal_phase, settings);
     add_oscillation("tangential load's", load.tangential_amplitude_ratio, load.tangential_phase,
                     settings);

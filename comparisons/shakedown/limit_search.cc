@@ -29,9 +29,7 @@ constexpr double smallest_amplitude = 1e-6;
 
 Case with_value(Case c, LimitVariable variable, double value) {
     if (variable == LimitVariable::load) {
-        c.load.tangential_force.reset();
-        c.load.limit_fraction.reset();
-        c.load.tangential_ratio = value;
+        c.load.set_tangential_ratio(value);
     } else {
         c.rolling->amplitude.reset();
         c.rolling->amplitude_ratio = value;
@@ -44,7 +42,7 @@ class LimitSearch {
   public:
     LimitSearch(const Case& c, const std::string& name, const ModelMaker& make,
                 const LimitQuestion& question, const SayLimit& say)
-        : case_(c.load.limit_fraction ? with_value(c, LimitVariable::load, 0) : c),
+        : case_(c.load.is_by_limit() ? with_value(c, LimitVariable::load, 0) : c),
           make_(make),
           variable_(question.variable),
           tolerance_(question.tolerance.value_or(name == "mdr" ? 1e-6 : 1e-3)),

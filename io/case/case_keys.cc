@@ -19,9 +19,9 @@ std::vector<CaseKey> top_keys() {
     return {
         {text_key("title", R"("Sphere on rubber")", "what the case is", {.default_value = "\"\""}),
          at<&Case::title>},
-        {list_of(choice_key("models", {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}},
-                            R"(["mdr", "bem"])", "models that compute the case",
-                            {.required = true})),
+        {list_of(choice_key(
+             "models", {{"mdr"}, {"mdr-layer"}, {"bem"}, {"bem-layer"}, {"fem"}, {"atlas"}},
+             R"(["mdr", "bem"])", "models that compute the case", {.required = true})),
          at<&Case::models>}};
 }
 

@@ -49,6 +49,12 @@ std::vector<CaseKey> load_keys() {
                     "have their limit of shakedown at this amplitude, f_T,lim mu F_N",
                     {.alternative = tangential_load, .needs = "rolling"}),
          at<&Case::load, &Load::limit_fraction>},
+        {number_key(
+             "load.limit_excess", {0, 1, false, false}, "0.3",
+             "share of the way from each model's own limit, as of limit_fraction, to mu F_N: "
+             "F_T = mu F_N (f_T,lim + limit_excess (1 - f_T,lim)), which ratchets",
+             {.alternative = tangential_load, .needs = "rolling"}),
+         at<&Case::load, &Load::limit_excess>},
         {number_key("load.normal_amplitude_ratio", {0, 1, true, false}, "0.2",
                     "superposed triangular oscillation of the normal load over its mean",
                     {.default_value = "0.0"}),

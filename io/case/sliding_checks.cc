@@ -156,13 +156,12 @@ void check_model(const std::string& model, const Case& c, const Document& docume
 }
 
 /// A limit of shakedown is that under constant loads.
-void check_limit_fraction(const Case& c, const Document& document) {
-    if (!c.load.limit_fraction) return;
+void check_load_by_limit(const Case& c, const Document& document) {
+    if (!c.load.is_by_limit()) return;
     const auto refuse_beside = [&](const std::string& what) {
-        refuse(
-            document, "load.limit_fraction",
-            "is a fraction of a limit that " + what + " has not: the least pressures on one path",
-            "give load.tangential_ratio");
+        refuse(document, c.load.limit_key(),
+               "is said by a limit that " + what + " has not: the least pressures on one path",
+               "give load.tangential_ratio");
     };
     if (c.load.normal_amplitude_ratio != 0 || c.load.tangential_amplitude_ratio != 0)
         refuse_beside("a contact under oscillating loads");
@@ -184,7 +183,7 @@ void check_direction(const Case& c, const Document& document) {
 
 void check_friction_limit(const Case& c, const HalfSpaceScales& scales, const Document& document) {
     if (!c.tractive_rolling) check_direction(c, document);
-    check_limit_fraction(c, document);
+    check_load_by_limit(c, document);
     if (c.load.indentation) return check_at_depth(c, scales, document);
     if (!c.load.tangential_ratio && !c.load.tangential_force) return;
     const double mean =

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <set>
 
 #include "io/case/study_reader.h"
@@ -109,8 +110,12 @@ double end_of(const Key& key, const Entry& part) {
 }
 
 const Key points_key = integer_key("points", {2, most_values}, "5", "values of a range");
-const Key scale_key =
-    choice_key("scale", {{"linear"}, {"log"}}, R"("log")", "how the values of a range lie");
+const Key scale_key = choice_key(
+    "scale",
+    {choice("linear", Study::Scale::linear), choice("log", Study::Scale::log),
+     choice("cosine", Study::Scale::cosine), choice("root-from", Study::Scale::root_from),
+     choice("root-to", Study::Scale::root_to)},
+    R"("log")", "how the values of a range lie");
 
 const Entry& part_of(const Document& document, const std::string& range, const char* part) {
     const std::string path = range + '.' + part;
@@ -150,8 +155,8 @@ Study::Range read_range(const Document& document, const Key& key) {
                  shortest(range.to),
              "take fewer points");
     if (const Entry* scale = document.find(name + ".scale"))
-        range.logarithmic = read_choice(scale_key, *scale).word == "log";
-    if (range.logarithmic && range.from <= 0)
+        range.scale = static_cast<Study::Scale>(read_choice(scale_key, *scale).enumerator);
+    if (range.scale == Study::Scale::log && range.from <= 0)
         fail(from.place, from.subject(), "must be greater than 0 on a logarithmic scale",
              "begin above 0, or omit scale");
     return range;
@@ -173,6 +178,38 @@ void check_not_empty(const Document& document) {
 }
 
 }  // namespace
+
+double Study::Range::value_at(double s) const {
+    const double width = to - from;
+    switch (scale) {
+        case Scale::log:
+            return from * std::pow(to / from, s);
+        case Scale::cosine:
+            return from + width * std::acos(1 - 2 * s) / std::numbers::pi;
+        case Scale::root_from:
+            return from + width * s * s;
+        case Scale::root_to:
+            return to - width * (1 - s) * (1 - s);
+        default:
+            return from + s * width;
+    }
+}
+
+double Study::Range::fraction_of(double value) const {
+    const double share = (value - from) / (to - from);
+    switch (scale) {
+        case Scale::log:
+            return std::log(value / from) / std::log(to / from);
+        case Scale::cosine:
+            return (1 - std::cos(std::numbers::pi * share)) / 2;
+        case Scale::root_from:
+            return std::sqrt(share);
+        case Scale::root_to:
+            return 1 - std::sqrt(1 - share);
+        default:
+            return share;
+    }
+}
 
 std::vector<Entry> read_settings(const Document& document, const KeyList& keys) {
     std::vector<Entry> settings;
@@ -211,9 +248,7 @@ std::vector<Entry> entries_at(const Study::Axis& axis, const std::vector<double>
     const Key& key = *axis.key;
     std::vector<Entry> entries;
     for (const double t : fractions) {
-        double value = range.logarithmic ? range.from * std::pow(range.to / range.from, t)
-                                         : range.from + t * (range.to - range.from);
-        value = std::clamp(twelve_digits(value), range.from, range.to);
+        double value = std::clamp(twelve_digits(range.value_at(t)), range.from, range.to);
         if (key.kind == Kind::integer) value = std::round(value);
         Value written = number(key, value);
         if (is_quantity(key)) written = shortest(value) + ' ' + std::string(si_unit(key.dimension));

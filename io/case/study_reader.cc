@@ -23,7 +23,16 @@ const std::vector<PlacedKey<Study>>& own_keys() {
         {integer_key("latin_hypercube.points", {2, most_values}, "50", "points of the sample",
                      {.required = true})},
         {integer_key("latin_hypercube.seed", {0, 2147483647}, "1", "another seed, another sample",
-                     {.default_value = "1"})}};
+                     {.default_value = "1"})},
+        {integer_key("atlas.points", {20, most_values}, "800", "points of the maps, at most",
+                     {.required = true})},
+        {number_key("atlas.error", {0, 1, false, false}, "0.002",
+                    "error of the values that ends the search for it", {.default_value = "0.002"})},
+        {number_key("atlas.largest_error", {0, 1, false, true}, "0.02",
+                    "error of a value beyond which the maps do not say it",
+                    {.default_value = "0.1"})},
+        {list_of(choice_key("atlas.quantities", {}, R"(["kappa"])",
+                            "results that are mapped, by their keys", {.required = true}))}};
     return keys;
 }
 
@@ -72,22 +81,43 @@ void refuse_models(const Document& document) {
                  "omit the key");
 }
 
-std::optional<Study::LatinHypercube> read_sampling(const Document& document,
-                                                   const std::vector<Study::Axis>& axes) {
-    const auto sampled = std::ranges::find_if(axes, &Study::Axis::is_sampled);
-    const Document::Section* section = document.find_section("latin_hypercube");
-    if (!section && sampled == axes.end()) return {};
-    if (!section)
-        fail(sampled->place, "vary." + std::string(sampled->key->path), "has no points",
-             "give points = 5, or a section [latin_hypercube] with points = 50");
-    if (sampled == axes.end())
-        fail(section->place, "", "[latin_hypercube] samples nothing: every range has points",
-             "omit points in the ranges to be sampled, or this section");
+Study::LatinHypercube read_latin_hypercube(const Document& document) {
     const KeyList& keys = own_key_list();
     int points = 0, seed = 0;
     read_or_default(*keys.find("latin_hypercube.points"), &points, document, keys);
     read_or_default(*keys.find("latin_hypercube.seed"), &seed, document, keys);
-    return Study::LatinHypercube{points, static_cast<std::uint64_t>(seed)};
+    return {points, static_cast<std::uint64_t>(seed)};
+}
+
+Study::Atlas read_atlas(const Document& document) {
+    const KeyList& keys = own_key_list();
+    Study::Atlas atlas;
+    read_or_default(*keys.find("atlas.points"), &atlas.points, document, keys);
+    read_or_default(*keys.find("atlas.error"), &atlas.error, document, keys);
+    read_or_default(*keys.find("atlas.largest_error"), &atlas.largest_error, document, keys);
+    read_or_default(*keys.find("atlas.quantities"), &atlas.quantities, document, keys);
+    return atlas;
+}
+
+void read_sampling(const Document& document, Study& study) {
+    const auto sampled = std::ranges::find_if(study.axes, &Study::Axis::is_sampled);
+    const Document::Section* cube = document.find_section("latin_hypercube");
+    const Document::Section* atlas = document.find_section("atlas");
+    const Document::Section* section = cube ? cube : atlas;
+    if (!section && sampled == study.axes.end()) return;
+    if (!section)
+        fail(sampled->place, "vary." + std::string(sampled->key->path), "has no points",
+             "give points = 5, or a section [latin_hypercube] with points = 50");
+    if (sampled == study.axes.end())
+        fail(section->place, "", '[' + section->name + "] samples nothing: every range has points",
+             "omit points in the ranges to be sampled, or this section");
+    if (cube && atlas)
+        fail(atlas->place, "", "[atlas] and [latin_hypercube] both sample the ranges",
+             "keep one of them");
+    if (cube)
+        study.sampling = read_latin_hypercube(document);
+    else
+        study.atlas = read_atlas(document);
 }
 
 }  // namespace
@@ -99,7 +129,8 @@ Study parse_study(std::string_view text, const std::string& name, const KeyList&
                 {.sections = {"set", "vary"},
                  .is_open = is_nested_section,
                  .remedy = "known are title, case, models, levels, latin_hypercube.points, "
-                           "latin_hypercube.seed; keys of the case stand in [set] or [vary]"});
+                           "latin_hypercube.seed, atlas.points, atlas.error, atlas.largest_error, "
+                           "atlas.quantities; keys of the case stand in [set] or [vary]"});
     Study study;
     study.name = name;
     read_given(own_keys(), study, document);
@@ -108,7 +139,7 @@ Study parse_study(std::string_view text, const std::string& name, const KeyList&
     const KeyList& keys = study.walks ? machine_keys : case_key_list();
     study.settings = read_settings(document, keys);
     study.axes = read_axes(document, keys);
-    study.sampling = read_sampling(document, study.axes);
+    read_sampling(document, study);
     if (study.walks)
         refuse_models(document);
     else

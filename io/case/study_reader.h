@@ -14,11 +14,23 @@ namespace tricontact::io {
 
 /// What a study file says: a case, and what is to be varied in it.
 struct Study {
+    /// How the values x of a range lie, s being the fraction of the way along it.
+    enum class Scale {
+        linear,
+        log,        ///< equal ratios
+        cosine,     ///< cos(pi (x - from)/(to - from)) = 1 - 2 s: of functions even about both ends
+        root_from,  ///< s = sqrt((x - from)/(to - from)), of functions of that root
+        root_to     ///< 1 - s likewise of (to - x)
+    };
     /// Values between two ends, in the key's SI unit. Integers are rounded.
     struct Range {
         double from = 0, to = 0;
-        bool logarithmic = false;
-        std::optional<int> points;  ///< equidistant, ends included; empty: sampled
+        Scale scale = Scale::linear;
+        std::optional<int> points;  ///< equidistant in s, ends included; empty: sampled
+
+        double value_at(double s) const;
+        /// The inverse, of a value of the range.
+        double fraction_of(double value) const;
     };
     struct Axis {
         const Key* key = nullptr;
@@ -34,16 +46,25 @@ struct Study {
         int points = 0;
         std::uint64_t seed = 0;
     };
+    /// Maps over the sampled ranges, see atlas/.
+    struct Atlas {
+        int points = 0;                       ///< at most
+        double error = 0;                     ///< that ends it earlier, over the values
+        double largest_error = 0;             ///< beyond which a value is not said, over it
+        std::vector<std::string> quantities;  ///< keys of results that are mapped
+    };
 
     std::string title;
-    std::string name;                        ///< of the file
-    Document base;                           ///< the case file
-    bool walks = false;                      ///< whether it is about the micro-walking machine
-    std::vector<std::string> models;         ///< of the study, else of the case; none if it walks
-    int levels = 1;                          ///< of refinement
-    std::vector<Entry> settings;             ///< keys of the case that have another value
-    std::vector<Axis> axes;                  ///< in the order of the file
-    std::optional<LatinHypercube> sampling;  ///< of the ranges without points; there if they are
+    std::string name;                 ///< of the file
+    Document base;                    ///< the case file
+    bool walks = false;               ///< whether it is about the micro-walking machine
+    std::vector<std::string> models;  ///< of the study, else of the case; none if it walks
+    int levels = 1;                   ///< of refinement
+    std::vector<Entry> settings;      ///< keys of the case that have another value
+    std::vector<Axis> axes;           ///< in the order of the file
+    /// One of both if there are ranges without points.
+    std::optional<LatinHypercube> sampling;
+    std::optional<Atlas> atlas;
 };
 
 /// Most points of one axis or sample.

@@ -38,8 +38,8 @@ void check_loads(const Case& c) {
     if (c.rolling && c.rolling->amplitude_reference == Case::AmplitudeReference::model)
         fail("rolling.amplitude_reference", "", "the model's radius is known by a run alone",
              "take \"hertz\", or give rolling.amplitude");
-    if (c.load.limit_fraction)
-        fail("load.limit_fraction", "", "the model's limit is known by a run alone",
+    if (c.load.is_by_limit())
+        fail(c.load.limit_key(), "", "the model's limit is known by a run alone",
              "give load.tangential_ratio");
     if (!c.load.indentation) return;
     if (c.rolling)

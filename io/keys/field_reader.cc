@@ -117,7 +117,7 @@ std::vector<std::string> list_of(const Key& key, const Entry& entry) {
     if (!list) refuse_kind(key, entry, "a list of texts");
     if (list->empty()) refuse(key, entry, "the list is empty: nothing would be computed");
     for (auto it = list->begin(); it != list->end(); ++it) {
-        choice_of(*it, key, entry);
+        if (!key.choices.empty()) choice_of(*it, key, entry);  // else any texts
         if (std::find(list->begin(), it, *it) != it)
             refuse(key, entry, toml_string(*it) + " stands twice", "name each once");
     }

@@ -211,6 +211,7 @@ void same(const Case::Load& a, const Case::Load& b) {
     same(a.tangential_force, b.tangential_force);
     same(a.tangential_ratio, b.tangential_ratio);
     same(a.limit_fraction, b.limit_fraction);
+    same(a.limit_excess, b.limit_excess);
     same(a.normal_amplitude_ratio, b.normal_amplitude_ratio);
     same(a.normal_phase, b.normal_phase);
     same(a.tangential_amplitude_ratio, b.tangential_amplitude_ratio);

@@ -85,5 +85,15 @@ TEST(LimitFraction, IsKeptAndWritten) {
         parse_case(text, "resolved.toml", {"load.tangential_ratio=0.3"}).load.limit_fraction);
 }
 
+TEST(LimitExcess, IsTheShareOfTheWayFromTheLimitToSliding) {
+    const Case c = parsed(loaded_sphere + rolling, {"load.limit_excess=0.25"});
+    EXPECT_TRUE(c.load.is_by_limit());
+    EXPECT_STREQ(c.load.limit_key(), "load.limit_excess");
+    EXPECT_DOUBLE_EQ(c.load.ratio_by_limit(.6), .7);
+    EXPECT_FALSE(
+        parse_case(write_case(c), "resolved.toml", {"load.limit_fraction=0.3"}).load.limit_excess);
+    EXPECT_THROW(parsed(loaded_sphere + rolling, {"load.limit_excess=1"}), contact::InputError);
+}
+
 }  // namespace
 }  // namespace tricontact::io::smooth_coordinates_test

@@ -1,0 +1,219 @@
+// The table of docs/atlas-formulas.md: closed forms against the shipped atlases.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "atlas/shipped.h"
+#include "comparisons/quantities/quantities.h"
+#include "theory/cattaneo_mindlin.h"
+#include "theory/layer/layer_forms.h"
+#include "theory/rolling/mapped_shakedown.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::atlas_formulas_test {
+namespace {
+
+namespace quantities = comparisons::quantities;
+using comparisons::Quantity;
+using Point = std::vector<double>;
+
+// Points of the domain, evenly spread, those of a logarithmic axis over the logarithm; the same on
+// every computer.
+std::vector<Point> points_of(const atlas::Atlas& atlas) {
+    std::mt19937_64 engine(20261124);
+    std::vector<Point> points(6000);
+    for (Point& point : points)
+        for (const atlas::Axis& axis : atlas.axes) {
+            const double share = std::ldexp(static_cast<double>(engine() >> 11), -53);
+            const auto& r = axis.range;
+            point.push_back(r.scale == io::Study::Scale::log
+                                ? r.from * std::pow(r.to / r.from, share)
+                                : r.from + (r.to - r.from) * share);
+        }
+    return points;
+}
+
+struct Errors {
+    double largest, median;  ///< per cent
+};
+
+/// One row of the table.
+struct Row {
+    const char* formula;
+    Errors stated;  ///< rounded up to two digits
+    std::function<double(const Point&)> value;
+};
+
+class Table {
+  public:
+    Table(
+        const char* atlas, const Quantity& quantity,
+        std::function<bool(const Point&)> filter = [](const Point&) { return true; })
+        : atlas_(atlas::shipped(atlas)) {
+        atlas::Reader reader(atlas_);
+        for (Point& point : points_of(atlas_)) {
+            if (!filter(point)) continue;
+            reader.go_to(point);
+            const double value = reader.read(*atlas_.find(quantity)).value;
+            if (!std::isfinite(value)) continue;  // a place where the atlas' bar is too long
+            truth_.push_back(value);
+            points_.push_back(std::move(point));
+        }
+    }
+
+    /// Prints the row; its errors have neither grown nor become much smaller than stated.
+    void check(const Row& row) const {
+        std::vector<double> errors;
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            errors.push_back(100 * std::abs(row.value(points_[i]) / truth_[i] - 1));
+        std::ranges::sort(errors);
+        const Errors found{errors.back(), errors[errors.size() / 2]};
+        fmt::print(
+            "| {} | {} | {:.2g} | {} |\n", row.formula,
+            fmt::format(fmt::runtime(found.largest < 100 ? "{:.2g}" : "{:.0f}"), found.largest),
+            found.median, errors.size());
+        EXPECT_LE(found.largest, row.stated.largest) << row.formula;
+        EXPECT_LE(found.median, row.stated.median) << row.formula;
+        EXPECT_GE(found.largest, .8 * row.stated.largest) << row.formula;
+        EXPECT_GE(found.median, .7 * row.stated.median) << row.formula;
+    }
+
+  private:
+    const atlas::Atlas& atlas_;
+    std::vector<Point> points_;
+    std::vector<double> truth_;
+};
+
+// w, phi, angle, nu
+theory::MappedRolling rolling_of(const Point& p) {
+    return {p[0], p[1] * theory::shakedown_limit(p[0]), p[2], p[3]};
+}
+
+double thesis_mapping(const Point& p) {
+    const double across = std::pow(std::sin(p[2]), 2);
+    return theory::thesis_mapping_parallel * (1 - across) +
+           theory::thesis_mapping_perpendicular * across;
+}
+
+std::function<double(const Point&)> settled_by(double (*mapping)(const Point&)) {
+    return [=](const Point& p) {
+        const auto point = rolling_of(p);
+        return *theory::settled_shift_ratio(point.amplitude_ratio, point.tangential_ratio,
+                                            mapping(p));
+    };
+}
+
+constexpr auto mapped = [](const Point& p) { return theory::half_space_mapping(rolling_of(p)); };
+constexpr auto simple = [](const Point& p) {
+    return theory::simple_half_space_mapping(rolling_of(p));
+};
+constexpr auto mdr = [](const Point&) { return theory::mdr_mapping; };
+
+TEST(AtlasFormulas, SettledShift) {
+    const Table table("sphere_half_space", quantities::settled_shift_ratio);
+    table.check({"u_sd, kappa of four coefficients", {1.7, .17}, settled_by(mapped)});
+    table.check({"u_sd, kappa of two coefficients", {6.4, .17}, settled_by(simple)});
+    table.check({"u_sd, thesis, kappa = 1 to 1.1", {51, 4.5}, settled_by(thesis_mapping)});
+    table.check({"u_sd, MDR, kappa = 3/2", {140, 26}, settled_by(mdr)});
+}
+
+TEST(AtlasFormulas, SettledShiftUpToNineTenthsOfTheLimit) {
+    const Table table("sphere_half_space", quantities::settled_shift_ratio,
+                      [](const Point& p) { return p[1] <= .9; });
+    table.check({"u_sd, phi <= 0.9, kappa of four coefficients", {1.3, .17}, settled_by(mapped)});
+    table.check({"u_sd, phi <= 0.9, kappa of two coefficients", {1.8, .16}, settled_by(simple)});
+    table.check({"u_sd, phi <= 0.9, thesis", {44, 3.8}, settled_by(thesis_mapping)});
+    table.check({"u_sd, phi <= 0.9, MDR", {130, 25}, settled_by(mdr)});
+}
+
+TEST(AtlasFormulas, Kappa) {
+    const Table table("sphere_half_space", quantities::kappa);
+    table.check({"kappa of four coefficients", {7.1, .3}, mapped});
+    table.check({"kappa of two coefficients", {6.8, .36}, simple});
+    table.check({"kappa of the thesis, 1 to 1.1", {27, 8.6}, thesis_mapping});
+    table.check({"kappa of MDR, 3/2", {71, 31}, mdr});
+}
+
+// w, b/D_c, nu
+std::function<double(const Point&)> of_layer(double (*form)(const theory::LayerForm&)) {
+    return [=](const Point& p) { return form({p[1], p[2]}); };
+}
+
+TEST(AtlasFormulas, PressedLayer) {
+    const auto table = [](const Quantity& q) { return Table("sphere_layer_pressed", q); };
+    const auto half_space = [](const Point&) { return 1.; };
+    table(quantities::contact_radius)
+        .check({"a/a_H", {.5, .001}, of_layer(theory::layer_radius_ratio)});
+    table(quantities::indentation)
+        .check({"d/d_H", {2.4, .03}, of_layer(theory::layer_indentation_ratio)});
+    table(quantities::peak_pressure)
+        .check({"p0/p0_H", {.8, .004}, of_layer(theory::layer_pressure_ratio)});
+    table(quantities::unit_shift)
+        .check({"U_max/U_max,H", {1, .006}, of_layer(theory::layer_unit_shift_ratio)});
+    const Table limit = table(quantities::limit_tangential_ratio);
+    limit.check({"f_T,lim", {1.4, .006}, [](const Point& p) {
+                     return theory::layer_shakedown_limit({p[1], p[2]}, p[0]);
+                 }});
+    limit.check({"f_T,lim of Hertz", {17, .008}, [](const Point& p) {
+                     return theory::shakedown_limit(p[0]);
+                 }});
+    table(quantities::contact_radius).check({"a of Hertz", {27, .066}, half_space});
+    table(quantities::indentation).check({"d of Hertz", {230, 10}, half_space});
+    table(quantities::unit_shift).check({"U_max of Hertz", {49, 5.1}, half_space});
+}
+
+// w, phi, angle, b/D_c, nu, mu
+struct Rolled {
+    theory::LayerForm layer;
+    theory::MappedRolling point;
+    double friction;
+};
+
+Rolled rolled_of(const Point& p) {
+    const theory::LayerForm layer{p[3], p[4]};
+    const double limit = theory::layer_shakedown_limit(layer, p[0]);
+    return {layer, {p[0], p[1] * limit, p[2], p[4]}, p[5]};
+}
+
+double settled_on_layer(const Point& p) {
+    const auto [layer, point, friction] = rolled_of(p);
+    return *theory::layer_settled_shift_ratio(layer, point, friction);
+}
+
+double half_space_on_layer(const Point& p) {
+    return *theory::half_space_settled_shift_ratio(rolled_of(p).point);
+}
+
+double thesis_on_layer(const Point& p) {
+    const auto point = rolled_of(p).point;
+    return *theory::settled_shift_ratio(point.amplitude_ratio, point.tangential_ratio,
+                                        thesis_mapping(p));
+}
+
+TEST(AtlasFormulas, RolledLayer) {
+    const Table at_rest("sphere_layer", quantities::static_shift_ratio);
+    at_rest.check({"u_stat, layer", {8.5, .55}, [](const Point& p) {
+                       const auto [layer, point, friction] = rolled_of(p);
+                       return theory::layer_static_shift_ratio(layer, point.tangential_ratio);
+                   }});
+    at_rest.check({"u_stat, layer, by the half-space's form", {26, 1.8}, [](const Point& p) {
+                       return theory::static_shift_ratio(rolled_of(p).point.tangential_ratio);
+                   }});
+    const Table settled("sphere_layer", quantities::settled_shift_ratio);
+    settled.check({"u_sd, layer", {14, .61}, settled_on_layer});
+    settled.check({"u_sd, layer, by the half-space's form", {28, 2.5}, half_space_on_layer});
+    settled.check({"u_sd, layer, thesis", {38, 4.3}, thesis_on_layer});
+    const Table weak("sphere_layer", quantities::settled_shift_ratio, [](const Point& p) {
+        return p[3] > .5 && std::abs(theory::layer_coupling({p[3], p[4]}, p[5])) < .3;
+    });
+    weak.check({"u_sd, layer, b > D_c/2, abs(K) < 0.3", {9.5, .41}, settled_on_layer});
+}
+
+}  // namespace
+}  // namespace tricontact::atlas_formulas_test
