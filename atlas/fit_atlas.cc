@@ -1,0 +1,127 @@
+#include "atlas/fit_atlas.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/error.h"
+
+namespace tricontact::atlas {
+
+namespace {
+
+using comparisons::Quantity;
+using comparisons::Results;
+
+/// Largest over least value of what is fitted by its logarithm, all errors being relative: what
+/// falls further has a zero somewhere, near which its own size is no measure.
+constexpr double widest_spread = 100;
+
+/// The closed form that a quantity with a unit is a multiple of; that of the baseline else.
+std::optional<double> closed_form(const Atlas& atlas, const Quantity& q, const Sample& sample) {
+    if (*q.unit == '\0') return Baseline::of(q, atlas.baseline.at(sample.coordinates));
+    return q.exact ? comparisons::number_of(q.exact(comparisons::reference(sample.c)))
+                   : std::nullopt;
+}
+
+/// Points of [-1, 1]^n and what a polynomial is fitted to there.
+struct Table {
+    std::vector<double> points, values, corrections;
+};
+
+Table table_of(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& samples,
+               bool is_logarithmic) {
+    Table table;
+    for (const Sample& sample : samples) {
+        const auto finest = fitted_value(atlas, q, sample, sample.finest, is_logarithmic);
+        if (!finest) continue;
+        double correction = 0;
+        for (const Sample::Coarser& one : sample.coarser)
+            if (const auto coarser = fitted_value(atlas, q, sample, one.results, is_logarithmic))
+                correction += one.factor * (*finest - *coarser);
+        const std::vector<double> x = unit_coordinates(atlas, sample.coordinates);
+        table.points.insert(table.points.end(), x.begin(), x.end());
+        table.values.push_back(*finest);
+        table.corrections.push_back(correction);
+    }
+    return table;
+}
+
+bool is_constant(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [&](double v) { return v == values.front(); });
+}
+
+statistics::PolynomialFit fit_of(const Table& table, const std::vector<double>& values, int n) {
+    if (!is_constant(values)) return statistics::fit_polynomial(table.points, values, n);
+    const std::vector<std::uint8_t> zeros(static_cast<std::size_t>(n), 0);
+    return {.polynomial = {n, zeros, {values.front()}},
+            .log_error = {n, zeros, {0.}},
+            .error_factor = 0};
+}
+
+}  // namespace
+
+std::optional<double> fitted_value(const Atlas& atlas, const Quantity& q, const Sample& sample,
+                                   const Results& results, bool is_logarithmic) {
+    const auto value = results.number(q);
+    const auto form = closed_form(atlas, q, sample);
+    if (!value || !form || !(std::abs(*form) > 0)) return {};
+    const double quotient = *value / *form;
+    if (!is_logarithmic) return quotient;
+    return quotient > 0 ? std::optional(std::log(quotient)) : std::nullopt;
+}
+
+std::optional<double> extrapolated_value(const Atlas& atlas, const Quantity& q,
+                                         const Sample& sample) {
+    auto value = fitted_value(atlas, q, sample, sample.finest, false);
+    if (!value) return {};
+    const double finest = *value;
+    for (const Sample::Coarser& one : sample.coarser)
+        if (const auto coarser = fitted_value(atlas, q, sample, one.results, false))
+            *value += one.factor * (finest - *coarser);
+    return *q.unit ? *value : *value * Baseline::of(q, atlas.baseline.at(sample.coordinates));
+}
+
+Map fit_map(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& samples) {
+    const int n = static_cast<int>(atlas.axes.size());
+    Map map{.quantity = &q, .correction = {.n_variables = n}};
+    Table table = table_of(atlas, q, samples, false);
+    if (table.values.size() < statistics::least_points(n))
+        throw contact::InputError(fmt::format(
+            "{} is defined at {} of {} points, and {} are needed; {}", q.key, table.values.size(),
+            samples.size(), statistics::least_points(n),
+            *q.unit && !q.exact ? "it has a unit and no closed form: take the ratio of it"
+                                : "change the ranges, take more points, or omit it"));
+    const auto [least, most] = std::ranges::minmax(table.values);
+    map.is_logarithmic = least > 0 && most < widest_spread * least;
+    if (map.is_logarithmic) table = table_of(atlas, q, samples, true);
+    map.n_points = table.values.size();
+    map.fit = fit_of(table, table.values, n);
+    if (!is_constant(table.corrections))
+        map.correction = fit_of(table, table.corrections, n).polynomial;
+    return map;
+}
+
+double typical_error(const Map& map, const std::vector<Sample>& samples, const Atlas& atlas) {
+    statistics::ChebyshevTable chebyshev(static_cast<int>(atlas.axes.size()));
+    chebyshev.cover(map.fit.log_error);
+    chebyshev.cover(map.correction);
+    std::vector<double> errors;
+    double squares = 0;
+    for (const Sample& sample : samples) {
+        const auto value =
+            fitted_value(atlas, *map.quantity, sample, sample.finest, map.is_logarithmic);
+        if (!value) continue;
+        chebyshev.set_point(unit_coordinates(atlas, sample.coordinates));
+        errors.push_back(std::hypot(statistics::error_bar(map.fit, chebyshev),
+                                    chebyshev.evaluate(map.correction)));
+        squares += *value * *value;
+    }
+    const auto n = static_cast<double>(errors.size());
+    const auto place = errors.begin() + static_cast<std::ptrdiff_t>(0.95 * (n - 1));
+    std::ranges::nth_element(errors, place);
+    return map.is_logarithmic ? std::expm1(*place) : *place / std::sqrt(squares / n);
+}
+
+}  // namespace tricontact::atlas

@@ -1,0 +1,364 @@
+"use strict";
+// The atlases of the page at one place: the closed forms of MDR, the maps with their error bars, and
+// what these say of a half-space and of a layer side by side. Draws nothing and asks nothing of the
+// page: a test runs it by itself. The numbers are those of `tricontact predict`.
+
+const atlas_maps = (() => {
+
+// ---- Closed forms: theory/rolling/oscillating_rolling.h, theory/cattaneo_mindlin.h ----
+
+// 1 - (1 - u)^(3/2) without cancellation at small u.
+const static_force = u => u < 1 ? -Math.expm1(1.5 * Math.log1p(-u)) : 1;
+
+// u_stat of Cattaneo and Mindlin: 1 - (1 - f)^(2/3).
+const static_shift = f => f < 1 ? -Math.expm1(2 / 3 * Math.log1p(-f)) : 1;
+
+// f_T,lim of Hertz' pressure: 1 - 3/2 w + 1/2 w^3, its factor (1 - w)^2 taken out.
+const shakedown_limit = w => (1 - w) * (1 - w) * (1 + w / 2);
+
+// w_lim of that, by bisection: it falls all the way from 1 to 0.
+function amplitude_limit(f) {
+    let low = 0, high = 1;
+    for (let i = 0; i < 60; ++i) {
+        const middle = (low + high) / 2;
+        if (shakedown_limit(middle) > f) low = middle;
+        else high = middle;
+    }
+    return (low + high) / 2;
+}
+
+// MDR's u_sd, of f = 1 - 3/2 w u - (1 - u)^(3/2) in [0, 1 - w^2]; NaN beyond the limit. The left side
+// is concave in u: Newton's steps from 0 stay below the root.
+function settled_shift(w, f) {
+    if (f > shakedown_limit(w)) return NaN;
+    const highest = (1 - w) * (1 + w);
+    let u = 0;
+    for (let i = 0; i < 100; ++i) {
+        const step = (f - static_force(u) + 1.5 * w * u) / (1.5 * (Math.sqrt(1 - u) - w));
+        if (!(step > 0)) break;
+        u = Math.min(u + step, highest);
+        if (u === highest || step < 1e-16 * u) break;
+    }
+    return u;
+}
+
+// What maps are multiples of, by the name that the map gives: atlas/baseline.h.
+const closed_forms = {
+    "": () => 1,
+    "u_stat of Cattaneo and Mindlin": p => static_shift(p.f),
+    "u_sd of MDR": p => p.f < p.limit ? settled_shift(p.w, p.f) : NaN,
+    "f_T,lim of Hertz' pressure": p => p.limit,
+    "w - w_lim": p => p.f < p.limit ? NaN : p.w - amplitude_limit(p.f),
+};
+
+// ---- Maps: atlas/atlas.h ----
+
+const by_ratio = "load.tangential_ratio", by_fraction = "load.limit_fraction", by_excess = "load.limit_excess";
+
+// Of a value in [from, to], in [0, 1]: io::Study::Range.
+function fraction_of({from, to, scale}, value) {
+    const share = (value - from) / (to - from);
+    switch (scale) {
+    case "log": return Math.log(value / from) / Math.log(to / from);
+    case "cosine": return (1 - Math.cos(Math.PI * share)) / 2;
+    case "root-from": return Math.sqrt(share);
+    case "root-to": return 1 - Math.sqrt(1 - share);
+    default: return share;
+    }
+}
+
+function is_inside(axis, value) {
+    const tolerance = 1e-9 * (axis.to - axis.from);
+    return value >= axis.from - tolerance && value <= axis.to + tolerance;
+}
+
+const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+const unit_of = (axis, value) => clamp(2 * fraction_of(axis, clamp(value, axis.from, axis.to)) - 1, -1, 1);
+
+// T_0 ... T_largest at x.
+function chebyshev(x, largest) {
+    const row = [1, x];
+    for (let k = 2; k <= largest; ++k) row.push(2 * x * row[k - 1] - row[k - 2]);
+    return row;
+}
+
+// A polynomial of n variables where all but the first n_head stand still: one of those.
+function slice(polynomial, n, n_head, tail) {
+    const {degrees, coefficients} = polynomial;
+    const largest = Math.max(1, ...degrees);
+    const rows = tail.map(x => chebyshev(x, largest));
+    const sums = new Map();
+    for (let t = 0; t < coefficients.length; ++t) {
+        let product = coefficients[t], key = 0;
+        for (let d = 0; d < n_head; ++d) key = key * 256 + degrees[t * n + d];
+        for (let d = n_head; d < n; ++d) product *= rows[d - n_head][degrees[t * n + d]];
+        sums.set(key, (sums.get(key) ?? 0) + product);
+    }
+    const terms = [...sums].map(([key, coefficient]) => n_head === 2 ? [key >> 8, key & 255, coefficient]
+                                                                     : [key, 0, coefficient]);
+    return {terms, largest: [0, 1].map(d => Math.max(1, ...terms.map(term => term[d])))};
+}
+
+function sum_of({terms}, [first, second]) {
+    let sum = 0;
+    for (const [i, j, coefficient] of terms) sum += coefficient * first[i] * second[j];
+    return sum;
+}
+
+const names = {
+    "rolling.amplitude_ratio": "w", [by_ratio]: "f_T", [by_fraction]: "f_T/f_T,lim",
+    [by_excess]: "(f_T − f_T,lim)/(1 − f_T,lim)", "rolling.angle": "the angle",
+    "substrate.poisson": "ν", "substrate.thickness_ratio": "b/D_c", "friction.coefficient": "μ",
+};
+const degrees_of = radian => radian * 180 / Math.PI;
+
+// "outside the atlas: w from 0.02 to 0.85"
+function outside(axis) {
+    const is_angle = axis.key === "rolling.angle";
+    const [from, to] = [axis.from, axis.to].map(end => Number((is_angle ? degrees_of(end) : end).toPrecision(4)));
+    return `outside the atlas: ${names[axis.key] ?? axis.key} from ${from} to ${to}${is_angle ? "°" : ""}`;
+}
+
+// Reads the maps of one atlas. Axes of amplitude and load, which stand first, are those that a
+// picture goes over: for the others the polynomials are added up once.
+class Reader {
+    constructor(atlas) {
+        this.axes = atlas.axes;
+        this.largest_error = atlas.largest_error ?? 1;
+        this.maps = new Map(atlas.maps.map(map => [map.quantity, map]));
+        for (const map of atlas.maps)
+            if (!(map.over in closed_forms)) throw new Error(`${map.quantity}: no closed form "${map.over}"`);
+        const is_head = ({key}) => key === "rolling.amplitude_ratio" || key.startsWith("load.");
+        this.n_head = this.axes.slice(0, 2).filter(is_head).length;
+        this.load = this.axes.find(({key}) => key.startsWith("load."))?.key;
+    }
+    has(quantity) { return this.maps.has(quantity); }
+    axis(key) { return this.axes.find(axis => axis.key === key); }
+    // The axis that the point leaves; undefined inside.
+    outside(coordinates) { return this.axes.find((axis, d) => !is_inside(axis, coordinates[d])); }
+
+    slices(map, unit) {
+        const tail = unit.slice(this.n_head), key = tail.join();
+        if (map.sliced_at !== key) {
+            map.sliced_at = key;
+            map.slices = ["polynomial", "log_error", "correction"]
+                .map(part => slice(map[part], this.axes.length, this.n_head, tail));
+        }
+        return map.slices;
+    }
+    // The point of closed forms that a place in the atlas has.
+    point(coordinates) {
+        const w = coordinates[0], limit = shakedown_limit(w), load = coordinates[1];
+        const f = this.load === by_fraction ? load * limit
+            : this.load === by_excess ? limit + load * (1 - limit) : this.load === by_ratio ? load : NaN;
+        return {w, limit, f};
+    }
+    // {value, error}, the half width of its bar of 95 %; of a point that is taken into the domain.
+    read(quantity, coordinates) {
+        const map = this.maps.get(quantity);
+        const unit = this.axes.map((axis, d) => unit_of(axis, coordinates[d]));
+        const slices = this.slices(map, unit);
+        const largest = d => Math.max(...slices.map(part => part.largest[d]));
+        const rows = [chebyshev(unit[0], largest(0)),
+                      this.n_head === 2 ? chebyshev(unit[1], largest(1)) : [1]];
+        const [fitted, log_error, correction] = slices.map(part => sum_of(part, rows));
+        const form = closed_forms[map.over](this.point(coordinates));
+        const factor = Number.isFinite(form) ? form : 1;
+        const error = Math.hypot(map.error_factor * Math.exp(log_error), correction);
+        const quotient = fitted + correction;
+        if (!map.logarithmic) return this.said({value: factor * quotient, error: Math.abs(factor) * error});
+        const value = factor * Math.exp(quotient);
+        return this.said({value, error: Math.abs(value) * Math.expm1(error)});
+    }
+    // NaN with its bar where that is too long for a value.
+    said({value, error}) {
+        return {value: error > this.largest_error * Math.abs(value) ? NaN : value, error};
+    }
+    // With what errors of the first coordinates add to the bar.
+    read_with_errors(quantity, coordinates, errors) {
+        const result = this.read(quantity, coordinates);
+        errors.forEach((error, d) => {
+            if (!(error > 0)) return;
+            const axis = this.axes[d], there = [...coordinates];
+            there[d] += coordinates[d] < (axis.from + axis.to) / 2 ? error : -error;
+            result.error = Math.hypot(result.error, this.read(quantity, there).value - result.value);
+        });
+        return result;
+    }
+}
+
+// ---- Bodies side by side: atlas/prediction.cc ----
+
+const exact = value => ({value, error: 0});
+const ratio = (a, b) => {
+    const value = a.value / b.value;
+    return {value, error: Math.hypot(a.error, value * b.error) / Math.abs(b.value)};
+};
+const product = (a, b) => ({value: a.value * b.value, error: Math.hypot(a.error * b.value, b.error * a.value)});
+
+const scales = ["indentation_m", "contact_radius_m", "peak_pressure_Pa", "unit_shift_m"];
+const results = ["static_shift_ratio", "settled_shift_ratio", "kappa", "shift_increment_ratio", "eta"];
+const symbols = {static_shift_ratio: "u_stat", settled_shift_ratio: "u_sd", kappa: "κ", shift_increment_ratio: "Δu", eta: "η"};
+
+// `given`: {atlases: {name: atlas}, shape_error}, the latter what an exact sphere adds to the bars of
+// a paraboloid, as a share.
+//
+// A place: {w: W/a and f: F_T/(mu F_N) of the half-space, angle [rad], poisson, common_poisson (both
+// bodies together, of the half-space), is_layer, thickness_ratio: b over Hertz' diameter of contact,
+// friction, equal_amplitude: "W" or "w", equal_load: "F_T" or "share" (of each body's own limit)}.
+// w = 0: no rolling.
+function read_atlases(given) {
+    const readers = Object.fromEntries(Object.entries(given.atlases).map(([name, atlas]) => [name, new Reader(atlas)]));
+    const shape_error = given.shape_error ?? 0;
+    const with_shape = ({value, error}) => ({value, error: Math.hypot(error, shape_error * value)});
+    const pressed = readers.sphere_layer_pressed;
+    const has_layer = Boolean(pressed);
+    const limits = new Map();  // of the layer, as found before: a picture asks for each many times
+
+    // Scales of the layer over those of the half-space at the same force; {gap} outside.
+    function pressed_layer(place) {
+        const rest = [place.thickness_ratio, place.poisson], least = pressed.axes[0].from;
+        const axis = pressed.outside([least, ...rest]);
+        if (axis) return {gap: outside(axis)};
+        return Object.fromEntries(scales.map(key => [key, with_shape(pressed.read(key, [least, ...rest]))]));
+    }
+    // f_T,lim of the layer at its own amplitude; below the atlas it falls from 1 in proportion.
+    function layer_limit(place, w) {
+        const key = [w.value, w.error, place.thickness_ratio, place.poisson].join();
+        if (limits.size > 500) limits.clear();
+        if (!limits.has(key)) limits.set(key, find_layer_limit(place, w));
+        return limits.get(key);
+    }
+    function find_layer_limit(place, w) {
+        const key = "limit_tangential_ratio", least = pressed.axes[0].from;
+        const at = (value, errors) => pressed.read_with_errors(
+            key, [value, place.thickness_ratio, place.poisson], errors);
+        if (w.value < least) {
+            const there = at(least, []), share = w.value / least;
+            return {value: 1 + share * (there.value - 1), error: share * there.error};
+        }
+        return is_inside(pressed.axes[0], w.value) ? at(w.value, [w.error]) : exact(NaN);
+    }
+    // A load as its share of the limit: below it a quotient, beyond it the share of the way to 1.
+    const by_limit = (f, from, to) => f <= from ? f / from * to : to + (f - from) / (1 - from) * (1 - to);
+
+    // Coordinates behind amplitude and load.
+    const coordinates_of = (place, is_layer) => ({
+        "rolling.angle": place.angle, "substrate.thickness_ratio": place.thickness_ratio,
+        "substrate.poisson": is_layer ? place.poisson : place.common_poisson,
+        "friction.coefficient": place.friction});
+    const rest_of = (place, is_layer) => reader => {
+        const of_key = coordinates_of(place, is_layer);
+        return reader.axes.slice(2).map(({key}) => of_key[key]);
+    };
+
+    // What the maps say where a body has amplitude, load, limit and other coordinates.
+    function add_maps(body, name, rest, limit_at, keys) {
+        const ratchets = body.state === "ratcheting";
+        const reader = readers[ratchets ? name + "_ratcheting" : name];
+        body.atlas = ratchets ? name + "_ratcheting" : name;
+        if (!reader) {
+            body.gap = ratchets ? "no atlas of its ratcheting" : "no atlas of its shakedown";
+            return;
+        }
+        const w = body.is_at_rest ? exact(reader.axes[0].from) : body.w;
+        const limit = limit_at(w.value), way = 1 - limit.value;
+        const load = ratchets ? {value: (body.f.value - limit.value) / way,
+                                 error: Math.hypot(body.f.error, limit.error) / way}
+                              : ratio(body.f, limit);
+        const coordinates = [w.value, load.value, ...rest(reader)];
+        const axis = reader.outside(coordinates);
+        if (axis) {
+            body.gap = outside(axis);
+            return;
+        }
+        for (const key of keys) {
+            if (!reader.has(key) || body.is_at_rest && key !== "static_shift_ratio") continue;
+            const found = reader.read_with_errors(key, coordinates, [w.error, load.error]);
+            if (Number.isFinite(found.value)) body[key] = with_shape(found);
+            else body.unsure.push(key);
+        }
+        if (body.unsure.length)
+            body.gap = `without ${body.unsure.map(key => symbols[key]).join(", ")}, whose bar is longer than ` +
+                `${Number((100 * reader.largest_error).toPrecision(3))} % of the value`;
+    }
+    function begin(w, f, limit) {
+        const body = {w, f, limit, is_at_rest: w.value === 0, gap: "", unsure: []};
+        if (!(f.value >= 0 && f.value <= 1 && w.value >= 0 && w.value <= 1)) body.state = "none";
+        else if (body.is_at_rest) body.state = "at rest";
+        else if (Number.isNaN(limit.value)) body.state = "unknown";
+        else body.state = f.value > limit.value ? "ratcheting" : "shakedown";
+        return body;
+    }
+
+    function springs(place) {
+        const body = begin(exact(place.w), exact(place.f), exact(shakedown_limit(place.w)));
+        if (body.state === "none") return body;
+        body.static_shift_ratio = exact(static_shift(place.f));
+        if (body.state === "shakedown") {
+            body.settled_shift_ratio = exact(settled_shift(place.w, place.f));
+            body.kappa = exact(1.5);
+        } else if (body.state === "ratcheting") body.gap = "no closed form of its ratcheting";
+        return body;
+    }
+    // `keys`: of the results that are wanted.
+    function half_space(place, keys = results) {
+        const body = begin(exact(place.w), exact(place.f), exact(shakedown_limit(place.w)));
+        if (body.state !== "none")
+            add_maps(body, "sphere_half_space", rest_of(place, false),
+                     w => exact(shakedown_limit(w)), keys);
+        return body;
+    }
+    // Where the layer is, without its shifts. `scale`: of pressed_layer, which a picture asks once.
+    function layer_place(place, scale) {
+        const w = place.equal_amplitude === "W" ? ratio(exact(place.w), scale.contact_radius_m) : exact(place.w);
+        const limit = place.w === 0 ? exact(1) : layer_limit(place, w);
+        if (place.equal_load !== "share") return begin(w, exact(place.f), limit);
+        const f = by_limit(place.f, shakedown_limit(place.w), limit.value);
+        const above = by_limit(place.f, shakedown_limit(place.w), limit.value + limit.error);
+        return begin(w, {value: f, error: Math.abs(above - f)}, limit);
+    }
+    function layer(place, scale = pressed_layer(place), keys = results) {
+        if (scale.gap) return {state: "unknown", gap: scale.gap, scale: null};
+        const body = layer_place(place, scale);
+        body.scale = scale;
+        if (body.state === "unknown") body.gap = outside(pressed.axes[0]);
+        if (body.state === "none" || body.state === "unknown") return body;
+        add_maps(body, "sphere_layer", rest_of(place, true),
+                 w => layer_limit(place, exact(w)), keys);
+        return body;
+    }
+    // Shift of the body over U_max of the half-space; undefined where it has none.
+    function common_shift(body, key) {
+        if (!body?.[key]) return undefined;
+        return body.scale ? product(body[key], body.scale.unit_shift_m) : body[key];
+    }
+    // f_T of the half-space at which the layer is at its limit, at this w.
+    function layer_limit_line(place, scale) {
+        if (place.equal_load === "share") return shakedown_limit(place.w);
+        return layer_place({...place, f: 0}, scale).limit.value;
+    }
+
+    // Where a picture over w and f_T of the half-space has values: of the atlas with this ending, the
+    // amplitudes from .. to and the loads low .. high, shares of the limit or of the way from it to 1.
+    // {gap} where its other coordinates lie outside, null if there is no such atlas.
+    function domain(place, is_layer, ending, scale) {
+        const reader = readers[(is_layer ? "sphere_layer" : "sphere_half_space") + ending];
+        if (!reader) return null;
+        const of_key = coordinates_of(place, is_layer);
+        const axis = reader.axes.slice(2).find(one => !is_inside(one, of_key[one.key]));
+        if (axis) return {gap: outside(axis)};
+        const size = is_layer && place.equal_amplitude === "W" ? scale.contact_radius_m.value : 1;
+        const [w, load] = reader.axes, most = is_layer ? Math.min(w.to, pressed.axes[0].to) : w.to;
+        return {from: w.from * size, to: most * size, low: load.from, high: load.to};
+    }
+
+    return {
+        readers, has_layer, domain, springs, half_space, layer, pressed_layer, layer_limit_line, common_shift,
+        at: place => ({mdr: springs(place), bem: half_space(place),
+                       "bem-layer": place.is_layer && has_layer ? layer(place) : null}),
+    };
+}
+
+return {read_atlases, shakedown_limit, settled_shift, static_shift, amplitude_limit, ratio, degrees_of};
+})();

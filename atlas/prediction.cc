@@ -1,0 +1,326 @@
+#include "atlas/prediction.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "atlas/pressed_layer.h"
+#include "atlas/shipped.h"
+#include "comparisons/quantities/quantities.h"
+#include "comparisons/quantities/reference.h"
+#include "contact/bodies/half_space_scales.h"
+#include "contact/error.h"
+#include "contact/load_path.h"
+#include "theory/rolling/oscillating_rolling.h"
+
+namespace tricontact::atlas {
+
+namespace {
+
+using comparisons::Quantity;
+using contact::Case;
+using contact::State;
+namespace quantities = comparisons::quantities;
+
+/// What the maps of a paraboloid miss of a sphere, over (a/R)^2: U_stat of the rig's exact sphere
+/// is 0.14 % above that of its paraboloid at a/R = 0.11.
+constexpr double sphere_share = 0.12;
+/// Compliance of an indenter over that of the layer below which it counts as rigid.
+constexpr double rigid_share = 1e-3;
+
+Value exact(double value) {
+    return {value, 0};
+}
+
+/// Of independent factors.
+Value operator*(const Value& a, const Value& b) {
+    return {a.value * b.value, std::hypot(a.error * b.value, b.error * a.value)};
+}
+
+Value operator/(const Value& a, const Value& b) {
+    const double ratio = a.value / b.value;
+    return {ratio, std::hypot(a.error, ratio * b.error) / std::abs(b.value)};
+}
+
+/// Between the lines of load and rolling, in [0, pi/2].
+double angle_of(const Case& c) {
+    return c.rolling ? folded_angle(c.rolling->angle) : 0;
+}
+
+/// What no atlas is about; empty if nothing is in the way.
+std::string what_is_not_mapped(const Case& c) {
+    if (!contact::is_hertz_round(c)) return "bodies other than smooth paraboloids and spheres";
+    if (c.tractive_rolling) return "rolling on";
+    if (c.relaxation) return "relaxing substrates";
+    if (c.law != Case::Law::linear) return "finite strains";
+    if (!comparisons::constant_loads(c)) return "oscillating loads";
+    if (c.friction_coefficient <= 0) return "contacts without friction";
+    return "";
+}
+
+std::string what_layer_is_not_mapped(const Case& c) {
+    const auto& [thickness, ratio, base, width, depth, lower, ground] = c.layer;
+    if (!thickness) return "a half-space as a layer";
+    if (base != Case::Base::bonded || !lower.empty())
+        return "layers that are not bonded to a rigid base";
+    if (width || depth) return "layers of finite width or depth";
+    if (!c.contact.coupling) return "layers without coupling of normal and tangential contact";
+    if (c.load.press != Case::Press::friction || c.load.press_steps < 20)
+        return "layers that are not pressed with friction in 20 steps or more";
+    if (const auto& indenter = c.indenter.material)
+        if (indenter->plane_compliance() > rigid_share * c.substrate.plane_compliance())
+            return "indenters on a layer that are not rigid";
+    return "";
+}
+
+/// Where a contact lies in the maps of what rolling does.
+struct Place {
+    std::string atlas;  ///< of contacts that settle; "_ratcheting" is added for the others
+    Value w, f;         ///< amplitude over the own radius, load over mu F_N
+    std::function<Value(double w)> limit;  ///< f_T,lim
+    std::vector<double> rest;              ///< coordinates behind amplitude and load
+};
+
+/// A prediction as it grows.
+class Predictor {
+  public:
+    Predictor(const Case& c, const std::string& model) : c_(c) { p_.model = model; }
+
+    Prediction of_springs() {
+        const comparisons::Reference r = on_half_space("closed forms of MDR");
+        if (r.static_shift_ratio > 0)
+            set(quantities::static_shift_ratio, exact(r.static_shift_ratio));
+        if (r.shakedown_shift_ratio && r.limit_tangential_ratio) {
+            set(quantities::settled_shift_ratio, exact(*r.shakedown_shift_ratio));
+            set(quantities::kappa, exact(theory::mdr_mapping));
+        }
+        if (p_.state == State::ratcheting)
+            p_.gaps.emplace_back("the ratcheting of MDR has no closed form: tricontact run");
+        return finish();
+    }
+
+    Prediction of_half_space() {
+        const comparisons::Reference r = on_half_space("Hertz' closed forms");
+        add_maps({.atlas = "sphere_half_space",
+                  .w = exact(c_.rolling ? r.amplitude_ratio : 0),
+                  .f = exact(r.tangential_ratio),
+                  .limit = [](double w) { return exact(theory::shakedown_limit(w)); },
+                  .rest = {angle_of(c_), common_poisson(c_)}});
+        return finish();
+    }
+
+    Prediction of_layer() {
+        try {
+            add_layer();
+        } catch (const OutsideDomain& error) {
+            p_.gaps.emplace_back(error.what());
+        }
+        return finish();
+    }
+
+  private:
+    void add_layer() {
+        const Atlas& pressed = shipped("sphere_layer_pressed");
+        p_.rests_on.push_back(pressed.name);
+        const PressedLayer layer(c_, pressed);
+        const auto scale = [&](const Quantity& q, double of_hertz) {
+            return set(q, with_sphere(layer.scale(q) * exact(of_hertz)));
+        };
+        const contact::HalfSpaceScales& hertz = layer.hertz();
+        set(quantities::normal_force, exact(hertz.normal_force));
+        scale(quantities::indentation, hertz.indentation);
+        const Value radius = scale(quantities::contact_radius, hertz.contact_radius);
+        scale(quantities::peak_pressure, hertz.peak_pressure);
+        unit_shift_ = scale(quantities::unit_shift, hertz.unit_shift);
+
+        Place place{.atlas = "sphere_layer",
+                    .w = exact(0),
+                    .f = {},
+                    .limit = [&](double w) { return layer.limit(exact(w)); },
+                    .rest = {angle_of(c_), layer.thickness_ratio(), c_.substrate.poisson,
+                             c_.friction_coefficient}};
+        Value limit = exact(1);
+        if (c_.rolling) {
+            place.w = set(quantities::amplitude_ratio, amplitude_over(radius));
+            set(quantities::amplitude, place.w * radius);
+            limit = set(quantities::limit_tangential_ratio, layer.limit(place.w));
+        }
+        place.f = set(quantities::tangential_ratio, load_of(hertz.normal_force, limit));
+        add_maps(place);
+    }
+
+    Value set(const Quantity& q, const Value& value) {
+        p_.entries.push_back({&q, value});
+        return value;
+    }
+
+    Value with_sphere(Value v) const {
+        v.error = std::hypot(v.error, shape_error(c_) * v.value);
+        return v;
+    }
+
+    comparisons::Reference on_half_space(const char* name) {
+        const comparisons::Reference r = comparisons::reference(c_);
+        p_.rests_on.emplace_back(name);
+        set(quantities::normal_force, exact(r.hertz.normal_force));
+        set(quantities::indentation, exact(r.hertz.indentation));
+        set(quantities::contact_radius, exact(r.hertz.contact_radius));
+        set(quantities::peak_pressure, exact(r.hertz.peak_pressure));
+        unit_shift_ = set(quantities::unit_shift, exact(r.hertz.unit_shift));
+        set(quantities::tangential_ratio, exact(r.tangential_ratio));
+        if (!c_.rolling) return r;
+        set(quantities::amplitude_ratio, exact(r.amplitude_ratio));
+        set(quantities::amplitude, exact(r.amplitude_ratio * r.hertz.contact_radius));
+        if (r.limit_tangential_ratio) {
+            set(quantities::limit_tangential_ratio, exact(*r.limit_tangential_ratio));
+            p_.state = r.tangential_ratio < *r.limit_tangential_ratio ? State::shakedown
+                                                                      : State::ratcheting;
+        }
+        if (r.limit_amplitude_ratio)
+            set(quantities::limit_amplitude_ratio, exact(*r.limit_amplitude_ratio));
+        return r;
+    }
+
+    /// W over the own radius.
+    Value amplitude_over(const Value& radius) const {
+        const Case::Rolling& rolling = *c_.rolling;
+        const bool is_own = rolling.amplitude_ratio &&
+                            rolling.amplitude_reference == Case::AmplitudeReference::model;
+        if (is_own) return exact(*rolling.amplitude_ratio);
+        return exact(contact::path_amplitude(c_, 0)) / radius;
+    }
+
+    Value load_of(double normal_force, const Value& limit) const {
+        if (c_.load.is_by_limit()) {
+            const double f = c_.load.ratio_by_limit(limit.value);
+            return {f, std::abs(c_.load.ratio_by_limit(limit.value + limit.error) - f)};
+        }
+        return exact(comparisons::tangential_ratio(c_, normal_force));
+    }
+
+    /// Static shift alone without rolling, which is read at the least amplitude: it does not depend
+    /// on it. Whatever the maps do not reach is a gap.
+    void add_maps(const Place& place) {
+        const bool ratchets = c_.rolling && place.f.value > place.limit(place.w.value).value;
+        const std::string name = place.atlas + (ratchets ? "_ratcheting" : "");
+        if (std::ranges::count(shipped_names(), name) == 0) {
+            p_.gaps.push_back("no atlas " + name + ": tricontact run computes it");
+            return;
+        }
+        const Atlas& atlas = shipped(name);
+        p_.rests_on.push_back(name);
+        const double least = atlas.axes.front().range.from;
+        const Value w = c_.rolling ? place.w : exact(least);
+        try {
+            const Value limit = place.limit(w.value);
+            const Value load =
+                ratchets ? Value{(place.f.value - limit.value) / (1 - limit.value),
+                                 std::hypot(place.f.error, limit.error) / (1 - limit.value)}
+                         : place.f / limit;
+            std::vector<double> coordinates{w.value, load.value};
+            coordinates.insert(coordinates.end(), place.rest.begin(), place.rest.end());
+            Reader reader(atlas);
+            for (const Map& map : atlas.maps)
+                if (c_.rolling || map.quantity == &quantities::static_shift_ratio)
+                    add(map,
+                        reader.read_with_errors(map, coordinates, std::array{w.error, load.error}));
+        } catch (const OutsideDomain& error) {
+            p_.gaps.emplace_back(error.what());
+        }
+    }
+
+    void add(const Map& map, const Value& value) {
+        if (std::isfinite(value.value))
+            set(*map.quantity, with_sphere(value));
+        else
+            p_.gaps.push_back(std::string(map.quantity->key) +
+                              ": its error bar there is longer than the atlas allows");
+    }
+
+    /// Lengths of the ratios, and the order of the declarations.
+    Prediction finish() {
+        const std::pair<const Quantity*, const Quantity*> lengths[] = {
+            {&quantities::static_shift_ratio, &quantities::static_shift},
+            {&quantities::settled_shift_ratio, &quantities::settled_shift},
+            {&quantities::shift_increment_ratio, &quantities::shift_increment}};
+        for (const auto& [ratio, length] : lengths)
+            if (const auto* entry = p_.find(*ratio)) set(*length, entry->value * unit_shift_);
+        const auto all = comparisons::all_quantities();
+        std::ranges::sort(p_.entries, {}, [&](const Prediction::Entry& entry) {
+            return std::ranges::find(all, entry.quantity);
+        });
+        return std::move(p_);
+    }
+
+    const Case& c_;
+    Prediction p_;
+    Value unit_shift_{};
+};
+
+/// Why no atlas is about the case by this model; empty if one is.
+std::string what_is_not_mapped(const Case& c, const std::string& model) {
+    if (const std::string what = what_is_not_mapped(c); !what.empty()) return what;
+    if (model == "bem-layer") return what_layer_is_not_mapped(c);
+    if (model == "bem" && comparisons::couples(c, model))
+        return "half-spaces that couple normal and tangential contact (set contact.coupling = "
+               "false, or give a layer)";
+    if (model == "bem" || model == "mdr") return "";
+    return "what " + model + " computes";
+}
+
+}  // namespace
+
+const Prediction::Entry* Prediction::find(const Quantity& q) const {
+    const auto found = std::ranges::find(entries, &q, &Entry::quantity);
+    return found == entries.end() ? nullptr : &*found;
+}
+
+double folded_angle(double angle) {
+    return std::acos(std::abs(std::cos(angle)));
+}
+
+double common_poisson(const Case& c) {
+    const contact::MaterialPair pair = c.materials();
+    return pair.nu_over_g() / (pair.one_minus_nu_over_g() + pair.nu_over_g());
+}
+
+double shape_error(const Case& c) {
+    if (c.indenter.shape != Case::Shape::sphere) return 0;
+    const double slope = half_space_scales(c).contact_radius / c.indenter.radius;
+    return sphere_share * slope * slope;
+}
+
+Prediction predict(const Case& c, const std::string& model) {
+    if (const std::string what = what_is_not_mapped(c, model); !what.empty())
+        throw contact::InputError("no atlas is about " + what + "; tricontact run computes it");
+    Predictor predictor(c, model);
+    if (model == "mdr") return predictor.of_springs();
+    return model == "bem" ? predictor.of_half_space() : predictor.of_layer();
+}
+
+std::vector<std::string> predictable_models(const Case& c) {
+    std::vector<std::string> models;
+    std::string what;
+    for (const char* model : {"mdr", "bem", "bem-layer"}) {
+        const std::string here = what_is_not_mapped(c, model);
+        if (here.empty())
+            models.emplace_back(model);
+        else if (what.empty())
+            what = here;
+    }
+    if (models.empty())
+        throw contact::InputError("no atlas is about " + what + "; tricontact run computes it");
+    return models;
+}
+
+comparisons::Results results_of(const Prediction& prediction) {
+    comparisons::Results results;
+    results.model = prediction.model;
+    for (const auto& [quantity, value] : prediction.entries) results.set(*quantity, value.value);
+    if (prediction.state != State::undecided) results.set(quantities::state, prediction.state);
+    return results;
+}
+
+}  // namespace tricontact::atlas

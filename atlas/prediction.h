@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "comparisons/quantities/results.h"
+#include "contact/case.h"
+
+namespace tricontact::atlas {
+
+/// What the atlases say of a case in the place of a model's run.
+struct Prediction {
+    struct Entry {
+        const comparisons::Quantity* quantity;
+        Value value;  ///< with the half width of its bar of 95 %; 0 for closed forms
+    };
+
+    std::string model;  ///< whose results these are: "bem"
+    contact::State state = contact::State::undecided;
+    std::vector<Entry> entries;         ///< in the order of the quantities' declarations
+    std::vector<std::string> rests_on;  ///< atlases and closed forms
+    std::vector<std::string> gaps;      ///< what is not said, and why
+
+    const Entry* find(const comparisons::Quantity& q) const;
+};
+
+/// Of one model that an atlas was made with, and `mdr` by its closed forms. Throws
+/// contact::InputError if no atlas is about such a case, saying why.
+Prediction predict(const contact::Case& c, const std::string& model);
+
+/// The models that the case may be asked for, the most complete one last; throws as `predict` if
+/// there is none.
+std::vector<std::string> predictable_models(const contact::Case& c);
+
+/// The angle between two lines, in [0, pi/2], of an angle in any quadrant [rad].
+double folded_angle(double angle);
+/// Poisson's ratio of two half-spaces together: that of one body with their ratio of tangential to
+/// normal compliance.
+double common_poisson(const contact::Case& c);
+/// What an exact sphere adds to the bars of maps of paraboloids, as a share; 0 for others.
+double shape_error(const contact::Case& c);
+
+/// Values as results of a run, without their bars.
+comparisons::Results results_of(const Prediction& prediction);
+
+}  // namespace tricontact::atlas
