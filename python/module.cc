@@ -49,5 +49,6 @@ PYBIND11_MODULE(_core, module) {
     python::add_run(module);
     python::add_roll(module);
     python::add_theory(module);
+    python::add_atlas(module);
     python::add_walk(module);
 }

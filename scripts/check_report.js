@@ -65,6 +65,93 @@ async function check_marker(expect, settle) {
     }
 }
 
+// A page of atlases: mouse, keys, sliders and fields move its marker, by which sentence, table and
+// pictures change; each map is drawn; numbers beyond an atlas say so; and back to the case.
+async function check_atlas(expect, settle) {
+    const part = id => document.getElementById(id), marker = part("map_marker");
+    if (!marker) return;
+    const seen = () => ({
+        curves: [...part("chart_curve").querySelectorAll("path.point, path.js-line")]
+            .map(path => path.getAttribute("d") + path.getAttribute("transform")).join(),
+        words: marker.getAttribute("aria-valuetext"),
+        numbers: part("numbers").textContent,
+    });
+    const place = () => [part("value_w").value, part("value_f").value].join();
+    function set(id, value, event) {
+        const element = part(id);
+        if (element.type === "checkbox") element.checked = value;
+        else element.value = value;
+        element.dispatchEvent(new Event(event, {bubbles: true}));
+    }
+    async function to(w, f) {
+        set("value_w", w, "change");
+        set("value_f", f, "change");
+        await settle();
+    }
+    const first = place();
+    function point(type, w, f) {
+        const box = part("map_area").getBoundingClientRect();
+        part("map_area").dispatchEvent(new PointerEvent(type, {
+            bubbles: true, cancelable: true, pointerId: 7, pointerType: "mouse",
+            clientX: box.left + w * box.width, clientY: box.bottom - f * box.height}));
+    }
+    const key = name => marker.dispatchEvent(new KeyboardEvent("keydown", {key: name, bubbles: true}));
+    const ways = {
+        "dragging": ["0.4,0.1", () => {
+            point("pointerdown", 0.3, 0.2);
+            point("pointermove", 0.4, 0.1);
+            point("pointerup", 0.4, 0.1);
+        }],
+        "the key →": ["0.205,0.2", () => key("ArrowRight")],
+        "the key ←": ["0.195,0.2", () => key("ArrowLeft")],
+        "the key ↑": ["0.2,0.205", () => key("ArrowUp")],
+        "the key ↓": ["0.2,0.195", () => key("ArrowDown")],
+        "the slider of w": ["0.5,0.2", () => set("slider_w", 0.5, "input")],
+        "the slider of f_T": ["0.2,0.4", () => set("slider_f", 0.4, "input")],
+    };
+    for (const [way, [there, move]] of Object.entries(ways)) {
+        await to(0.2, 0.2);
+        const before = seen();
+        move();
+        await settle();
+        expect(place() === there, `${way} leads to ${place()}, not ${there}`);
+        const after = seen();
+        for (const what in before) expect(after[what] !== before[what], `${way} leaves the ${what} as they were`);
+        await to(0.2, 0.2);
+        for (const what in before) expect(seen()[what] === before[what], `back before ${way}, other ${what}`);
+    }
+    point("pointermove", 0.9, 0.9);
+    expect(place() === "0.2,0.2", "the marker follows a free pointer");
+
+    for (const is_layer of [false, true]) {
+        if (is_layer && part("is_layer").closest("[hidden]")) continue;
+        set("is_layer", is_layer, "change");
+        set("body", "bem", "change");
+        for (const option of part("quantity").options) {
+            set("quantity", option.value, "change");
+            await settle();
+            expect(part("chart_map").querySelector(".contourlayer .contour path, .heatmaplayer image"),
+                   `no map of ${option.textContent}`);
+        }
+    }
+    for (const [id, value] of [["slider_angle", 45], ["slider_poisson", 0.3], ["slider_thickness_ratio", 0]]) {
+        const before = part("numbers").textContent;
+        set(id, value, "input");
+        await settle();
+        expect(part("numbers").textContent !== before || part(id).hidden, `${id} changes no number`);
+    }
+    await to(0.95, 0.001);
+    expect(part("gaps").textContent.includes("outside the atlas: w from"), "w = 0.95 is not said to be outside the atlas");
+    expect(!/(over|under)states/.test(part("verdict").textContent), "the sentence compares outside the atlas");
+    await to(0.6, 0.9);
+    expect(part("verdict").textContent.includes("ratchets"), "f_T = 0.9 at w = 0.6 does not ratchet");
+    set("value_w", 7, "change");
+    expect(part("value_w").value === "0.6", "w = 7 is taken");
+    part("to_case").click();
+    await settle();
+    expect(place() === first, `back to the case leads to ${place()}, not ${first}`);
+}
+
 addEventListener("load", async () => {
     const complaints = [];
     const expect = (right, complaint) => right || complaints.push(complaint);
@@ -131,6 +218,7 @@ addEventListener("load", async () => {
     }
 
     await check_marker(expect, settle);
+    await check_atlas(expect, settle);
 
     const drawings = [];
     HTMLAnchorElement.prototype.click = function() { drawings.push(this); };

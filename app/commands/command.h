@@ -131,6 +131,8 @@ Command verify_command();
 Command walk_command();
 Command roll_command();
 Command sweep_command();
+Command atlas_command();
+Command predict_command();
 Command experiment_command();
 Command deviation_command();
 Command fit_command();

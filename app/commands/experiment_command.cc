@@ -71,10 +71,10 @@ struct Predictions {
             throw contact::InputError(*input_.case_file +
                                       ": indenter.shape: records are compared with the formulas of "
                                       "a sphere; give that, or a paraboloid");
-        if (c.load.limit_fraction)
+        if (c.load.is_by_limit())
             throw contact::InputError(
-                *input_.case_file +
-                ": load.limit_fraction: the rig sets a force; give load.tangential_force");
+                fmt::format("{}: {}: the rig sets a force; give load.tangential_force",
+                            *input_.case_file, c.load.limit_key()));
         const auto hertz = contact::half_space_scales(c);
         const double amplitude = contact::path_amplitude(c, hertz.contact_radius);
         for (const auto& error : input_.errors)

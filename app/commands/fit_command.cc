@@ -40,10 +40,11 @@ void require_constant_rolling(const FitOptions& options, const Case& c) {
         options.refuse(
             "kappa and eta are those of a paraboloid or sphere, the line contact's figures "
             "those of a cylinder; give it such an indenter.shape");
-    if (c.load.limit_fraction)
+    if (c.load.is_by_limit())
         options.refuse(
-            "load.limit_fraction: models are compared and fitted at one F_T, not each at its own; "
-            "vary load.tangential_ratio");
+            fmt::format("{}: models are compared and fitted at one F_T, not each at its own; vary "
+                        "load.tangential_ratio",
+                        c.load.limit_key()));
     if (!comparisons::constant_loads(c))
         options.refuse(
             "kappa and eta belong to rolling under constant loads; leave out "

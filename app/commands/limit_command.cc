@@ -30,10 +30,10 @@ void check(const LimitOptions& options, const Case& c) {
         options.refuse(
             "the loads oscillate, the limit is that under constant loads; leave out "
             "load.normal_amplitude_ratio and load.tangential_amplitude_ratio");
-    if (options.varied() == LimitVariable::amplitude && c.load.limit_fraction)
+    if (options.varied() == LimitVariable::amplitude && c.load.is_by_limit())
         options.refuse(
-            "load.limit_fraction follows the amplitude: no amplitude is its limit; give "
-            "load.tangential_ratio");
+            std::string(c.load.limit_key()) +
+            " follows the amplitude: no amplitude is its limit; give load.tangential_ratio");
     const comparisons::Reference r = comparisons::reference(c);
     if (options.varied() == LimitVariable::amplitude && !(r.tangential_ratio > 0))
         options.refuse(

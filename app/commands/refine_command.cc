@@ -17,8 +17,8 @@ namespace {
 using comparisons::Results;
 using json = nlohmann::ordered_json;
 
-const std::vector<std::string> results{resolved_case_name, "report.html", "refinement.csv",
-                                       "refinement.json", "plots/"};
+const std::vector<std::string> level_results{resolved_case_name, "report.html", "refinement.csv",
+                                             "refinement.json", "plots/"};
 
 /// The numbers of a finished level.
 struct Finished {
@@ -60,7 +60,7 @@ struct FinishedLevels {
         options_.say(fmt::format("{}: {}", level.name, level.what));
         io::make_output_folder(folder(level));
         // Those of an earlier call must not seem to be of this one while it is unfinished.
-        io::remove_old_results(options_.output, results);
+        io::remove_old_results(options_.output, level_results);
         io::remove_old_results(folder(level), {"level.json"});
         io::remove_old_results(folder(level) + '/' + options_.model, model_results);
         RunOptions options{options_};
@@ -152,7 +152,7 @@ comparisons::Refinement finish_last(const Level& finest, const FinishedLevels& l
 
 // Results stay until a level has to be computed (Levels::run).
 io::OutputNames names_of(const RefinementPlan& plan) {
-    io::OutputNames names{{}, results};
+    io::OutputNames names{{}, level_results};
     for (const Level& level : plan.levels) names.kept.push_back(level.name + '/');
     if (plan.wide) names.kept.push_back(plan.wide->name + '/');
     return names;

@@ -6,6 +6,8 @@
 #include "app/roll_models.h"
 #include "app/studies/point_key.h"
 #include "app/studies/study_kind.h"
+#include "atlas/prediction.h"
+#include "atlas/shipped.h"
 #include "io/case/case_reader.h"
 #include "report/format.h"
 
@@ -25,6 +27,8 @@ std::vector<std::string> finer(const std::string& model, const Case& c, int k) {
     if (model == "mdr-layer")
         throw contact::InputError(
             "levels: mdr-layer chooses its elements by itself; omit levels, or leave it out");
+    if (model == "atlas")
+        throw contact::InputError("levels: atlas has no resolution; omit levels, or leave it out");
     if (model == "mdr") return {fmt::format("mdr.springs={}", std::lround(c.mdr.springs * factor))};
     if (model.starts_with("bem"))
         return {c.bem.spacing
@@ -46,8 +50,10 @@ void check_models(const Study& study) {
                             study.name, name));
 }
 
-StudyPoint point_of(const Study& study, const Combination& combination, const std::string& model,
-                    int level) {
+}  // namespace
+
+StudyPoint study_point(const Study& study, const Combination& combination, const std::string& model,
+                       int level) {
     try {
         std::vector<io::Entry> entries = combination.entries;
         entries.push_back(io::overriding("models", std::vector<std::string>{model}, "models"));
@@ -63,6 +69,8 @@ StudyPoint point_of(const Study& study, const Combination& combination, const st
                                               error.what()));
     }
 }
+
+namespace {
 
 std::string folder_of(const StudyPoint& point) {
     return "points/" + point.key;
@@ -92,6 +100,18 @@ comparisons::Sweep::Point reported(const StudyPoint& point, const io::ResultStor
     return result;
 }
 
+/// By the most complete model that an atlas is about.
+std::string read_in_atlas(const Case& c) {
+    const atlas::Prediction p = atlas::predict(c, atlas::predictable_models(c).back());
+    return json{{"results", comparisons::stored_results(atlas::results_of(p))}, {"cpu_s", 0}}
+        .dump();
+}
+
+/// What a result depends on beside case and program.
+std::string other_digests(const Case& c, const std::string& model) {
+    return file_digests(c) + (model == "atlas" ? std::string(atlas::shipped_digest()) : "");
+}
+
 /// Every point by every model.
 class ContactKind : public StudyKind {
   public:
@@ -102,7 +122,7 @@ class ContactKind : public StudyKind {
         for_each_combination(study, n_each, [&](const Combination& combination) {
             for (const std::string& model : study.models)
                 for (int level = 0; level < study.levels; ++level)
-                    points.push_back(point_of(study, combination, model, level));
+                    points.push_back(study_point(study, combination, model, level));
         });
         return points;
     }
@@ -124,6 +144,7 @@ class ContactKind : public StudyKind {
     std::string compute(const StudyPoints& points, const Places& lot,
                         const std::string& folder) const override {
         const StudyPoint& point = points[lot.front()];
+        if (point.model == "atlas") return read_in_atlas(point.contact());
         const contact::History history = folder.empty()
                                              ? history_of(point.model, point.contact(), 1, silent)
                                              : history_with_files(point, folder);
@@ -183,7 +204,7 @@ StudyPoint make_point(const Case& c, const std::string& model, int level, const 
             .c = of_point,
             .output = c.output,
             .resolved = io::write_case(of_point),
-            .key = point_key(io::write_case(content) + file_digests(content))};
+            .key = point_key(io::write_case(content) + other_digests(content, model))};
 }
 
 std::string surface_file(const StudyPoint& point) {

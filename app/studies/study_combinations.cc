@@ -87,6 +87,9 @@ void for_each_row(const Study& study, const std::vector<Block>& blocks, std::siz
 
 void for_each_combination(const Study& study, std::size_t n_each,
                           const std::function<void(const Combination&)>& call) {
+    if (study.atlas)
+        throw contact::InputError(study.name +
+                                  ": is the study of an atlas; tricontact atlas computes it");
     const std::vector<Block> blocks = blocks_of(study);
     check_number(study, blocks, n_each);
     Combination at{std::vector<std::string>(study.axes.size()), study.settings};

@@ -91,6 +91,11 @@ struct Combination {
 /// a few kB.
 inline constexpr std::size_t most_points = 100'000;
 
+/// One combination of a study by one model at a level. Throws contact::InputError that names the
+/// study and the values.
+StudyPoint study_point(const io::Study& study, const Combination& combination,
+                       const std::string& model, int level);
+
 /// Calls for all combinations of the study's lists, ranges and sample, the last axis fastest.
 /// `n_each`: points that the caller makes of each. Throws contact::InputError if they are more than
 /// most_points.

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
-#include <cstdlib>
 #include <stdexcept>
 
+#include "app/studies/shard.h"
 #include "app/studies/study_kind.h"
 #include "report/csv.h"
 #include "walking/input/walk_keys.h"
@@ -17,33 +16,6 @@ namespace {
 using report::csv_field;
 
 constexpr const char* table_name = "results.csv";
-
-/// Shard i of n, from 1, of a study's points.
-struct Shard {
-    int i = 1, n = 1;
-
-    /// By the point's key, so that a study that is extended keeps its shards.
-    bool has(const std::string& key) const {
-        const std::uint64_t front = std::strtoull(key.substr(0, 16).c_str(), nullptr, 16);
-        return front % static_cast<std::uint64_t>(n) == static_cast<std::uint64_t>(i - 1);
-    }
-};
-
-Shard shard_of(const std::string& text) {
-    constexpr int most = 100'000;
-    Shard shard;
-    if (text.empty()) return shard;
-    const char* const end = text.data() + text.size();
-    const auto i = std::from_chars(text.data(), end, shard.i);
-    const bool slash = i.ec == std::errc() && i.ptr != end && *i.ptr == '/';
-    const auto n = std::from_chars(slash ? i.ptr + 1 : end, end, shard.n);
-    if (!slash || n.ec != std::errc() || n.ptr != end || shard.i < 1 || shard.n < shard.i ||
-        shard.n > most)
-        throw contact::InputError(fmt::format(
-            "--shard {}: must be i/n with 1 <= i <= n <= {}; write for example --shard 1/8", text,
-            most));
-    return shard;
-}
 
 std::string field(const json& value) {
     if (value.is_null()) return {};
@@ -138,7 +110,7 @@ comparisons::Sweep::Axis axis_of(const io::Study::Axis& axis) {
     const bool has_unit = dimension != io::Dimension::none;
     return {.key = std::string(axis.key->path),
             .unit = std::string(has_unit ? io::si_unit(dimension) : ""),
-            .logarithmic = range && range->logarithmic};
+            .logarithmic = range && range->scale == io::Study::Scale::log};
 }
 
 std::string failure_of(const std::optional<io::PointOutcome>& outcome) {

@@ -7,7 +7,7 @@
 Quantities are in SI units; those of a case may be texts with units, as in case files.
 """
 
-from . import theory
+from . import atlas, theory
 from ._core import (
     Case,
     HalfSpaceScales,
@@ -23,6 +23,7 @@ from ._core import (
     __version__,
     run,
 )
+from .atlas import predict
 from .rolling import Rolling, roll
 from .studies import sweep
 from .table import Table, read_table
@@ -44,6 +45,8 @@ __all__ = [
     "Walk",
     "WalkCase",
     "__version__",
+    "atlas",
+    "predict",
     "read_table",
     "roll",
     "run",

@@ -12,7 +12,7 @@ complain() {
     printf 'FAILED: %s\n' "$*"
 }
 
-rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking)
+rooms=(app bem comparisons contact experiments fem files io mdr meshes python report rolling statistics theory walking atlas)
 
 # may_include FOLDER OTHERS...: files of a folder and its subfolders include their own and these.
 may_include() {
@@ -38,6 +38,7 @@ may_include io contact files
 may_include report contact statistics
 may_include comparisons contact theory statistics io report
 # Features, which do not know each other.
+may_include atlas contact theory statistics io report comparisons files
 may_include rolling contact theory statistics io report comparisons files
 may_include walking contact theory statistics io report comparisons files
 may_include experiments contact theory statistics io report comparisons files

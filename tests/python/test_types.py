@@ -24,6 +24,9 @@ result = tricontact.run(case, models=["mdr"], threads=2, on_step=lambda model, s
 shift: NDArray[np.float64] = result["mdr"]["shift_x_m"]
 limit: float = theory.shakedown_limit(0.5)
 limits: NDArray[np.float64] = theory.shakedown_limit(np.array([0.1, 0.5]))
+rig = tricontact.atlas.load("sphere_half_space")
+values, errors = rig("kappa", amplitude_ratio=np.array([0.1, 0.2]), outside="nan", angle=0)
+predicted: float = tricontact.predict(case)["bem"]["settled_shift_ratio"]
 rows: int = len(tricontact.sweep("study.toml", jobs=2)["model"])
 case.models = []  # an error: it cannot be set
 case.run()  # an error: there is none
@@ -53,8 +56,9 @@ def test_everything_is_documented():
     for name in tricontact.__all__:
         thing = getattr(tricontact, name)
         assert name == "__version__" or thing.__doc__, name
-    for name in tricontact.theory.__all__:
-        assert getattr(tricontact.theory, name).__doc__, name
+    for module in (tricontact.theory, tricontact.atlas):
+        for name in module.__all__:
+            assert getattr(module, name).__doc__, name
 
 
 def mypy(*arguments, cwd):
