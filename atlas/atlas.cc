@@ -85,7 +85,7 @@ void Reader::go_to(std::span<const double> coordinates) {
 Value Reader::read(const Map& map) const {
     return value_of(atlas_, map, table_.evaluate(map.fit.polynomial),
                     statistics::error_bar(map.fit, table_), table_.evaluate(map.correction),
-                    Baseline::of(*map.quantity, point_));
+                    atlas_.baseline.of(*map.quantity, point_));
 }
 
 Value Reader::read_with_errors(const Map& map, std::vector<double> coordinates,
@@ -132,12 +132,12 @@ Values read_all(const Atlas& atlas, const Map& map, std::span<const double> poin
     const std::vector<double> fitted = statistics::evaluate_all(map.fit.polynomial, unit);
     const std::vector<double> log_errors = statistics::evaluate_all(map.fit.log_error, unit);
     const std::vector<double> corrections = statistics::evaluate_all(map.correction, unit);
-    const bool has_form = !Baseline::name_of(*map.quantity).empty();
+    const bool has_form = !atlas.baseline.name_of(*map.quantity).empty();
     Values result{std::vector<double>(n), std::vector<double>(n)};
     for (std::size_t i = 0; i < n; ++i) {
         const double factor =
             has_form && inside[i]
-                ? Baseline::of(*map.quantity, atlas.baseline.at(points.subspan(i * n_axes, n_axes)))
+                ? atlas.baseline.of(*map.quantity, atlas.baseline.at(points.subspan(i * n_axes, n_axes)))
                 : 1;
         const Value value = inside[i] ? value_of(atlas, map, fitted[i],
                                                  map.fit.error_factor * std::exp(log_errors[i]),

@@ -82,10 +82,10 @@ Axis axis_of(const Json& json) {
              .points = {}}};
 }
 
-Json json_of(const Map& map) {
+Json json_of(const Atlas& atlas, const Map& map) {
     const statistics::PolynomialFit& fit = map.fit;
     return {{"quantity", map.quantity->key},
-            {"over", Baseline::name_of(*map.quantity)},
+            {"over", atlas.baseline.name_of(*map.quantity)},
             {"logarithmic", map.is_logarithmic},
             {"points", map.n_points},
             {"largest_error", nine_digits(fit.largest_error)},
@@ -104,7 +104,8 @@ const Quantity& quantity_of(const std::string& key) {
     throw contact::InputError("unknown quantity " + key);
 }
 
-Map map_of(const Json& json, int n_variables) {
+Map map_of(const Json& json, const Atlas& atlas) {
+    const int n_variables = static_cast<int>(atlas.axes.size());
     Map map{.quantity = &quantity_of(json.at("quantity").get<std::string>()),
             .is_logarithmic = json.at("logarithmic").get<bool>(),
             .fit = {.polynomial = polynomial_of(json.at("polynomial"), n_variables),
@@ -116,7 +117,7 @@ Map map_of(const Json& json, int n_variables) {
                     .rms_error = json.at("rms_error").get<double>()},
             .correction = polynomial_of(json.at("correction"), n_variables),
             .n_points = json.at("points").get<std::size_t>()};
-    const std::string form = Baseline::name_of(*map.quantity);
+    const std::string form = atlas.baseline.name_of(*map.quantity);
     if (const auto over = json.at("over").get<std::string>(); over != form)
         throw contact::InputError(
             fmt::format("{} is mapped over \"{}\", not \"{}\"", map.quantity->key, over, form));
@@ -126,7 +127,7 @@ Map map_of(const Json& json, int n_variables) {
 Json json_of(const Atlas& atlas) {
     Json axes = Json::array(), maps = Json::array();
     for (const Axis& axis : atlas.axes) axes.push_back(json_of(axis));
-    for (const Map& map : atlas.maps) maps.push_back(json_of(map));
+    for (const Map& map : atlas.maps) maps.push_back(json_of(atlas, map));
     return {{"format", format_name},
             {"name", atlas.name},
             {"title", atlas.title},
@@ -172,9 +173,8 @@ Atlas atlas_of(const Json& json, const std::string& name) {
     if (keys.empty() || keys.size() > statistics::most_variables)
         throw contact::InputError(
             fmt::format("has {} axes, must have 1 to {}", keys.size(), statistics::most_variables));
-    for (const Json& map : json.at("maps"))
-        atlas.maps.push_back(map_of(map, static_cast<int>(keys.size())));
-    atlas.baseline = Baseline(io::parse_case(atlas.base, name + ": case"), keys);
+    atlas.baseline = Baseline(io::parse_case(atlas.base, name + ": case"), atlas.model, keys);
+    for (const Json& map : json.at("maps")) atlas.maps.push_back(map_of(map, atlas));
     return atlas;
 }
 

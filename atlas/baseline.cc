@@ -7,7 +7,9 @@
 #include "contact/bodies/half_space_scales.h"
 #include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
+#include "theory/layer/layer_forms.h"
 #include "theory/oscillating_cylinder.h"
+#include "theory/rolling/mapped_shakedown.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::atlas {
@@ -19,53 +21,91 @@ namespace quantities = comparisons::quantities;
 using contact::Case;
 using Point = Baseline::Point;
 
-struct ClosedForm {
-    const Quantity* quantity;
-    const char* name;
-    double (*value)(const Point&);
-};
+// Ranges of the formulas. Beyond they are taken at the end: a map has no use for the best formula,
+// but for one without a step.
+constexpr double largest_amplitude = .85, least_thickness = .25, least_friction = .4;
+/// Of the frictional work that coupling of normal and tangential contact does while a contact of
+/// small loads settles, over K^2 w mu F_N U_max: by the order of the computed ones.
+constexpr double work_of_coupling = .1;
 
-const ClosedForm closed_forms[] = {
-    {&quantities::static_shift_ratio, "u_stat of Cattaneo and Mindlin",
-     [](const Point& p) { return p.u_stat; }},
-    {&quantities::settled_shift_ratio, "u_sd of MDR", [](const Point& p) { return p.u_sd; }},
-    {&quantities::limit_tangential_ratio, "f_T,lim of Hertz' pressure",
-     [](const Point& p) { return p.limit; }},
-    {&quantities::shift_increment_ratio, "w - w_lim", [](const Point& p) { return p.excess; }}};
-
-const ClosedForm* find(const Quantity& q) {
-    const auto* found = std::ranges::find(closed_forms, &q, &ClosedForm::quantity);
-    return found == std::end(closed_forms) ? nullptr : found;
+double inside(double value, double from, double to) {
+    return std::clamp(value, from, to);
 }
+
+constexpr const char* cattaneo = "u_stat of Cattaneo and Mindlin";
+constexpr const char* line_static = "u_stat of a line contact";
+constexpr const char* line_settled = "u_sd of a line contact";
+constexpr const char* work_of_shift = "f_T (u_sd - u_stat)";
+constexpr const char* limit_of_hertz = "f_T,lim of Hertz' pressure";
+constexpr const char* excess = "w - w_lim";
+constexpr const char* line_excess = "(w - w_lim)/lambda";
 
 }  // namespace
 
-Baseline::Baseline(const Case& base, const std::vector<std::string>& keys) {
-    const bool is_ratio = base.rolling && base.rolling->amplitude_ratio &&
-                          base.rolling->amplitude_reference == Case::AmplitudeReference::model;
-    is_line_ = base.is_line_contact();
-    if (!is_ratio || (!is_line_ && !contact::is_hertz_round(base))) return;
+// Columns: springs, round, round_layer, line, line_layer.
+const Baseline::Formula Baseline::formulas[] = {
+    {&quantities::static_shift_ratio,
+     &Point::u_stat,
+     {cattaneo, cattaneo, "u_stat of a lifted contact", line_static, line_static}},
+    {&quantities::settled_shift_ratio,
+     &Point::u_sd,
+     {"u_sd of MDR", "u_sd of the mapped formula", "u_sd of a lifted contact", line_settled,
+      line_settled}},
+    {&quantities::kappa,
+     &Point::mapping,
+     {nullptr, "kappa of the mapped formula", "1/w", nullptr, nullptr}},
+    {&quantities::settling_work_ratio,
+     &Point::work,
+     {work_of_shift, work_of_shift, "f_T (u_sd - u_stat) + K^2 w/10", work_of_shift,
+      work_of_shift}},
+    {&quantities::limit_tangential_ratio,
+     &Point::limit,
+     {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz}},
+    {&quantities::shift_increment_ratio,
+     &Point::excess,
+     {excess, excess, excess, line_excess, line_excess}}};
+
+Baseline::Baseline(const Case& base, const std::string& model,
+                   const std::vector<std::string>& keys) {
+    const bool is_ratio =
+        !base.rolling || (base.rolling->amplitude_ratio && base.rolling->amplitude_reference ==
+                                                               Case::AmplitudeReference::model);
+    const Case::Load& load = base.load;
+    const bool has_load = load.tangential_ratio || load.is_by_limit();
+    const bool is_line = base.is_line_contact();
+    if (!is_ratio || !has_load || (!is_line && !contact::is_hertz_round(base))) return;
     const auto source = [&](const char* key, double value) {
         const auto found = std::ranges::find(keys, key);
-        Source s{.place = {}, .value = value};
+        Source s{.value = value};
         if (found != keys.end()) s.place = static_cast<std::size_t>(found - keys.begin());
         return s;
     };
-    w_ = source("rolling.amplitude_ratio", *base.rolling->amplitude_ratio);
-    const Case::Load& load = base.load;
+    if (base.rolling) {
+        w_ = source("rolling.amplitude_ratio", *base.rolling->amplitude_ratio);
+        angle_ = source("rolling.angle", base.rolling->angle);
+    }
     if (load.tangential_ratio) {
         kind_ = Load::ratio;
         load_ = source("load.tangential_ratio", *load.tangential_ratio);
     } else if (load.limit_fraction) {
         kind_ = Load::fraction;
         load_ = source("load.limit_fraction", *load.limit_fraction);
-    } else if (load.limit_excess) {
+    } else {
         kind_ = Load::excess;
         load_ = source("load.limit_excess", *load.limit_excess);
     }
-    if (is_line_)
-        lambda_ = contact::line_shift_factor(
-            base.materials(), base.indenter.length / half_space_scales(base).contact_radius);
+    const double radius = half_space_scales(base).contact_radius;
+    poisson_ = source("substrate.poisson", base.substrate.poisson);
+    friction_ = source("friction.coefficient", base.friction_coefficient);
+    const bool has_layer = model != "mdr" && model != "bem" && base.layer.thickness;
+    if (has_layer)
+        thickness_ = source("substrate.thickness_ratio", *base.layer.thickness / (2 * radius));
+    if (is_line) {
+        body_ = has_layer ? Body::line_layer : Body::line;
+        lambda_ = contact::line_shift_factor(base.materials(), base.indenter.length / radius);
+    } else {
+        body_ = has_layer ? Body::round_layer : model == "mdr" ? Body::springs : Body::round;
+    }
 }
 
 double Baseline::load_ratio(double limit, double load) const {
@@ -73,45 +113,100 @@ double Baseline::load_ratio(double limit, double load) const {
     return kind_ == Load::fraction ? load * limit : limit + load * (1 - limit);
 }
 
-void Baseline::add_round(Point& p) const {
+void Baseline::add_round(Point& p, std::span<const double> values) const {
+    const theory::MappedRolling own{.amplitude_ratio = std::min(p.w, largest_amplitude),
+                                    .tangential_ratio = p.f,
+                                    .angle = angle_.at(values),
+                                    .poisson = inside(poisson_.at(values), 0, .5)};
     p.u_stat = theory::static_shift_ratio(p.f);
-    if (p.f < p.limit)
-        p.u_sd = theory::settled_shift_ratio(p.w, p.f).value_or(contact::undefined);
-    else
+    if (p.f >= p.limit) {
         p.excess = p.w - theory::amplitude_limit(p.f);
+        return;
+    }
+    p.mapping = body_ == Body::springs ? theory::mdr_mapping : theory::half_space_mapping(own);
+    p.u_sd = theory::settled_shift_ratio(p.w, p.f, p.mapping).value_or(contact::undefined);
+    p.work = p.f * (p.u_sd - p.u_stat);
 }
 
-void Baseline::add_line(Point& p) const {
-    p.u_stat = theory::line_static_shift_ratio(p.f, lambda_);
+// The load by the layer's own limit.
+void Baseline::add_layer(Point& p, std::span<const double> values) const {
+    const theory::LayerForm layer{
+        .thickness_ratio = std::max(thickness_.at(values), least_thickness),
+        .poisson = inside(poisson_.at(values), 0, .5)};
+    const double w = std::min(p.w, largest_amplitude);
+    if (p.f >= p.limit) p.excess = p.w - theory::amplitude_limit(p.f);
+    const double limit = theory::layer_shakedown_limit(layer, w);
+    const double f = load_ratio(limit, load_.at(values));
+    const double friction = std::max(friction_.at(values), least_friction);
+    p.mapping = 1 / p.w;
+    p.u_stat = theory::layer_static_shift_ratio(layer, f);
+    p.u_sd = theory::layer_settled_shift_ratio(layer,
+                                               {.amplitude_ratio = w,
+                                                .tangential_ratio = f,
+                                                .angle = angle_.at(values),
+                                                .poisson = layer.poisson},
+                                               friction)
+                 .value_or(contact::undefined);
+    const double coupling = theory::layer_coupling(layer, friction);
+    p.work = f * (p.u_sd - p.u_stat) + work_of_coupling * coupling * coupling * w;
+}
+
+// On a layer the logarithm ends at its thickness.
+double Baseline::line_lambda(std::span<const double> values) const {
+    if (body_ == Body::line) return lambda_;
+    const double reach = 4 * thickness_.at(values);  // 2 b/a
+    return .5 + .5 * std::log1p(reach * reach);
+}
+
+void Baseline::add_line(Point& p, double lambda) const {
+    p.u_stat = theory::line_static_shift_ratio(p.f, lambda);
     if (p.f >= p.limit) {
-        p.excess = p.w - theory::line_amplitude_limit(p.f);
+        p.excess = (p.w - theory::line_amplitude_limit(p.f)) / lambda;
     } else if (const auto stick = theory::line_stick_half_width(p.w, p.f)) {
-        p.u_sd = theory::line_settled_shift_ratio(p.w, *stick, lambda_);
+        p.u_sd = theory::line_settled_shift_ratio(p.w, *stick, lambda);
+        p.work = p.f * (p.u_sd - p.u_stat);
     }
 }
 
 Baseline::Point Baseline::at(std::span<const double> values) const {
     constexpr double nan = contact::undefined;
-    Point p{nan, nan, nan, nan, nan, nan};
-    if (kind_ == Load::none) return p;
+    Point p{nan, nan, nan, nan, nan, nan, nan, nan};
+    if (body_ == Body::none) return p;
     p.w = w_.at(values);
     if (!(p.w >= 0 && p.w <= 1)) return p;
-    p.limit = is_line_ ? theory::line_shakedown_limit(p.w) : theory::shakedown_limit(p.w);
+    const bool is_line = body_ == Body::line || body_ == Body::line_layer;
+    p.limit = is_line ? theory::line_shakedown_limit(p.w) : theory::shakedown_limit(p.w);
     p.f = load_ratio(p.limit, load_.at(values));
     if (!(p.f >= 0 && p.f <= 1)) return p;
-    is_line_ ? add_line(p) : add_round(p);
+    if (is_line)
+        add_line(p, line_lambda(values));
+    else if (body_ == Body::round_layer)
+        add_layer(p, values);
+    else
+        add_round(p, values);
     return p;
 }
 
-double Baseline::of(const Quantity& q, const Point& point) {
-    const ClosedForm* form = find(q);
-    const double value = form ? form->value(point) : 1;
+const Baseline::Formula* Baseline::find(const Quantity& q) const {
+    const auto* found = std::ranges::find(formulas, &q, &Formula::quantity);
+    return found == std::end(formulas) || !name(*found) ? nullptr : found;
+}
+
+const char* Baseline::name(const Formula& formula) const {
+    // Of a study without formulas the one of the half-space would be 1.
+    if (body_ == Body::none) return nullptr;
+    return formula.names[static_cast<std::size_t>(body_) - 1];
+}
+
+double Baseline::of(const Quantity& q, const Point& point) const {
+    const Formula* formula = find(q);
+    const double value = formula ? point.*(formula->value) : 1;
     return std::isfinite(value) ? value : 1;
 }
 
-std::string Baseline::name_of(const Quantity& q) {
-    const ClosedForm* form = find(q);
-    return form ? form->name : "";
+std::string Baseline::name_of(const Quantity& q) const {
+    const Formula* formula = find(q);
+    return formula ? name(*formula) : "";
 }
 
 }  // namespace tricontact::atlas

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,50 +11,63 @@
 
 namespace tricontact::atlas {
 
-/// What maps are multiples of: closed forms of the uncoupled half-space at the same amplitude over
-/// the contact's own radius, and the same load beside its own limit. What is left is smooth and of
-/// the order of 1, and has the limits of small amplitudes and loads built in.
+/// What maps are multiples of: formulas of the contact at the same amplitude over its own radius, and
+/// the same load beside its own limit (docs/atlas-formulas.md). What is left is smooth and of the
+/// order of 1, and has the limits of small amplitudes and loads built in.
 class Baseline {
   public:
-    /// On the half-space; NaN where the keys say nothing of them.
+    /// NaN where the keys say nothing of it.
     struct Point {
         double w = 0;      ///< W/a
         double f = 0;      ///< F_T/(mu F_N)
         double limit = 0;  ///< f_T,lim
-        double u_stat = 0, u_sd = 0;
-        double excess = 0;  ///< w - w_lim
+        double u_stat = 0, u_sd = 0, mapping = 0;
+        double work = 0;    ///< of settling
+        double excess = 0;  ///< w - w_lim, over lambda for a line contact
     };
 
-    /// None: all closed forms are 1.
+    /// None: all formulas are 1.
     Baseline() = default;
-    /// Of the case that is varied over these keys; without closed forms for a body that is no
-    /// paraboloid, sphere or cylinder, and where w is no ratio to the model's own radius.
-    Baseline(const contact::Case& base, const std::vector<std::string>& keys);
+    /// Of the case that a model is computed for over these keys; without formulas for a body that is
+    /// no paraboloid, sphere or cylinder, and where w is no ratio to the model's own radius.
+    Baseline(const contact::Case& base, const std::string& model,
+             const std::vector<std::string>& keys);
 
     /// At these values of the keys.
     Point at(std::span<const double> values) const;
-    /// The closed form of a dimensionless quantity at the point: 1 if there is none.
-    static double of(const comparisons::Quantity& q, const Point& point);
-    /// What `of` is, in symbols: "MDR's u_sd", empty if it is 1.
-    static std::string name_of(const comparisons::Quantity& q);
+    /// The formula of a dimensionless quantity at the point: 1 if there is none.
+    double of(const comparisons::Quantity& q, const Point& point) const;
+    /// What `of` is, in words: "w - w_lim", empty if it is 1.
+    std::string name_of(const comparisons::Quantity& q) const;
 
   private:
-    enum class Load { none, ratio, fraction, excess };
+    enum class Body { none, springs, round, round_layer, line, line_layer };
+    enum class Load { ratio, fraction, excess };
     /// Place among the keys, or the value of the case.
     struct Source {
-        std::optional<std::size_t> place;
+        std::optional<std::size_t> place{};
         double value = 0;
         double at(std::span<const double> values) const { return place ? values[*place] : value; }
     };
+    struct Formula {
+        const comparisons::Quantity* quantity;
+        double Point::* value;
+        std::array<const char*, 5> names;  ///< from Body::springs on; null: none
+    };
+    static const Formula formulas[];
 
+    const Formula* find(const comparisons::Quantity& q) const;
+    const char* name(const Formula& formula) const;
     double load_ratio(double limit, double load) const;
-    void add_round(Point& p) const;
-    void add_line(Point& p) const;
+    void add_round(Point& p, std::span<const double> values) const;
+    void add_layer(Point& p, std::span<const double> values) const;
+    void add_line(Point& p, double lambda) const;
+    double line_lambda(std::span<const double> values) const;
 
-    bool is_line_ = false;
+    Body body_ = Body::none;
     double lambda_ = 0;  // line_shift_factor of the case that is varied
-    Source w_, load_;
-    Load kind_ = Load::none;
+    Source w_, load_, angle_, poisson_, thickness_, friction_;
+    Load kind_ = Load::ratio;
 };
 
 }  // namespace tricontact::atlas

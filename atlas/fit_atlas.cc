@@ -20,7 +20,7 @@ constexpr double widest_spread = 100;
 
 /// The closed form that a quantity with a unit is a multiple of; that of the baseline else.
 std::optional<double> closed_form(const Atlas& atlas, const Quantity& q, const Sample& sample) {
-    if (*q.unit == '\0') return Baseline::of(q, atlas.baseline.at(sample.coordinates));
+    if (*q.unit == '\0') return atlas.baseline.of(q, atlas.baseline.at(sample.coordinates));
     return q.exact ? comparisons::number_of(q.exact(comparisons::reference(sample.c)))
                    : std::nullopt;
 }
@@ -80,7 +80,7 @@ std::optional<double> extrapolated_value(const Atlas& atlas, const Quantity& q,
     for (const Sample::Coarser& one : sample.coarser)
         if (const auto coarser = fitted_value(atlas, q, sample, one.results, false))
             *value += one.factor * (finest - *coarser);
-    return *q.unit ? *value : *value * Baseline::of(q, atlas.baseline.at(sample.coordinates));
+    return *q.unit ? *value : *value * atlas.baseline.of(q, atlas.baseline.at(sample.coordinates));
 }
 
 Map fit_map(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& samples) {

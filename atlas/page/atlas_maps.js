@@ -5,51 +5,7 @@
 
 const atlas_maps = (() => {
 
-// ---- Closed forms: theory/rolling/oscillating_rolling.h, theory/cattaneo_mindlin.h ----
-
-// 1 - (1 - u)^(3/2) without cancellation at small u.
-const static_force = u => u < 1 ? -Math.expm1(1.5 * Math.log1p(-u)) : 1;
-
-// u_stat of Cattaneo and Mindlin: 1 - (1 - f)^(2/3).
-const static_shift = f => f < 1 ? -Math.expm1(2 / 3 * Math.log1p(-f)) : 1;
-
-// f_T,lim of Hertz' pressure: 1 - 3/2 w + 1/2 w^3, its factor (1 - w)^2 taken out.
-const shakedown_limit = w => (1 - w) * (1 - w) * (1 + w / 2);
-
-// w_lim of that, by bisection: it falls all the way from 1 to 0.
-function amplitude_limit(f) {
-    let low = 0, high = 1;
-    for (let i = 0; i < 60; ++i) {
-        const middle = (low + high) / 2;
-        if (shakedown_limit(middle) > f) low = middle;
-        else high = middle;
-    }
-    return (low + high) / 2;
-}
-
-// MDR's u_sd, of f = 1 - 3/2 w u - (1 - u)^(3/2) in [0, 1 - w^2]; NaN beyond the limit. The left side
-// is concave in u: Newton's steps from 0 stay below the root.
-function settled_shift(w, f) {
-    if (f > shakedown_limit(w)) return NaN;
-    const highest = (1 - w) * (1 + w);
-    let u = 0;
-    for (let i = 0; i < 100; ++i) {
-        const step = (f - static_force(u) + 1.5 * w * u) / (1.5 * (Math.sqrt(1 - u) - w));
-        if (!(step > 0)) break;
-        u = Math.min(u + step, highest);
-        if (u === highest || step < 1e-16 * u) break;
-    }
-    return u;
-}
-
-// What maps are multiples of, by the name that the map gives: atlas/baseline.h.
-const closed_forms = {
-    "": () => 1,
-    "u_stat of Cattaneo and Mindlin": p => static_shift(p.f),
-    "u_sd of MDR": p => p.f < p.limit ? settled_shift(p.w, p.f) : NaN,
-    "f_T,lim of Hertz' pressure": p => p.limit,
-    "w - w_lim": p => p.f < p.limit ? NaN : p.w - amplitude_limit(p.f),
-};
+const {closed_forms, static_shift, shakedown_limit, amplitude_limit, settled_shift} = atlas_formulas;
 
 // ---- Maps: atlas/atlas.h ----
 
@@ -131,6 +87,7 @@ class Reader {
         const is_head = ({key}) => key === "rolling.amplitude_ratio" || key.startsWith("load.");
         this.n_head = this.axes.slice(0, 2).filter(is_head).length;
         this.load = this.axes.find(({key}) => key.startsWith("load."))?.key;
+        this.poisson = 0.5;  // of those that are not over it
     }
     has(quantity) { return this.maps.has(quantity); }
     axis(key) { return this.axes.find(axis => axis.key === key); }
@@ -146,12 +103,15 @@ class Reader {
         }
         return map.slices;
     }
-    // The point of closed forms that a place in the atlas has.
+    // The point of closed forms that a place in the atlas has; load_at: f at another limit.
     point(coordinates) {
-        const w = coordinates[0], limit = shakedown_limit(w), load = coordinates[1];
-        const f = this.load === by_fraction ? load * limit
-            : this.load === by_excess ? limit + load * (1 - limit) : this.load === by_ratio ? load : NaN;
-        return {w, limit, f};
+        const value = Object.fromEntries(this.axes.map(({key}, d) => [key, coordinates[d]]));
+        const w = value["rolling.amplitude_ratio"] ?? NaN, limit = shakedown_limit(w), load = coordinates[1];
+        const load_at = at => this.load === by_fraction ? load * at
+            : this.load === by_excess ? at + load * (1 - at) : this.load === by_ratio ? load : NaN;
+        return {w, limit, load_at, f: load_at(limit), angle: value["rolling.angle"] ?? 0,
+                poisson: value["substrate.poisson"] ?? this.poisson,
+                thickness_ratio: value["substrate.thickness_ratio"], friction: value["friction.coefficient"] ?? 1};
     }
     // {value, error}, the half width of its bar of 95 %; of a point that is taken into the domain.
     read(quantity, coordinates) {

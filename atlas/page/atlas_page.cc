@@ -123,7 +123,7 @@ std::string atlas_page(const AtlasPage& page) {
     data.set("has_command", !page.command.empty());
     data.set("atlas", report::script_json(atlas_page_json(page)));
     data.set("library", std::string(report::chart_library()));
-    data.set("script", std::string(report::charts_script) + atlas_maps_script +
+    data.set("script", std::string(report::charts_script) + atlas_formulas_script + atlas_maps_script +
                            atlas_charts_script + atlas_page_script);
     kainjow::mustache::mustache engine{atlas_page_template};
     if (!engine.is_valid())

@@ -46,14 +46,15 @@ QuantityValue last_of(const auto& per_period) {
 QuantityValue settling_work(const Subject& s) {
     const History& h = s.history;
     const auto settled = number_of(settled_shift.of(s));
-    if (!settled || !(h.tangential_force > 0)) return {};
+    if (!settled) return {};
     double work =
         std::accumulate(h.dissipation_per_period.begin(), h.dissipation_per_period.end(), 0.);
     const double increment = number_of(shift_increment.of(s)).value_or(0);
     if (increment > 0)
         work +=
             h.dissipation_per_period.back() * h.verdict.remaining * h.scales.unit_shift / increment;
-    return finite(work / (h.tangential_force * *settled));
+    return finite(work /
+                  (s.c.friction_coefficient * h.scales.normal_force * h.scales.unit_shift));
 }
 
 constexpr const char* where_known =
@@ -97,13 +98,13 @@ constinit const Quantity dissipation_ratio_per_period{
 
 constinit const Quantity settling_work_ratio{
     .key = "settling_work_ratio",
-    .symbol = "D_sd/(F_T U_sd)",
-    .over = "F_T U_sd",
+    .symbol = "D_sd/(mu F_N U_max)",
+    .over = "mu F_N U_max",
     .name = "frictional work of settling",
     .meaning =
-        "Work of friction in all periods until the shift has settled over F_T times the settled "
-        "shift; what is left after the last period is extrapolated as its shift is.",
-    .defined = "with rolling where f_T > 0 and the settled shift is",
+        "Work of friction in all periods until the shift has settled, over mu F_N U_max; what is "
+        "left after the last period is extrapolated as its shift is.",
+    .defined = "with rolling and friction where the settled shift is",
     .of = [](const Subject& s) { return settling_work(s); }};
 
 constinit const Quantity slip_path{

@@ -23,7 +23,8 @@ same() {
     nodejs=$(command -v nodejs || command -v node) || { complain "no node"; return; }
     "$nodejs" - "$source_dir" "$name" <<'EOF' || complain "$name: the page differs from the program"
 const fs = require("fs"), [, , root, folder] = process.argv;
-const maps = new Function(fs.readFileSync(root + "/atlas/page/atlas_maps.js", "utf8") + "; return atlas_maps;")();
+const scripts = ["formulas", "maps"].map(part => fs.readFileSync(`${root}/atlas/page/atlas_${part}.js`, "utf8"));
+const maps = new Function(scripts.join("") + "; return atlas_maps;")();
 const page = fs.readFileSync(folder + "/atlas.html", "utf8");
 const given = JSON.parse(page.match(/<script type="application\/json" id="atlas">([^]*?)<\/script>/)[1]);
 const place = {equal_amplitude: "W", equal_load: "F_T", thickness_ratio: 1, ...given.case};
