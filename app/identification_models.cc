@@ -83,7 +83,9 @@ class ShiftTable {
         return 1 / (1 / (1 + least_) - row / last_row * z_range()) - 1;
     }
     // Without coupling all shifts go with mu, so that one value of it does.
-    bool is_coupled() const { return make_model(model_, rig_, threads_, silent)->is_coupled(); }
+    bool is_coupled() const {
+        return model_ == "atlas" || make_model(model_, rig_, threads_, silent)->is_coupled();
+    }
 
     std::vector<double> node(double young, double friction) const {
         Case c = rig_;

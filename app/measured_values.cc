@@ -2,7 +2,9 @@
 
 #include "app/case_run.h"
 #include "app/identification_models.h"
+#include "atlas/prediction.h"
 #include "comparisons/half_space/layer.h"
+#include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
 #include "theory/cattaneo_mindlin.h"
 
@@ -86,6 +88,22 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
     return all;
 }
 
+/// Of the most complete maps that are about the rig. Throws InputError where they do not reach.
+std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
+    std::vector<double> shifts;
+    for (const double force : forces) {
+        c.load.set_tangential_ratio(force / (c.friction_coefficient * *c.load.normal_force));
+        const atlas::Prediction p = atlas::predict(c, atlas::predictable_models(c).back());
+        const auto* shift = p.find(comparisons::quantities::static_shift);
+        if (!shift)
+            throw contact::InputError(
+                "models: atlas: " + (p.gaps.empty() ? "no static shift" : p.gaps.front()) +
+                "; take bem-layer");
+        shifts.push_back(shift->value.value);
+    }
+    return shifts;
+}
+
 }  // namespace
 
 std::string shift_model(const std::string& model) {
@@ -94,6 +112,7 @@ std::string shift_model(const std::string& model) {
 
 std::vector<double> static_shifts(const std::string& name, const Case& rig,
                                   const std::vector<double>& forces, int threads) {
+    if (name == "atlas") return mapped_shifts(rig, forces);
     const auto model = make_model(name, rig, threads, silent);
     press(*model, rig);
     const std::string state = model->write_state();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/special_values.h"
+#include "io/case/case_keys.h"
 
 namespace tricontact::atlas {
 
@@ -48,6 +49,16 @@ const Map* Atlas::find(const comparisons::Quantity& q) const {
 const Axis* Atlas::axis(std::string_view key) const {
     const auto found = std::ranges::find(axes, key, &Axis::key);
     return found == axes.end() ? nullptr : &*found;
+}
+
+double Atlas::kept_value(std::string_view key) const {
+    contact::Case c = kept;
+    const io::CaseKey* found = io::find_key(key);
+    if (!found) return contact::undefined;
+    const io::Field field = io::place_of(*found, c);
+    if (auto* const* value = std::get_if<double*>(&field)) return **value;
+    auto* const* value = std::get_if<std::optional<double>*>(&field);
+    return value && **value ? ***value : contact::undefined;
 }
 
 std::vector<double> unit_coordinates(const Atlas& atlas, std::span<const double> coordinates) {
@@ -137,7 +148,8 @@ Values read_all(const Atlas& atlas, const Map& map, std::span<const double> poin
     for (std::size_t i = 0; i < n; ++i) {
         const double factor =
             has_form && inside[i]
-                ? atlas.baseline.of(*map.quantity, atlas.baseline.at(points.subspan(i * n_axes, n_axes)))
+                ? atlas.baseline.of(*map.quantity,
+                                    atlas.baseline.at(points.subspan(i * n_axes, n_axes)))
                 : 1;
         const Value value = inside[i] ? value_of(atlas, map, fitted[i],
                                                  map.fit.error_factor * std::exp(log_errors[i]),

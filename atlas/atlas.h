@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "atlas/baseline.h"
+#include "contact/case.h"
 #include "io/case/study_reader.h"
 #include "statistics/polynomial_fit.h"
 
@@ -58,11 +59,14 @@ struct Atlas {
     std::vector<Axis> axes;
     std::vector<Map> maps;
     Baseline baseline;
+    contact::Case kept;  ///< the resolved case: values of the keys that are no axes
 
     /// Null if it has none of it.
     const Map* find(const comparisons::Quantity& q) const;
     /// Null if it does not go over this key.
     const Axis* axis(std::string_view key) const;
+    /// [SI] of a key that is no axis; NaN if the case has no such number.
+    double kept_value(std::string_view key) const;
 };
 
 /// The point of [-1, 1]^n of one coordinate per axis, which are taken into the domain.

@@ -173,7 +173,8 @@ Atlas atlas_of(const Json& json, const std::string& name) {
     if (keys.empty() || keys.size() > statistics::most_variables)
         throw contact::InputError(
             fmt::format("has {} axes, must have 1 to {}", keys.size(), statistics::most_variables));
-    atlas.baseline = Baseline(io::parse_case(atlas.base, name + ": case"), atlas.model, keys);
+    atlas.kept = io::parse_case(atlas.base, name + ": case");
+    atlas.baseline = Baseline(atlas.kept, atlas.model, keys);
     for (const Json& map : json.at("maps")) atlas.maps.push_back(map_of(map, atlas));
     return atlas;
 }

@@ -68,8 +68,8 @@ const Baseline::Formula Baseline::formulas[] = {
 Baseline::Baseline(const Case& base, const std::string& model,
                    const std::vector<std::string>& keys) {
     const bool is_ratio =
-        !base.rolling || (base.rolling->amplitude_ratio && base.rolling->amplitude_reference ==
-                                                               Case::AmplitudeReference::model);
+        !base.rolling || (base.rolling->amplitude_ratio &&
+                          base.rolling->amplitude_reference == Case::AmplitudeReference::model);
     const Case::Load& load = base.load;
     const bool has_load = load.tangential_ratio || load.is_by_limit();
     const bool is_line = base.is_line_contact();
@@ -154,8 +154,8 @@ void Baseline::add_layer(Point& p, std::span<const double> values) const {
 // On a layer the logarithm ends at its thickness.
 double Baseline::line_lambda(std::span<const double> values) const {
     if (body_ == Body::line) return lambda_;
-    const double reach = 4 * thickness_.at(values);  // 2 b/a
-    return .5 + .5 * std::log1p(reach * reach);
+    const double reach = 2.4 * thickness_.at(values);  // over half the contact's width
+    return 1 + .5 * std::log1p(reach * reach);
 }
 
 void Baseline::add_line(Point& p, double lambda) const {

@@ -11,9 +11,9 @@
 
 namespace tricontact::atlas {
 
-/// What maps are multiples of: formulas of the contact at the same amplitude over its own radius, and
-/// the same load beside its own limit (docs/atlas-formulas.md). What is left is smooth and of the
-/// order of 1, and has the limits of small amplitudes and loads built in.
+/// What maps are multiples of: formulas of the contact at the same amplitude over its own radius,
+/// and the same load beside its own limit (docs/atlas-formulas.md). What is left is smooth and of
+/// the order of 1, and has the limits of small amplitudes and loads built in.
 class Baseline {
   public:
     /// NaN where the keys say nothing of it.
@@ -28,8 +28,8 @@ class Baseline {
 
     /// None: all formulas are 1.
     Baseline() = default;
-    /// Of the case that a model is computed for over these keys; without formulas for a body that is
-    /// no paraboloid, sphere or cylinder, and where w is no ratio to the model's own radius.
+    /// Of the case that a model is computed for over these keys; without formulas for a body that
+    /// is no paraboloid, sphere or cylinder, and where w is no ratio to the model's own radius.
     Baseline(const contact::Case& base, const std::string& model,
              const std::vector<std::string>& keys);
 
@@ -51,7 +51,7 @@ class Baseline {
     };
     struct Formula {
         const comparisons::Quantity* quantity;
-        double Point::* value;
+        double Point::*value;
         std::array<const char*, 5> names;  ///< from Body::springs on; null: none
     };
     static const Formula formulas[];

@@ -1,13 +1,17 @@
 #include "atlas/contact_maps.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
+#include "contact/root.h"
 #include "contact/special_values.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -24,6 +28,11 @@ class ShippedMaps {
     explicit ShippedMaps(const char* name) : atlas_(shipped(name)), reader_(atlas_) {}
 
     double least_amplitude() const { return atlas_.axes.front().range.from; }
+    /// From the least to the largest.
+    std::pair<double, double> loads() const {
+        return {atlas_.axes[1].range.from, atlas_.axes[1].range.to};
+    }
+    double kept(const char* key) const { return atlas_.kept_value(key); }
     void go_to(std::span<const double> coordinates) { reader_.go_to(coordinates); }
     Value read(const Quantity& q) const {
         const Map& map = *atlas_.find(q);
@@ -45,20 +54,20 @@ class ShippedMaps {
     Reader reader_;
 };
 
-ShippedMaps& half_space_maps() {
-    thread_local ShippedMaps maps("sphere_half_space");
+/// One reader of each atlas and thread.
+template <int place>
+ShippedMaps& maps_of() {
+    static constexpr const char* names[] = {
+        "sphere_half_space_static", "sphere_half_space",        "sphere_half_space_ratcheting",
+        "sphere_layer_static",      "sphere_layer_pressed",     "sphere_layer",
+        "sphere_layer_ratcheting",  "sphere_springs_ratcheting"};
+    thread_local ShippedMaps maps(names[place]);
     return maps;
 }
-
-ShippedMaps& pressed_layer_maps() {
-    thread_local ShippedMaps maps("sphere_layer_pressed");
-    return maps;
-}
-
-ShippedMaps& layer_maps() {
-    thread_local ShippedMaps maps("sphere_layer");
-    return maps;
-}
+constexpr auto half_space_static_maps = maps_of<0>, half_space_maps = maps_of<1>,
+               half_space_ratcheting_maps = maps_of<2>, layer_static_maps = maps_of<3>,
+               pressed_layer_maps = maps_of<4>, layer_maps = maps_of<5>,
+               layer_ratcheting_maps = maps_of<6>, springs_ratcheting_maps = maps_of<7>;
 
 /// Undefined out of range, where the atlas refuses w.
 double half_space_limit(double w) {
@@ -68,6 +77,18 @@ double half_space_limit(double w) {
 Value on_half_space(const Quantity& q, double w, double f, double angle, double poisson) {
     return half_space_maps().read_at(
         q, std::array{w, f / half_space_limit(w), folded_angle(angle), poisson});
+}
+
+/// Of f beyond the limit: its share of the way to 1; negative below, where no atlas is.
+double excess_of(double f, double limit) {
+    return (f - limit) / (1 - limit);
+}
+
+/// MDR's load at its settled shift.
+double mdr_load(double w, double u) {
+    if (!(u > 0 && u < (1 - w) * (1 + w)))
+        throw std::domain_error("settled_shift_of_mdr: the shift must lie in (0, 1 - w^2)");
+    return 1 - theory::mdr_mapping * w * u - std::pow(1 - u, 1.5);
 }
 
 Value on_layer(const Quantity& q, double w, double f, double angle, const BondedLayer& l) {
@@ -80,10 +101,8 @@ Value on_layer(const Quantity& q, double w, double f, double angle, const Bonded
 
 }  // namespace
 
-// Before it rolls the amplitude changes nothing; at the least one the load reaches farthest.
 Value static_shift_ratio(double f, double poisson) {
-    return on_half_space(quantities::static_shift_ratio, half_space_maps().least_amplitude(), f, 0,
-                         poisson);
+    return half_space_static_maps().read_at(quantities::static_shift_ratio, std::array{f, poisson});
 }
 
 Value settled_shift_ratio(double w, double f, double angle, double poisson) {
@@ -94,8 +113,39 @@ Value mapping_parameter(double w, double f, double angle, double poisson) {
     return on_half_space(quantities::kappa, w, f, angle, poisson);
 }
 
+Value shift_increment_ratio(double w, double f, double angle, double poisson) {
+    return half_space_ratcheting_maps().read_at(
+        quantities::shift_increment_ratio,
+        std::array{w, excess_of(f, half_space_limit(w)), folded_angle(angle), poisson});
+}
+
+Value mdr_shift_increment_ratio(double w, double f) {
+    return springs_ratcheting_maps().read_at(quantities::shift_increment_ratio,
+                                             std::array{w, excess_of(f, half_space_limit(w))});
+}
+
+Value settled_shift_of_mdr(double mdr_shift, double w, double angle, double poisson) {
+    return settled_shift_ratio(w, mdr_load(w, mdr_shift), angle, poisson);
+}
+
+Value shift_increment_of_mdr(double mdr_increment, double w, double angle, double poisson) {
+    const double limit = half_space_limit(w);
+    const auto load = [&](double excess) { return limit + excess * (1 - limit); };
+    const auto [least, most] = half_space_ratcheting_maps().loads();
+    const auto difference = [&](double excess) {
+        return mdr_shift_increment_ratio(w, load(excess)).value - mdr_increment;
+    };
+    if (!(difference(least) <= 0 && difference(most) >= 0))
+        throw OutsideDomain(fmt::format(
+            "MDR's increment {:.6g}: at w = {:.6g} the atlases have none of it", mdr_increment, w));
+    const double excess = contact::bracketed_root(difference, least, most);
+    return shift_increment_ratio(w, load(excess), angle, poisson);
+}
+
 Value static_shift_ratio(double f, const BondedLayer& l) {
-    return on_layer(quantities::static_shift_ratio, layer_maps().least_amplitude(), f, 0, l);
+    return layer_static_maps().read_at(
+        quantities::static_shift_ratio,
+        std::array{f, l.thickness_ratio, l.poisson, l.friction_coefficient});
 }
 
 Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& l) {
@@ -104,6 +154,23 @@ Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& l
 
 Value mapping_parameter(double w, double f, double angle, const BondedLayer& l) {
     return on_layer(quantities::kappa, w, f, angle, l);
+}
+
+Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& l) {
+    ShippedMaps& maps = layer_ratcheting_maps();
+    if (std::abs(l.poisson - maps.kept("substrate.poisson")) > 1e-9)
+        throw OutsideDomain(fmt::format("substrate.poisson = {:.6g}: atlas {} is about {:.6g}",
+                                        l.poisson, "sphere_layer_ratcheting",
+                                        maps.kept("substrate.poisson")));
+    const Value limit = layer_shakedown_limit(w, l.thickness_ratio, l.poisson);
+    return maps.read_at_load(quantities::shift_increment_ratio,
+                             {w, excess_of(f, limit.value), folded_angle(angle), l.thickness_ratio,
+                              l.friction_coefficient},
+                             limit.error / (1 - limit.value));
+}
+
+Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& l) {
+    return settled_shift_ratio(w, mdr_load(w, mdr_shift), angle, l);
 }
 
 Value layer_shakedown_limit(double w, double thickness_ratio, double poisson) {

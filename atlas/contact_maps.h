@@ -16,8 +16,8 @@ namespace tricontact::atlas {
 // long bar; std::out_of_range if the program was built without that atlas. A call takes
 // microseconds, each thread's first one milliseconds; from several threads at once too.
 
-// On a half-space, normal and tangential contact uncoupled (atlas sphere_half_space). `poisson`:
-// the substrate's, of two bodies sum(nu/G)/sum(1/G).
+// On a half-space, normal and tangential contact uncoupled (atlases sphere_half_space_static and
+// sphere_half_space). `poisson`: the substrate's, of two bodies sum(nu/G)/sum(1/G).
 
 /// u_stat, the shift under F_T before it rolls; of nu = 0 that of Cattaneo and Mindlin.
 Value static_shift_ratio(double f, double poisson);
@@ -26,6 +26,22 @@ Value settled_shift_ratio(double w, double f, double angle, double poisson);
 /// kappa of the settled shift: f = 1 - kappa w u_sd - (1 - u_sd)^(3/2).
 Value mapping_parameter(double w, double f, double angle, double poisson);
 
+/// Shift of each period while ratcheting, Delta u = Delta U/U_max, once it is steady (atlas
+/// sphere_half_space_ratcheting). f above the limit of shakedown.
+Value shift_increment_ratio(double w, double f, double angle, double poisson);
+
+// The method of dimensionality reduction (MDR) beside it: its settled shift has a closed form,
+// theory::settled_shift_ratio.
+
+/// Its Delta u (atlas sphere_springs_ratcheting).
+Value mdr_shift_increment_ratio(double w, double f);
+/// What makes MDR right: u_sd of the half-space at the load under which MDR settles at `mdr_shift`,
+/// f = 1 - 3/2 w u - (1 - u)^(3/2). std::domain_error unless 0 < mdr_shift < 1 - w^2.
+Value settled_shift_of_mdr(double mdr_shift, double w, double angle, double poisson);
+/// The same of ratcheting: Delta u of the half-space where MDR has `mdr_increment`. By bisection
+/// over the loads that both atlases have; OutsideDomain where MDR has it at none.
+Value shift_increment_of_mdr(double mdr_increment, double w, double angle, double poisson);
+
 /// A layer bonded to a rigid base.
 struct BondedLayer {
     double thickness_ratio;  ///< b over the contact diameter on the half-space at the same force
@@ -33,12 +49,17 @@ struct BondedLayer {
     double friction_coefficient;  ///< the coupling by the layer makes ratios depend on it
 };
 
-// The same on a layer that is pressed with friction in 20 steps or more (atlas sphere_layer, its
-// limit of shakedown from sphere_layer_pressed); the error of the limit is in the bars.
+// The same on a layer that is pressed with friction in 20 steps or more (atlases
+// sphere_layer_static and sphere_layer, its limit of shakedown from sphere_layer_pressed); the
+// error of the limit is in the bars.
 
 Value static_shift_ratio(double f, const BondedLayer& layer);
 Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& layer);
 Value mapping_parameter(double w, double f, double angle, const BondedLayer& layer);
+/// The layer incompressible (atlas sphere_layer_ratcheting).
+Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& layer);
+/// u_sd of the layer, all over its own scales, where MDR settles at `mdr_shift`.
+Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& layer);
 
 // Layers pressed without friction (atlas sphere_layer_pressed), exact but for the bars.
 

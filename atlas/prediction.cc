@@ -1,9 +1,12 @@
 #include "atlas/prediction.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "atlas/pressed_layer.h"
@@ -29,6 +32,12 @@ namespace quantities = comparisons::quantities;
 constexpr double sphere_share = 0.12;
 /// Compliance of an indenter over that of the layer below which it counts as rigid.
 constexpr double rigid_share = 1e-3;
+/// Of a key that an atlas keeps.
+constexpr double rounding = 1e-9;
+
+constexpr const char *angle_key = "rolling.angle", *poisson_key = "substrate.poisson",
+                     *thickness_key = "substrate.thickness_ratio",
+                     *friction_key = "friction.coefficient";
 
 Value exact(double value) {
     return {value, 0};
@@ -80,8 +89,24 @@ struct Place {
     std::string atlas;  ///< of contacts that settle; "_ratcheting" is added for the others
     Value w, f;         ///< amplitude over the own radius, load over mu F_N
     std::function<Value(double w)> limit;  ///< f_T,lim
-    std::vector<double> rest;              ///< coordinates behind amplitude and load
+    std::map<std::string, double> rest;    ///< of the keys other than amplitude and load
 };
+
+/// The coordinates of a place in an atlas, the first of them given. Throws OutsideDomain if a key
+/// that the atlas keeps has another value there.
+std::vector<double> coordinates_in(const Atlas& atlas, std::vector<double> first,
+                                   const std::map<std::string, double>& rest) {
+    for (const auto& [key, value] : rest) {
+        if (atlas.axis(key) || key == angle_key) continue;
+        const double kept = atlas.kept_value(key);
+        if (std::abs(value - kept) > rounding)
+            throw OutsideDomain(
+                fmt::format("{} = {:.6g}: atlas {} is about {:.6g}", key, value, atlas.name, kept));
+    }
+    for (std::size_t d = first.size(); d < atlas.axes.size(); ++d)
+        first.push_back(rest.at(atlas.axes[d].key));
+    return first;
+}
 
 /// A prediction as it grows.
 class Predictor {
@@ -96,8 +121,11 @@ class Predictor {
             set(quantities::settled_shift_ratio, exact(*r.shakedown_shift_ratio));
             set(quantities::kappa, exact(theory::mdr_mapping));
         }
-        if (p_.state == State::ratcheting)
-            p_.gaps.emplace_back("the ratcheting of MDR has no closed form: tricontact run");
+        if (p_.state == State::ratcheting) {
+            const double limit = *r.limit_tangential_ratio;
+            const double excess = (r.tangential_ratio - limit) / (1 - limit);
+            add_maps("sphere_springs_ratcheting", {{r.amplitude_ratio, excess}, {}}, {});
+        }
         return finish();
     }
 
@@ -107,7 +135,7 @@ class Predictor {
                   .w = exact(c_.rolling ? r.amplitude_ratio : 0),
                   .f = exact(r.tangential_ratio),
                   .limit = [](double w) { return exact(theory::shakedown_limit(w)); },
-                  .rest = {angle_of(c_), common_poisson(c_)}});
+                  .rest = {{angle_key, angle_of(c_)}, {poisson_key, common_poisson(c_)}}});
         return finish();
     }
 
@@ -139,8 +167,10 @@ class Predictor {
                     .w = exact(0),
                     .f = {},
                     .limit = [&](double w) { return layer.limit(exact(w)); },
-                    .rest = {angle_of(c_), layer.thickness_ratio(), c_.substrate.poisson,
-                             c_.friction_coefficient}};
+                    .rest = {{angle_key, angle_of(c_)},
+                             {thickness_key, layer.thickness_ratio()},
+                             {poisson_key, c_.substrate.poisson},
+                             {friction_key, c_.friction_coefficient}}};
         Value limit = exact(1);
         if (c_.rolling) {
             place.w = set(quantities::amplitude_ratio, amplitude_over(radius));
@@ -200,35 +230,47 @@ class Predictor {
         return exact(comparisons::tangential_ratio(c_, normal_force));
     }
 
-    /// Static shift alone without rolling, which is read at the least amplitude: it does not depend
-    /// on it. Whatever the maps do not reach is a gap.
+    /// Whatever the maps do not reach is a gap.
     void add_maps(const Place& place) {
-        const bool ratchets = c_.rolling && place.f.value > place.limit(place.w.value).value;
-        const std::string name = place.atlas + (ratchets ? "_ratcheting" : "");
+        add_maps(place.atlas + "_static", {{place.f.value}, {place.f.error}}, place);
+        if (!c_.rolling) return;
+        const Value limit = place.limit(place.w.value);
+        const bool ratchets = place.f.value > limit.value;
+        const Value load = ratchets
+                               ? Value{(place.f.value - limit.value) / (1 - limit.value),
+                                       std::hypot(place.f.error, limit.error) / (1 - limit.value)}
+                               : place.f / limit;
+        const bool is_inside =
+            add_maps(place.atlas + (ratchets ? "_ratcheting" : ""),
+                     {{place.w.value, load.value}, {place.w.error, load.error}}, place);
+        // All runs of the atlas came to it.
+        if (is_inside && load.value > load.error && load.value < 1 - load.error)
+            p_.state = ratchets ? State::ratcheting : State::shakedown;
+    }
+
+    /// The first coordinates, with their errors.
+    struct Ends {
+        std::vector<double> values, errors;
+    };
+
+    /// Whether the atlas reaches it.
+    bool add_maps(const std::string& name, const Ends& ends, const Place& place) {
         if (std::ranges::count(shipped_names(), name) == 0) {
             p_.gaps.push_back("no atlas " + name + ": tricontact run computes it");
-            return;
+            return false;
         }
         const Atlas& atlas = shipped(name);
         p_.rests_on.push_back(name);
-        const double least = atlas.axes.front().range.from;
-        const Value w = c_.rolling ? place.w : exact(least);
         try {
-            const Value limit = place.limit(w.value);
-            const Value load =
-                ratchets ? Value{(place.f.value - limit.value) / (1 - limit.value),
-                                 std::hypot(place.f.error, limit.error) / (1 - limit.value)}
-                         : place.f / limit;
-            std::vector<double> coordinates{w.value, load.value};
-            coordinates.insert(coordinates.end(), place.rest.begin(), place.rest.end());
+            const auto coordinates = coordinates_in(atlas, ends.values, place.rest);
             Reader reader(atlas);
             for (const Map& map : atlas.maps)
-                if (c_.rolling || map.quantity == &quantities::static_shift_ratio)
-                    add(map,
-                        reader.read_with_errors(map, coordinates, std::array{w.error, load.error}));
+                add(map, reader.read_with_errors(map, coordinates, ends.errors));
         } catch (const OutsideDomain& error) {
             p_.gaps.emplace_back(error.what());
+            return false;
         }
+        return true;
     }
 
     void add(const Map& map, const Value& value) {

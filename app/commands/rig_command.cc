@@ -1,7 +1,10 @@
 #include <filesystem>
+#include <optional>
 
 #include "app/case_run.h"
 #include "app/commands/command.h"
+#include "atlas/prediction.h"
+#include "comparisons/quantities/quantities.h"
 #include "experiments/assumptions/rig.h"
 #include "experiments/assumptions/rig_report.h"
 
@@ -9,22 +12,38 @@ namespace tricontact::app {
 
 namespace {
 
-/// Shift [m] of a rig's sphere, taken as a rigid paraboloid, on its layer: under F_N, pressed with
-/// friction in the usual steps, and experiments::coupling_tangential_ratio; 22 cells in the contact
-/// radius.
-double static_shift(const experiments::Rig& rig, bool coupled) {
-    constexpr const char* model_name = "bem-layer";
+/// A rig's sphere, taken as a rigid paraboloid, on its layer: under F_N, pressed with friction in
+/// the usual steps, and experiments::coupling_tangential_ratio.
+Case case_of(const experiments::Rig& rig) {
     Case c;
-    c.models = {model_name};
     c.indenter.radius = rig["R"].value;
     c.substrate = {rig["E_2"].value, rig["nu_2"].value};
     c.layer.thickness = rig["b"].value;
     c.friction_coefficient = rig["mu"].value;
     c.load.normal_force = rig["F_N"].value;
     c.load.tangential_ratio = experiments::coupling_tangential_ratio;
+    return c;
+}
+
+/// Its shift [m] by the maps; empty where they do not reach.
+std::optional<double> mapped_shift(const Case& c) {
+    const auto prediction = atlas::predict(c, "bem-layer");
+    const auto* shift = prediction.find(comparisons::quantities::static_shift);
+    return shift ? std::optional(shift->value.value) : std::nullopt;
+}
+
+/// Its shift [m]. Coupled by the maps or, where they do not reach, by boundary elements of 22 cells
+/// in the contact radius; uncoupled by the springs of a layer, which are exact but for their
+/// elements.
+double static_shift(const experiments::Rig& rig, bool coupled) {
+    Case c = case_of(rig);
+    if (coupled)
+        if (const auto shift = mapped_shift(c)) return *shift;
+    const std::string model = coupled ? "bem-layer" : "mdr-layer";
+    c.models = {model};
     c.contact.coupling = coupled;
     c.bem.cells_per_radius = 22;
-    return history_of(model_name, c, 1, silent).static_shift;
+    return history_of(model, c, 1, silent).static_shift;
 }
 
 void print(const experiments::RigReport& report) {

@@ -5,6 +5,7 @@
 #include "app/case_run.h"
 #include "app/commands/command.h"
 #include "app/roll_models.h"
+#include "atlas/run_section.h"
 #include "bem/model.h"
 #include "comparisons/quantities/results.h"
 #include "contact/verdict.h"
@@ -23,6 +24,12 @@ io::OutputNames run_outputs(const std::vector<std::string>& models) {
     return names;
 }
 
+std::vector<comparisons::Results> all_results(const CaseRun& run) {
+    std::vector<comparisons::Results> results;
+    for (const contact::History& history : run.histories) results.emplace_back(run.c, history);
+    return results;
+}
+
 CaseRun compute(const Case& c, const RunOptions& options) {
     const std::string resolved = io::write_case(c);
     options.write(resolved_case_name, resolved);
@@ -32,7 +39,10 @@ CaseRun compute(const Case& c, const RunOptions& options) {
                              });
     options.write("summary.json", summary_of(run));
     options.write(io::paraview_macro_name, io::paraview_macro(options.output));
-    if (options.report) write_run_report(run, options);
+    if (!options.report) return run;
+    if (auto section = atlas::place_in_maps(c, all_results(run)))
+        run.extras.sections.push_back(std::move(*section));
+    write_run_report(run, options);
     return run;
 }
 

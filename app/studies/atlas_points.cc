@@ -140,7 +140,8 @@ atlas::Atlas AtlasStudy::frame(const std::string& study_text) const {
     }
     const AtlasPoint middle = point(std::vector<double>(ranges_.size(), 0.5));
     atlas.base = middle.finest.resolved;
-    atlas.baseline = atlas::Baseline(middle.finest.contact(), atlas.model, keys);
+    atlas.kept = middle.finest.contact();
+    atlas.baseline = atlas::Baseline(atlas.kept, atlas.model, keys);
     return atlas;
 }
 

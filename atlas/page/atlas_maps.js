@@ -87,7 +87,7 @@ class Reader {
         const is_head = ({key}) => key === "rolling.amplitude_ratio" || key.startsWith("load.");
         this.n_head = this.axes.slice(0, 2).filter(is_head).length;
         this.load = this.axes.find(({key}) => key.startsWith("load."))?.key;
-        this.poisson = 0.5;  // of those that are not over it
+        this.kept = atlas.kept ?? {};
     }
     has(quantity) { return this.maps.has(quantity); }
     axis(key) { return this.axes.find(axis => axis.key === key); }
@@ -106,12 +106,12 @@ class Reader {
     // The point of closed forms that a place in the atlas has; load_at: f at another limit.
     point(coordinates) {
         const value = Object.fromEntries(this.axes.map(({key}, d) => [key, coordinates[d]]));
-        const w = value["rolling.amplitude_ratio"] ?? NaN, limit = shakedown_limit(w), load = coordinates[1];
+        const w = value["rolling.amplitude_ratio"] ?? 0, limit = shakedown_limit(w), load = value[this.load];
         const load_at = at => this.load === by_fraction ? load * at
             : this.load === by_excess ? at + load * (1 - at) : this.load === by_ratio ? load : NaN;
         return {w, limit, load_at, f: load_at(limit), angle: value["rolling.angle"] ?? 0,
-                poisson: value["substrate.poisson"] ?? this.poisson,
-                thickness_ratio: value["substrate.thickness_ratio"], friction: value["friction.coefficient"] ?? 1};
+                poisson: value["substrate.poisson"] ?? this.kept["substrate.poisson"],
+                thickness_ratio: value["substrate.thickness_ratio"], friction: value["friction.coefficient"] ?? this.kept["friction.coefficient"]};
     }
     // {value, error}, the half width of its bar of 95 %; of a point that is taken into the domain.
     read(quantity, coordinates) {
@@ -202,45 +202,53 @@ function read_atlases(given) {
     // A load as its share of the limit: below it a quotient, beyond it the share of the way to 1.
     const by_limit = (f, from, to) => f <= from ? f / from * to : to + (f - from) / (1 - from) * (1 - to);
 
-    // Coordinates behind amplitude and load.
-    const coordinates_of = (place, is_layer) => ({
-        "rolling.angle": place.angle, "substrate.thickness_ratio": place.thickness_ratio,
-        "substrate.poisson": is_layer ? place.poisson : place.common_poisson,
-        "friction.coefficient": place.friction});
-    const rest_of = (place, is_layer) => reader => {
-        const of_key = coordinates_of(place, is_layer);
-        return reader.axes.slice(2).map(({key}) => of_key[key]);
-    };
-
-    // What the maps say where a body has amplitude, load, limit and other coordinates.
-    function add_maps(body, name, rest, limit_at, keys) {
-        const ratchets = body.state === "ratcheting";
-        const reader = readers[ratchets ? name + "_ratcheting" : name];
-        body.atlas = ratchets ? name + "_ratcheting" : name;
+    // Coordinates by their keys, but amplitude and load.
+    const rest_of = (place, is_layer) => is_layer
+        ? {"rolling.angle": place.angle, "substrate.thickness_ratio": place.thickness_ratio,
+           "substrate.poisson": place.poisson, "friction.coefficient": place.friction}
+        : {"rolling.angle": place.angle, "substrate.poisson": place.common_poisson};
+    // Of an atlas, the first of them given; {gap} outside.
+    function coordinates_in(reader, first, rest) {
+        for (const [key, kept] of Object.entries(reader.kept))
+            if (key in rest && Math.abs(rest[key] - kept) > 1e-9)
+                return {gap: `outside the atlas: it is about ${names[key]} = ${kept}`};
+        const coordinates = [...first, ...reader.axes.slice(first.length).map(({key}) => rest[key])];
+        const axis = reader.outside(coordinates);
+        return axis ? {gap: outside(axis)} : {coordinates};
+    }
+    // What an atlas says of the body; false where it does not reach it.
+    function read_into(body, name, first, errors, rest, keys) {
+        const reader = readers[name];
         if (!reader) {
-            body.gap = ratchets ? "no atlas of its ratcheting" : "no atlas of its shakedown";
+            body.gap ||= name.endsWith("_ratcheting") ? "no atlas of its ratcheting" : `no atlas ${name}`;
             return;
         }
-        const w = body.is_at_rest ? exact(reader.axes[0].from) : body.w;
-        const limit = limit_at(w.value), way = 1 - limit.value;
-        const load = ratchets ? {value: (body.f.value - limit.value) / way,
-                                 error: Math.hypot(body.f.error, limit.error) / way}
-                              : ratio(body.f, limit);
-        const coordinates = [w.value, load.value, ...rest(reader)];
-        const axis = reader.outside(coordinates);
-        if (axis) {
-            body.gap = outside(axis);
+        const {gap, coordinates} = coordinates_in(reader, first, rest);
+        if (gap) {
+            body.gap ||= gap;
             return;
         }
         for (const key of keys) {
-            if (!reader.has(key) || body.is_at_rest && key !== "static_shift_ratio") continue;
-            const found = reader.read_with_errors(key, coordinates, [w.error, load.error]);
+            if (!reader.has(key)) continue;
+            const found = reader.read_with_errors(key, coordinates, errors);
             if (Number.isFinite(found.value)) body[key] = with_shape(found);
             else body.unsure.push(key);
         }
         if (body.unsure.length)
-            body.gap = `without ${body.unsure.map(key => symbols[key]).join(", ")}, whose bar is longer than ` +
+            body.gap ||= `without ${body.unsure.map(key => symbols[key]).join(", ")}, whose bar is longer than ` +
                 `${Number((100 * reader.largest_error).toPrecision(3))} % of the value`;
+    }
+    // What the maps say where a body has amplitude, load, limit and other coordinates.
+    function add_maps(body, name, rest, limit_at, keys) {
+        const ratchets = body.state === "ratcheting";
+        body.atlas = ratchets ? name + "_ratcheting" : body.is_at_rest ? name + "_static" : name;
+        read_into(body, name + "_static", [body.f.value], [body.f.error], rest, keys);
+        if (body.is_at_rest) return;
+        const limit = limit_at(body.w.value), way = 1 - limit.value;
+        const load = ratchets ? {value: (body.f.value - limit.value) / way,
+                                 error: Math.hypot(body.f.error, limit.error) / way}
+                              : ratio(body.f, limit);
+        read_into(body, body.atlas, [body.w.value, load.value], [body.w.error, load.error], rest, keys);
     }
     function begin(w, f, limit) {
         const body = {w, f, limit, is_at_rest: w.value === 0, gap: "", unsure: []};
@@ -305,12 +313,12 @@ function read_atlases(given) {
     function domain(place, is_layer, ending, scale) {
         const reader = readers[(is_layer ? "sphere_layer" : "sphere_half_space") + ending];
         if (!reader) return null;
-        const of_key = coordinates_of(place, is_layer);
-        const axis = reader.axes.slice(2).find(one => !is_inside(one, of_key[one.key]));
-        if (axis) return {gap: outside(axis)};
+        const [{from, to}, {from: low, to: high}] = reader.axes;
+        const {gap} = coordinates_in(reader, [from, low], rest_of(place, is_layer));
+        if (gap) return {gap};
         const size = is_layer && place.equal_amplitude === "W" ? scale.contact_radius_m.value : 1;
-        const [w, load] = reader.axes, most = is_layer ? Math.min(w.to, pressed.axes[0].to) : w.to;
-        return {from: w.from * size, to: most * size, low: load.from, high: load.to};
+        const most = is_layer ? Math.min(to, pressed.axes[0].to) : to;
+        return {from: from * size, to: most * size, low, high};
     }
 
     return {

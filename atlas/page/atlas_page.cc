@@ -84,6 +84,8 @@ Json maps_json(const Atlas& atlas) {
     Json json = Json::parse(write_atlas(atlas));
     for (const char* key : {"format", "numerics", "results", "study", "case", "digest"})
         json.erase(key);
+    for (const char* key : {"substrate.poisson", "friction.coefficient"})
+        if (!atlas.axis(key)) json["kept"][key] = atlas.kept_value(key);
     return json;
 }
 

@@ -134,6 +134,8 @@ report::Document run_document(const contact::Case& c, const std::string& resolve
     if (c.relaxation)
         for (report::Figure& figure : modulus_figures(c, extras.relaxation))
             figures.push_back(std::move(figure));
+    document.sections.insert(document.sections.end(), extras.sections.begin(),
+                             extras.sections.end());
     document.sections.push_back({"plots", "Figures", {}, figures});
     document.sections.push_back({"derived_values", "Derived values", {}, {}, {derived_table(c)}});
     document.sections.push_back({"audit", "Audit", {audit_paragraph}, {}, {audit_table(results)}});

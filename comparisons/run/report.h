@@ -23,9 +23,10 @@ struct ReportFile {
 /// What a report may carry besides the histories.
 struct ReportExtras {
     LoadingStudy study;
-    std::optional<Refinement> refinement;     ///< of which the histories are the finest level
-    RelaxationStudy relaxation;               ///< of cases with a relaxing substrate
-    std::vector<SmallStrains> small_strains;  ///< of cases at finite strains
+    std::optional<Refinement> refinement;           ///< of which the histories are the finest level
+    RelaxationStudy relaxation;                     ///< of cases with a relaxing substrate
+    std::vector<SmallStrains> small_strains;        ///< of cases at finite strains
+    std::vector<report::DocumentSection> sections;  ///< the caller's own, before the figures
 };
 
 /// The report of a run or a refinement. `resolved_case` is the case's TOML text with all defaults.

@@ -37,7 +37,8 @@ const std::vector<io::PlacedKey<Input>>& own_keys() {
                         R"("static-shift")", "what the table holds"),
          io::at<&Input::measurement>},
         {io::text_key("data", R"("shift.csv")", "the table"), io::at<&Input::data_file>},
-        {io::list_of(io::choice_key("models", {{"half-space"}, {"layer"}, {"bem-layer"}, {"fem"}},
+        {io::list_of(io::choice_key("models",
+                                    {{"half-space"}, {"layer"}, {"atlas"}, {"bem-layer"}, {"fem"}},
                                     R"(["half-space", "layer"])", "models that explain it")),
          io::at<&Input::models>},
         {io::number_key("confidence", {0.5, 0.9999}, "0.95", "level of the intervals"),
@@ -97,7 +98,10 @@ std::vector<std::string> case_models(const Input& input) {
     std::set<std::string> models;
     for (const std::string& model : input.models)
         if (model != "half-space")
-            models.insert(model != "layer" ? model : sheared ? "mdr-layer" : "mdr");
+            models.insert(model == "atlas"   ? "bem-layer"
+                          : model != "layer" ? model
+                          : sheared          ? "mdr-layer"
+                                             : "mdr");
     if (models.empty()) models.insert("mdr");
     return {models.begin(), models.end()};
 }
@@ -109,10 +113,12 @@ void check_models(const Input& input, const io::Document& document) {
                 document, "models",
                 model + " is a model of a layer, but substrate.thickness is missing",
                 "add thickness = \"8 mm\" or the like to [substrate], or leave out " + model);
-        if (model == "bem-layer" && input.measurement != Measurement::static_shift)
-            io::refuse(document, "models",
-                       "without tangential force bem-layer approximates what layer knows exactly",
-                       "write \"layer\" instead");
+        if ((model == "bem-layer" || model == "atlas") &&
+            input.measurement != Measurement::static_shift)
+            io::refuse(
+                document, "models",
+                "without tangential force " + model + " approximates what layer knows exactly",
+                "write \"layer\" instead");
     }
 }
 

@@ -140,7 +140,7 @@ std::optional<Verdict> fit_tells_nothing(const IdentificationStudy& study) {
 }  // namespace
 
 const IdentifiedModel& reference_model(const IdentificationStudy& study) {
-    for (const char* name : {"fem", "bem-layer", "layer"}) {
+    for (const char* name : {"fem", "bem-layer", "atlas", "layer"}) {
         const auto found = std::ranges::find(study.models, name, &IdentifiedModel::name);
         if (found != study.models.end()) return *found;
     }
