@@ -13,10 +13,6 @@ namespace tricontact::atlas {
 
 namespace {
 
-bool is_inside(const Axis& axis, double value) {
-    return value >= axis.range.from - axis.tolerance() && value <= axis.range.to + axis.tolerance();
-}
-
 /// In [-1, 1].
 double unit_coordinate(const Axis& axis, double value) {
     const double inside = std::clamp(value, axis.range.from, axis.range.to);
@@ -83,10 +79,10 @@ void Reader::go_to(std::span<const double> coordinates) {
                                                 atlas_.axes.size(), coordinates.size()));
     for (std::size_t d = 0; d < unit_.size(); ++d) {
         const Axis& axis = atlas_.axes[d];
-        if (!is_inside(axis, coordinates[d]))
+        if (!axis.is_inside(coordinates[d]))
             throw OutsideDomain(fmt::format("{} = {:.6g}: atlas {} goes from {:.6g} to {:.6g}",
-                                            axis.key, coordinates[d], atlas_.name, axis.range.from,
-                                            axis.range.to));
+                                            axis.key, coordinates[d], atlas_.name, axis.from,
+                                            axis.to));
         unit_[d] = unit_coordinate(axis, coordinates[d]);
     }
     table_.set_point(unit_);
@@ -137,7 +133,7 @@ Values read_all(const Atlas& atlas, const Map& map, std::span<const double> poin
     std::vector<char> inside(n, 1);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Axis& axis = atlas.axes[i % n_axes];
-        if (!is_inside(axis, points[i])) inside[i / n_axes] = 0;
+        if (!axis.is_inside(points[i])) inside[i / n_axes] = 0;
         unit[i] = std::isnan(points[i]) ? 0 : unit_coordinate(axis, points[i]);
     }
     const std::vector<double> fitted = statistics::evaluate_all(map.fit.polynomial, unit);

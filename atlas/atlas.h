@@ -3,6 +3,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "atlas/baseline.h"
@@ -20,9 +21,19 @@ class OutsideDomain : public std::domain_error {
 
 /// A key of case files over which the maps go, in its SI unit.
 struct Axis {
+    Axis(std::string its_key, const io::Study::Range& its_range)
+        : key(std::move(its_key)), range(its_range), from(range.from), to(range.to) {}
+
     std::string key;         ///< "rolling.amplitude_ratio"
     io::Study::Range range;  ///< how its coordinate in [-1, 1] follows from the value
+    /// Where the maps say something: all of the range, but for ends at which quantities are
+    /// undefined at some points of the study.
+    double from, to;
+
     double tolerance() const { return 1e-9 * (range.to - range.from); }  ///< of rounding at an end
+    bool is_inside(double value) const {
+        return value >= from - tolerance() && value <= to + tolerance();
+    }
 };
 
 /// One quantity over the axes.

@@ -65,21 +65,26 @@ SparsePolynomial polynomial_of(const Json& json, int n_variables) {
 }
 
 Json json_of(const Axis& axis) {
-    return {{"key", axis.key},
-            {"unit", std::string(io::si_unit(io::find_key(axis.key)->dimension))},
-            {"from", axis.range.from},
-            {"to", axis.range.to},
-            {"scale", word_of(axis.range.scale)}};
+    Json json{{"key", axis.key},
+              {"unit", std::string(io::si_unit(io::find_key(axis.key)->dimension))},
+              {"from", axis.range.from},
+              {"to", axis.range.to},
+              {"scale", word_of(axis.range.scale)}};
+    if (axis.from != axis.range.from) json["said_from"] = axis.from;
+    if (axis.to != axis.range.to) json["said_to"] = axis.to;
+    return json;
 }
 
 Axis axis_of(const Json& json) {
     const auto key = json.at("key").get<std::string>();
     if (!io::case_key_list().find(key)) throw contact::InputError("unknown key " + key);
-    return {key,
-            {.from = json.at("from").get<double>(),
-             .to = json.at("to").get<double>(),
-             .scale = scale_of(json.at("scale").get<std::string>()),
-             .points = {}}};
+    Axis axis(key, {.from = json.at("from").get<double>(),
+                    .to = json.at("to").get<double>(),
+                    .scale = scale_of(json.at("scale").get<std::string>()),
+                    .points = {}});
+    axis.from = json.value("said_from", axis.from);
+    axis.to = json.value("said_to", axis.to);
+    return axis;
 }
 
 Json json_of(const Atlas& atlas, const Map& map) {

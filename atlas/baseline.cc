@@ -24,9 +24,6 @@ using Point = Baseline::Point;
 // Ranges of the formulas. Beyond they are taken at the end: a map has no use for the best formula,
 // but for one without a step.
 constexpr double largest_amplitude = .85, least_thickness = .25, least_friction = .4;
-/// Of the frictional work that coupling of normal and tangential contact does while a contact of
-/// small loads settles, over K^2 w mu F_N U_max: by the order of the computed ones.
-constexpr double work_of_coupling = .1;
 
 double inside(double value, double from, double to) {
     return std::clamp(value, from, to);
@@ -35,7 +32,6 @@ double inside(double value, double from, double to) {
 constexpr const char* cattaneo = "u_stat of Cattaneo and Mindlin";
 constexpr const char* line_static = "u_stat of a line contact";
 constexpr const char* line_settled = "u_sd of a line contact";
-constexpr const char* work_of_shift = "f_T (u_sd - u_stat)";
 constexpr const char* limit_of_hertz = "f_T,lim of Hertz' pressure";
 constexpr const char* excess = "w - w_lim";
 constexpr const char* line_excess = "(w - w_lim)/lambda";
@@ -54,10 +50,6 @@ const Baseline::Formula Baseline::formulas[] = {
     {&quantities::kappa,
      &Point::mapping,
      {nullptr, "kappa of the mapped formula", "1/w", nullptr, nullptr}},
-    {&quantities::settling_work_ratio,
-     &Point::work,
-     {work_of_shift, work_of_shift, "f_T (u_sd - u_stat) + K^2 w/10", work_of_shift,
-      work_of_shift}},
     {&quantities::limit_tangential_ratio,
      &Point::limit,
      {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz}},
@@ -125,7 +117,6 @@ void Baseline::add_round(Point& p, std::span<const double> values) const {
     }
     p.mapping = body_ == Body::springs ? theory::mdr_mapping : theory::half_space_mapping(own);
     p.u_sd = theory::settled_shift_ratio(p.w, p.f, p.mapping).value_or(contact::undefined);
-    p.work = p.f * (p.u_sd - p.u_stat);
 }
 
 // The load by the layer's own limit.
@@ -147,8 +138,6 @@ void Baseline::add_layer(Point& p, std::span<const double> values) const {
                                                 .poisson = layer.poisson},
                                                friction)
                  .value_or(contact::undefined);
-    const double coupling = theory::layer_coupling(layer, friction);
-    p.work = f * (p.u_sd - p.u_stat) + work_of_coupling * coupling * coupling * w;
 }
 
 // On a layer the logarithm ends at its thickness.
@@ -164,13 +153,12 @@ void Baseline::add_line(Point& p, double lambda) const {
         p.excess = (p.w - theory::line_amplitude_limit(p.f)) / lambda;
     } else if (const auto stick = theory::line_stick_half_width(p.w, p.f)) {
         p.u_sd = theory::line_settled_shift_ratio(p.w, *stick, lambda);
-        p.work = p.f * (p.u_sd - p.u_stat);
     }
 }
 
 Baseline::Point Baseline::at(std::span<const double> values) const {
     constexpr double nan = contact::undefined;
-    Point p{nan, nan, nan, nan, nan, nan, nan, nan};
+    Point p{nan, nan, nan, nan, nan, nan, nan};
     if (body_ == Body::none) return p;
     p.w = w_.at(values);
     if (!(p.w >= 0 && p.w <= 1)) return p;

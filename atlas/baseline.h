@@ -22,7 +22,6 @@ class Baseline {
         double f = 0;      ///< F_T/(mu F_N)
         double limit = 0;  ///< f_T,lim
         double u_stat = 0, u_sd = 0, mapping = 0;
-        double work = 0;    ///< of settling
         double excess = 0;  ///< w - w_lim, over lambda for a line contact
     };
 

@@ -27,11 +27,9 @@ class ShippedMaps {
   public:
     explicit ShippedMaps(const char* name) : atlas_(shipped(name)), reader_(atlas_) {}
 
-    double least_amplitude() const { return atlas_.axes.front().range.from; }
+    double least_amplitude() const { return atlas_.axes.front().from; }
     /// From the least to the largest.
-    std::pair<double, double> loads() const {
-        return {atlas_.axes[1].range.from, atlas_.axes[1].range.to};
-    }
+    std::pair<double, double> loads() const { return {atlas_.axes[1].from, atlas_.axes[1].to}; }
     double kept(const char* key) const { return atlas_.kept_value(key); }
     void go_to(std::span<const double> coordinates) { reader_.go_to(coordinates); }
     Value read(const Quantity& q) const {

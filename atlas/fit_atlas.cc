@@ -103,6 +103,51 @@ Map fit_map(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& sa
     return map;
 }
 
+void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
+    constexpr double most_lost = .2;
+    std::vector<const Sample*> defined, undefined;
+    for (const Sample& sample : samples) {
+        const bool is_whole = std::ranges::all_of(atlas.maps, [&](const Map& map) {
+            return sample.finest.number(*map.quantity).has_value();
+        });
+        (is_whole ? defined : undefined).push_back(&sample);
+    }
+    std::vector<Axis> axes = atlas.axes;
+    const auto is_inside = [&](const Sample* sample) {
+        for (std::size_t d = 0; d < axes.size(); ++d)
+            if (!axes[d].is_inside(sample->coordinates[d])) return false;
+        return true;
+    };
+    const std::size_t n_defined = defined.size();
+    for (const Sample* bad : undefined) {
+        if (!is_inside(bad)) continue;
+        std::size_t most_kept = 0;
+        std::vector<Axis> best = axes;
+        for (std::size_t d = 0; d < axes.size(); ++d) {
+            if (!axes[d].key.starts_with("load.") && axes[d].key != "rolling.amplitude_ratio")
+                continue;
+            for (const bool is_upper : {true, false}) {
+                // The next sample inwards becomes the end.
+                const double at = bad->coordinates[d];
+                std::vector<double> kept;
+                for (const Sample* one : defined)
+                    if (const double x = one->coordinates[d];
+                        is_upper ? x < at - axes[d].tolerance() : x > at + axes[d].tolerance())
+                        kept.push_back(x);
+                if (kept.size() <= most_kept) continue;
+                most_kept = kept.size();
+                best = axes;
+                (is_upper ? best[d].to : best[d].from) =
+                    is_upper ? std::ranges::max(kept) : std::ranges::min(kept);
+            }
+        }
+        axes = best;
+        std::erase_if(defined, [&](const Sample* one) { return !is_inside(one); });
+    }
+    if (static_cast<double>(defined.size()) >= (1 - most_lost) * static_cast<double>(n_defined))
+        atlas.axes = axes;
+}
+
 double typical_error(const Map& map, const std::vector<Sample>& samples, const Atlas& atlas) {
     statistics::ChebyshevTable chebyshev(static_cast<int>(atlas.axes.size()));
     chebyshev.cover(map.fit.log_error);

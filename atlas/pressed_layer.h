@@ -22,7 +22,7 @@ class PressedLayer {
     Value limit(const Value& w) const;
 
   private:
-    double least_amplitude() const { return atlas_.axes.front().range.from; }
+    double least_amplitude() const { return atlas_.axes.front().from; }
     void place(const contact::Case& c);
     void find_force(const contact::Case& c);
 

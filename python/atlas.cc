@@ -94,7 +94,7 @@ void add_axis(py::module_& module) {
             },
             "SI unit: \"1\" of ratios, \"rad\" of angles")
         .def_property_readonly(
-            "range", [](const Axis& axis) { return std::pair(axis.range.from, axis.range.to); },
+            "range", [](const Axis& axis) { return std::pair(axis.from, axis.to); },
             "Least and largest value, in that unit")
         .def("__repr__", [](const Axis& axis) { return "<Axis " + axis.key + '>'; });
 }

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
@@ -12,8 +13,8 @@ namespace tricontact::app {
 
 namespace {
 
-/// A rig's sphere, taken as a rigid paraboloid, on its layer: under F_N, pressed with friction in
-/// the usual steps, and experiments::coupling_tangential_ratio.
+/// A rig's sphere, taken as a rigid paraboloid, on its layer under F_N and
+/// experiments::coupling_tangential_ratio, pressed with friction in the usual steps.
 Case case_of(const experiments::Rig& rig) {
     Case c;
     c.indenter.radius = rig["R"].value;
@@ -25,25 +26,50 @@ Case case_of(const experiments::Rig& rig) {
     return c;
 }
 
-/// Its shift [m] by the maps; empty where they do not reach.
-std::optional<double> mapped_shift(const Case& c) {
-    const auto prediction = atlas::predict(c, "bem-layer");
-    const auto* shift = prediction.find(comparisons::quantities::static_shift);
-    return shift ? std::optional(shift->value.value) : std::nullopt;
-}
-
-/// Its shift [m]. Coupled by the maps or, where they do not reach, by boundary elements of 22 cells
-/// in the contact radius; uncoupled by the springs of a layer, which are exact but for their
-/// elements.
+/// Its shift [m], with 22 cells in the contact radius.
 double static_shift(const experiments::Rig& rig, bool coupled) {
+    constexpr const char* model_name = "bem-layer";
     Case c = case_of(rig);
-    if (coupled)
-        if (const auto shift = mapped_shift(c)) return *shift;
-    const std::string model = coupled ? "bem-layer" : "mdr-layer";
-    c.models = {model};
+    c.models = {model_name};
     c.contact.coupling = coupled;
     c.bem.cells_per_radius = 22;
-    return history_of(model, c, 1, silent).static_shift;
+    return history_of(model_name, c, 1, silent).static_shift;
+}
+
+/// U_sd/U_stat with its standard error; empty where the maps do not reach.
+std::optional<statistics::Estimate> growth_of(const atlas::Prediction& p) {
+    namespace quantities = comparisons::quantities;
+    const auto* at_rest = p.find(quantities::static_shift_ratio);
+    const auto* settled = p.find(quantities::settled_shift_ratio);
+    if (!at_rest || !settled) return {};
+    const double growth = settled->value.value / at_rest->value.value;
+    // Bars are those of 95 %.
+    constexpr double standard_errors = 1.96;
+    return statistics::Estimate{growth,
+                                growth *
+                                    std::hypot(settled->value.error / settled->value.value,
+                                               at_rest->value.error / at_rest->value.value) /
+                                    standard_errors};
+}
+
+/// From the maps of layer and half-space.
+std::optional<experiments::Growth> rolled_growth(const experiments::Rig& rig) {
+    namespace quantities = comparisons::quantities;
+    const double amplitude = experiments::smallest_rolling_amplitude(rig);
+    Case c = case_of(rig);
+    c.rolling.emplace();
+    c.rolling->amplitude = amplitude;
+    c.load.tangential_ratio.reset();
+    c.load.limit_fraction = .5;
+    const atlas::Prediction layer = atlas::predict(c, "bem-layer");
+    const auto* load = layer.find(quantities::tangential_ratio);
+    if (!load) return {};
+    c.load.set_tangential_ratio(load->value.value);
+    c.layer = {};
+    c.contact.coupling = false;
+    const auto on_layer = growth_of(layer), on_half_space = growth_of(atlas::predict(c, "bem"));
+    if (!on_layer || !on_half_space) return {};
+    return experiments::Growth{amplitude, load->value.value, *on_half_space, *on_layer};
 }
 
 void print(const experiments::RigReport& report) {
@@ -81,7 +107,7 @@ void check_assumptions(CommandOptions options) {
     const auto given = experiments::read_rig(options.file);
     experiments::RigReport report;
     options.fill({{"rig.json", "report.html"}}, [&] {
-        report = experiments::check_rig(given, static_shift);
+        report = experiments::check_rig(given, static_shift, rolled_growth);
         options.write("rig.json", experiments::rig_json(report));
         options.write_report(experiments::rig_document(report), "tricontact rig " + stem + ".toml");
     });

@@ -136,7 +136,7 @@ atlas::Atlas AtlasStudy::frame(const std::string& study_text) const {
     std::vector<std::string> keys;
     for (const Study::Axis* axis : ranges_) {
         keys.emplace_back(axis->key->path);
-        atlas.axes.push_back({keys.back(), std::get<Study::Range>(axis->values)});
+        atlas.axes.emplace_back(keys.back(), std::get<Study::Range>(axis->values));
     }
     const AtlasPoint middle = point(std::vector<double>(ranges_.size(), 0.5));
     atlas.base = middle.finest.resolved;

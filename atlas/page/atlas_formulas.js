@@ -55,7 +55,6 @@ function half_space_mapping({w, f, angle, poisson}) {
     return 1.5 - deficit * Math.pow(1 - own, .42) * Math.pow(unloaded, .19 + .05 * own);
 }
 const mapped_shift = p => settled_shift(p.w, p.f, half_space_mapping(p));
-const work_of = (f, settled, at_rest) => f * (settled - at_rest);
 
 // theory/layer/layer_forms.h: constants at the point's thickness and Poisson's ratio.
 function layer_constants({thickness_ratio, poisson}) {
@@ -74,14 +73,14 @@ function layer_coupling({thickness_ratio, poisson, friction}) {
     const coupling = kappa * excess * (Math.cosh(y) - 1 - y * y / 2) + 2 * (1 - 4 * poisson) * (kappa + 1) * x * x;
     return coupling / 2 / ((1 - poisson) * (2 * kappa * Math.sinh(y) + 4 * x) * mu);
 }
-// The layer's formulas at its own load: u_stat, u_sd and what coupling adds.
+// The layer's formulas at its own load: u_stat and u_sd.
 function lifted(p) {
     const {lift, shape} = layer_constants(p), w = Math.min(p.w, largest_amplitude);
     const limit = shakedown_limit(w) - .375 * shape * w * Math.pow((1 - w) * (1 + w), 2 + shape);
     const f = p.load_at(limit), coupling = layer_coupling(p);
     const lift_of = u => (u - lift * f) / (1 - lift);
     const settled = f > limit ? NaN : lift_of(mapped_shift({...p, w, f})) * (1 + coupling * coupling * w);
-    return {f, coupling: coupling * coupling * w, at_rest: lift_of(static_shift(f)), settled};
+    return {at_rest: lift_of(static_shift(f)), settled};
 }
 
 const closed_forms = {
@@ -89,14 +88,9 @@ const closed_forms = {
     "u_stat of Cattaneo and Mindlin": p => static_shift(p.f),
     "u_sd of the mapped formula": p => p.f < p.limit ? mapped_shift(p) : NaN,
     "kappa of the mapped formula": p => p.f < p.limit ? half_space_mapping(p) : NaN,
-    "f_T (u_sd - u_stat)": p => p.f < p.limit ? work_of(p.f, mapped_shift(p), static_shift(p.f)) : NaN,
     "u_stat of a lifted contact": p => lifted(p).at_rest,
     "u_sd of a lifted contact": p => lifted(p).settled,
     "1/w": p => 1 / p.w,
-    "f_T (u_sd - u_stat) + K^2 w/10": p => {
-        const {f, coupling, at_rest, settled} = lifted(p);
-        return work_of(f, settled, at_rest) + coupling / 10;
-    },
     "f_T,lim of Hertz' pressure": p => p.limit,
     "w - w_lim": p => p.f < p.limit ? NaN : p.w - amplitude_limit(p.f),
 };

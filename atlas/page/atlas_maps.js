@@ -23,9 +23,11 @@ function fraction_of({from, to, scale}, value) {
     }
 }
 
+// Where the maps say something: the range, but for ends at which quantities were undefined.
+const ends_of = axis => [axis.said_from ?? axis.from, axis.said_to ?? axis.to];
 function is_inside(axis, value) {
-    const tolerance = 1e-9 * (axis.to - axis.from);
-    return value >= axis.from - tolerance && value <= axis.to + tolerance;
+    const tolerance = 1e-9 * (axis.to - axis.from), [from, to] = ends_of(axis);
+    return value >= from - tolerance && value <= to + tolerance;
 }
 
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
@@ -71,7 +73,7 @@ const degrees_of = radian => radian * 180 / Math.PI;
 // "outside the atlas: w from 0.02 to 0.85"
 function outside(axis) {
     const is_angle = axis.key === "rolling.angle";
-    const [from, to] = [axis.from, axis.to].map(end => Number((is_angle ? degrees_of(end) : end).toPrecision(4)));
+    const [from, to] = ends_of(axis).map(end => Number((is_angle ? degrees_of(end) : end).toPrecision(4)));
     return `outside the atlas: ${names[axis.key] ?? axis.key} from ${from} to ${to}${is_angle ? "°" : ""}`;
 }
 
@@ -266,7 +268,10 @@ function read_atlases(given) {
         if (body.state === "shakedown") {
             body.settled_shift_ratio = exact(settled_shift(place.w, place.f));
             body.kappa = exact(1.5);
-        } else if (body.state === "ratcheting") body.gap = "no closed form of its ratcheting";
+        } else if (body.state === "ratcheting") {
+            const excess = (place.f - body.limit.value) / (1 - body.limit.value);
+            read_into(body, "sphere_springs_ratcheting", [place.w, excess], [], {}, results);
+        }
         return body;
     }
     // `keys`: of the results that are wanted.
@@ -313,7 +318,7 @@ function read_atlases(given) {
     function domain(place, is_layer, ending, scale) {
         const reader = readers[(is_layer ? "sphere_layer" : "sphere_half_space") + ending];
         if (!reader) return null;
-        const [{from, to}, {from: low, to: high}] = reader.axes;
+        const [[from, to], [low, high]] = reader.axes.map(ends_of);
         const {gap} = coordinates_in(reader, [from, low], rest_of(place, is_layer));
         if (gap) return {gap};
         const size = is_layer && place.equal_amplitude === "W" ? scale.contact_radius_m.value : 1;

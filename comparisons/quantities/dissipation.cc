@@ -1,6 +1,5 @@
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "comparisons/quantities/quantities.h"
 #include "theory/cattaneo_mindlin.h"
@@ -43,20 +42,6 @@ QuantityValue last_of(const auto& per_period) {
     return per_period.empty() ? QuantityValue() : finite(per_period.back());
 }
 
-QuantityValue settling_work(const Subject& s) {
-    const History& h = s.history;
-    const auto settled = number_of(settled_shift.of(s));
-    if (!settled) return {};
-    double work =
-        std::accumulate(h.dissipation_per_period.begin(), h.dissipation_per_period.end(), 0.);
-    const double increment = number_of(shift_increment.of(s)).value_or(0);
-    if (increment > 0)
-        work +=
-            h.dissipation_per_period.back() * h.verdict.remaining * h.scales.unit_shift / increment;
-    return finite(work /
-                  (s.c.friction_coefficient * h.scales.normal_force * h.scales.unit_shift));
-}
-
 constexpr const char* where_known =
     "with rolling, where f_T > 0 and the body is a paraboloid, sphere or cylinder";
 constexpr const char* of_w0 = "Mindlin and Deresiewicz (1953)";
@@ -96,17 +81,6 @@ constinit const Quantity dissipation_ratio_per_period{
     .of = [](const Subject& s) -> QuantityValue { return work_ratios(s); },
     .is_column = false};
 
-constinit const Quantity settling_work_ratio{
-    .key = "settling_work_ratio",
-    .symbol = "D_sd/(mu F_N U_max)",
-    .over = "mu F_N U_max",
-    .name = "frictional work of settling",
-    .meaning =
-        "Work of friction in all periods until the shift has settled, over mu F_N U_max; what is "
-        "left after the last period is extrapolated as its shift is.",
-    .defined = "with rolling and friction where the settled shift is",
-    .of = [](const Subject& s) { return settling_work(s); }};
-
 constinit const Quantity slip_path{
     .key = "largest_slip_path_m",
     .symbol = "s_max",
@@ -137,8 +111,8 @@ constinit const Quantity friction_work{
     .is_plotted = true};
 
 List of_dissipation() {
-    return {&dissipation,         &dissipation_ratio, &dissipation_ratio_per_period,
-            &settling_work_ratio, &slip_path,         &friction_work};
+    return {&dissipation, &dissipation_ratio, &dissipation_ratio_per_period, &slip_path,
+            &friction_work};
 }
 
 }  // namespace tricontact::comparisons::quantities

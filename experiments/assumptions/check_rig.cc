@@ -71,14 +71,18 @@ PrintedCheck check(const PrintedValue& printed, const Calculation* calculation) 
 
 }  // namespace
 
-RigReport check_rig(const Rig& rig, const StaticShift& static_shift) {
+RigReport check_rig(const Rig& rig, const StaticShift& static_shift, const RolledGrowth& growth) {
     RigReport report{.title = rig.title};
     switch (rig.kind) {
         case Rig::Kind::sphere:
-            report.assumptions = {
-                quasi_static_drive(rig), ideal_rolling(rig),           half_space(rig),
-                elastic_substrate(rig),  uncoupled(rig, static_shift), small_strains(rig),
-                fitted_constants(rig)};
+            report.assumptions = {quasi_static_drive(rig),
+                                  ideal_rolling(rig),
+                                  half_space(rig),
+                                  elastic_substrate(rig),
+                                  uncoupled(rig, static_shift),
+                                  growth_by_rolling(rig, growth),
+                                  small_strains(rig),
+                                  fitted_constants(rig)};
             if (roller_is_rigid(rig)) report.curves = force_curves(rig);
             break;
         case Rig::Kind::cylinder:

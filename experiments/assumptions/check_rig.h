@@ -56,10 +56,22 @@ inline constexpr double coupling_tangential_ratio = 0.56;
 /// tangential contact coupled or not: by a model that the caller has.
 using StaticShift = std::function<double(const Rig& rig, bool coupled)>;
 
+/// What rolling makes of the static shift of the rig's sphere by its least amplitude, along a load
+/// of half the layer's limit of shakedown: U_sd/U_stat. Empty where nobody knows.
+struct Growth {
+    double amplitude = 0;         ///< W [m]
+    double tangential_ratio = 0;  ///< F_T/(mu F_N)
+    Estimate half_space, layer;
+};
+/// The least amplitude of the rig's drive [m].
+double smallest_rolling_amplitude(const Rig& rig);
+using RolledGrowth = std::function<std::optional<Growth>(const Rig& rig)>;
+
 /// What the evaluation of a rig takes for granted, with verdicts. `static_shift` empty: the effect
-/// of coupling stays open. Throws contact::InputError for a rig out of the range of the layer's
-/// theory or materials out of range, contact::NotConverged.
-RigReport check_rig(const Rig& rig, const StaticShift& static_shift = {});
+/// of coupling stays open; `growth` empty: what rolling adds does. Throws contact::InputError for a
+/// rig out of the range of the layer's theory or materials out of range, contact::NotConverged.
+RigReport check_rig(const Rig& rig, const StaticShift& static_shift = {},
+                    const RolledGrowth& growth = {});
 
 /// Looks the printed quantities up by name among the calculations of the assumptions.
 std::vector<PrintedCheck> check_printed(const std::vector<PrintedValue>& printed,

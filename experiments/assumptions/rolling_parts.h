@@ -70,6 +70,7 @@ Assumption half_space_of_line(const Rig& rig);
 Assumption long_cylinder(const Rig& rig);
 Assumption elastic_substrate(const Rig& rig);
 Assumption uncoupled(const Rig& rig, const StaticShift& static_shift);
+Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth);
 Assumption small_strains(const Rig& rig);
 Assumption fitted_constants(const Rig& rig);
 

@@ -73,4 +73,12 @@ same beyond "$sphere" --set load.tangential_ratio=0.8
 same excess "$sphere" --set load.limit_excess=0.3 --set rolling.amplitude_ratio=0.3
 same resting "$source_dir/examples/cases/rig_sphere_parallel_shakedown.toml"
 
+# The report of a run shows where its case lies, of what the maps are about; of other bodies, and without rolling, it
+# does not speak of them.
+"$program" run "$sphere" --models mdr --output run --quiet --no-studies || complain "a run"
+grep -q 'The case in the maps' run/report.html || complain "no place in the maps"
+[ "$(grep -c . run/plots/place_in_maps.csv)" -gt 30 ] || complain "an empty picture of the maps"
+"$program" run "$source_dir/examples/cases/body_cone.toml" --models mdr --output cone --quiet --no-studies || complain "a cone"
+grep -q 'The case in the maps' cone/report.html && complain "maps of a cone"
+
 finish

@@ -26,7 +26,7 @@ def test_an_atlas_tells_what_it_is(half_space):
     assert "settled_shift_ratio" in half_space.quantities
     assert half_space.model == "bem" and half_space.points > 100
     assert "[vary]" in half_space.study and half_space.title
-    assert repr(half_space).startswith("<Atlas sphere_half_space: static_shift_ratio, ")
+    assert repr(half_space).startswith("<Atlas sphere_half_space: settled_shift_ratio, ")
 
 
 def test_numbers_are_those_of_boundary_elements(half_space):

@@ -21,16 +21,6 @@ using std::numbers::pi;
 constexpr double largest_mapped_amplitude = .85;
 constexpr double small_mapping = 3 / pi;  // kappa of small loads and amplitudes, nu = 0
 
-void check_point(const MappedRolling& p) {
-    if (!(p.amplitude_ratio >= 0 && p.amplitude_ratio <= largest_mapped_amplitude))
-        throw std::domain_error("mapped shakedown: w = W/a must lie in [0, 0.85]");
-    check_unit_interval("mapped shakedown", "f = F_T/(mu F_N)", p.tangential_ratio);
-    if (!std::isfinite(p.angle))
-        throw std::domain_error("mapped shakedown: the angle must be finite");
-    if (!(p.poisson >= 0 && p.poisson <= .5))
-        throw std::domain_error("mapped shakedown: nu must lie in [0, 1/2]");
-}
-
 // nu/(2 - nu) cos(2 angle): three times n.
 double orientation(const MappedRolling& p) {
     return p.poisson / (2 - p.poisson) * std::cos(2 * p.angle);
@@ -57,15 +47,25 @@ double arithmetic_geometric_mean(double a, double b) {
 
 }  // namespace
 
+void check(const MappedRolling& p) {
+    if (!(p.amplitude_ratio >= 0 && p.amplitude_ratio <= largest_mapped_amplitude))
+        throw std::domain_error("mapped rolling: w = W/a must lie in [0, 0.85]");
+    check_unit_interval("mapped rolling", "f = F_T/(mu F_N)", p.tangential_ratio);
+    if (!std::isfinite(p.angle))
+        throw std::domain_error("mapped rolling: the angle must be finite");
+    if (!(p.poisson >= 0 && p.poisson <= .5))
+        throw std::domain_error("mapped rolling: nu must lie in [0, 1/2]");
+}
+
 double half_space_mapping(const MappedRolling& p) {
-    check_point(p);
+    check(p);
     const double w = p.amplitude_ratio, unloaded = 1 - limit_fraction(p) * (1 - .06 * w);
     return mdr_mapping -
            largest_deficit(p) * std::pow(1 - w, .42) * std::pow(unloaded, .19 + .05 * w);
 }
 
 double simple_half_space_mapping(const MappedRolling& p) {
-    check_point(p);
+    check(p);
     return mdr_mapping - largest_deficit(p) * std::pow(1 - p.amplitude_ratio, .43) *
                              std::pow(1 - limit_fraction(p), .18);
 }
@@ -77,7 +77,7 @@ std::optional<double> half_space_settled_shift_ratio(const MappedRolling& p) {
 }
 
 double small_amplitude_mapping(const MappedRolling& p) {
-    check_point(p);
+    check(p);
     const double c = std::cbrt(1 - p.tangential_ratio);
     if (c == 1) return small_mapping * (1 - orientation(p) / 3);
     if (c == 0) return mdr_mapping;
@@ -100,7 +100,7 @@ double small_load_mapping(double w) {
 }
 
 double largest_settled_shift_ratio(const MappedRolling& p) {
-    check_point(p);
+    check(p);
     const double w = p.amplitude_ratio;
     const auto shift = [&](double phi) {
         const double across = 1 - std::pow(w * std::sin(phi), 2), along = w * std::cos(phi);

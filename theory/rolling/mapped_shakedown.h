@@ -28,6 +28,9 @@ struct MappedRolling {
     double poisson = 0;           ///< of both bodies together, in [0, 1/2]
 };
 
+/// Throws std::domain_error that names what is out of its range.
+void check(const MappedRolling& point);
+
 /// kappa = 3/2 - [3/2 - (3/pi)(1 - n)] (1 - w)^0.42 [1 - phi (1 - 0.06 w)]^(0.19 + 0.05 w),
 /// phi = f/f_T,lim; the same at phi = 1 for larger loads. Its u_sd differs from the atlas of
 /// boundary elements (w >= 0.02, 0.02 <= phi <= 0.99) by 1.7 % at most, 0.17 % in the median; kappa

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -165,17 +166,53 @@ TEST(ContactMaps, LayerAgreesWithPublishedRuns) {
     struct Run {
         double w, f, u_along, u_across;
     };
-    // Their third point, f = 0.56 at w = 0.24, is 0.87 of the limit, beyond the atlas.
+    // Their third point, w = 0.51, is beyond the atlas.
     // The way of pressing changes shifts by 1 %: the atlas' layers are pressed in 20 steps.
     for (const auto& [w, f, u_along, u_across] :
-         {Run{.24, .24, .1990, .2085}, Run{.51, .24, .3162, .3507}}) {
+         {Run{.24, .24, .1990, .2085}, Run{.24, .56, .5648, .5921}}) {
         EXPECT_NEAR(settled_shift_ratio(w, f, along, rig).value / u_along, 1, 2e-2);
         EXPECT_NEAR(settled_shift_ratio(w, f, across, rig).value / u_across, 1, 2e-2);
     }
     // U_stat at f = 0.56: 0.15155 mm of U_max = 0.37912 mm.
     EXPECT_NEAR(static_shift_ratio(.56, rig).value / (.15155 / .37912), 1, 5e-3);
-    // The bars of kappa, which divides by w u, are longer than the atlas allows there.
-    EXPECT_THROW(mapping_parameter(.24, .24, across, rig), OutsideDomain);
+}
+
+// Boundary elements of this program and of a second one in steps of 0.2 mm; extrapolated to no
+// steps along the load, by 1 % at most across it.
+TEST(ContactMaps, RatchetingAgreesWithPublishedRuns) {
+    struct Run {
+        double w, f, along, across;
+    };
+    for (const Run& run : {Run{.24, .80, .159, .2237}, Run{.51, .72, .465, .6434}}) {
+        const Value increment = shift_increment_ratio(run.w, run.f, along, .5);
+        EXPECT_NEAR(increment.value, run.along, increment.error + 3e-3 * run.along);
+        EXPECT_LT(increment.error, 3e-2 * run.along);
+        EXPECT_NEAR(shift_increment_ratio(run.w, run.f, across, .5).value / run.across, 1, 1e-2);
+    }
+}
+
+// MDR in 60 steps per quarter of a period: first order, 0.6 % below no steps.
+TEST(ContactMaps, RatchetingOfMdrAgreesWithPublishedRuns) {
+    const double runs[][3] = {
+        {.24, .80, .4031}, {.51, .72, 1.0889}, {.74, .72, 1.6748}, {.51, .90, 1.9403}};
+    for (const auto& [w, f, published] : runs) {
+        const Value increment = mdr_shift_increment_ratio(w, f);
+        EXPECT_GT(increment.value, published) << w;
+        EXPECT_LT(increment.value, published * 1.008) << w;
+    }
+}
+
+TEST(ContactMaps, MapsOfMdrAreThoseOfItsLoad) {
+    const double w = .3, f = .4, u = *theory::settled_shift_ratio(w, f);
+    EXPECT_NEAR(settled_shift_of_mdr(u, w, .5, .3).value, settled_shift_ratio(w, f, .5, .3).value,
+                1e-9);
+    EXPECT_THROW(settled_shift_of_mdr(1 - w * w, w, 0, .3), std::domain_error);
+    EXPECT_THROW(settled_shift_of_mdr(0, w, 0, .3), std::domain_error);
+    const double beyond = .8;
+    const double increment = mdr_shift_increment_ratio(w, beyond).value;
+    EXPECT_NEAR(shift_increment_of_mdr(increment, w, .5, .3).value,
+                shift_increment_ratio(w, beyond, .5, .3).value, 1e-9);
+    EXPECT_THROW(shift_increment_of_mdr(10, w, .5, .3), OutsideDomain);
 }
 
 TEST(ContactMaps, ThreadsReadTheSame) {

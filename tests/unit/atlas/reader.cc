@@ -16,15 +16,15 @@ std::vector<double> points_in(const Atlas& atlas, std::uint32_t n) {
     const auto n_axes = static_cast<int>(atlas.axes.size());
     std::vector<double> points = statistics::sample_points(n, n_axes);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const io::Study::Range& range = atlas.axes[i % atlas.axes.size()].range;
-        points[i] = range.from + (points[i] + 1) / 2 * (range.to - range.from);
+        const Axis& axis = atlas.axes[i % atlas.axes.size()];
+        points[i] = axis.from + (points[i] + 1) / 2 * (axis.to - axis.from);
     }
     return points;
 }
 
 std::vector<double> middle_of(const Atlas& atlas) {
     std::vector<double> point;
-    for (const Axis& axis : atlas.axes) point.push_back((axis.range.from + axis.range.to) / 2);
+    for (const Axis& axis : atlas.axes) point.push_back((axis.from + axis.to) / 2);
     return point;
 }
 
@@ -61,7 +61,7 @@ TEST(AtlasReader, OutsideIsRefusedByEachAxis) {
         const Axis& axis = atlas.axes[d];
         const double width = axis.range.to - axis.range.from;
         for (const double bad :
-             {axis.range.from - .01 * width, axis.range.to + .01 * width, std::nan(""), HUGE_VAL}) {
+             {axis.from - .01 * width, axis.to + .01 * width, std::nan(""), HUGE_VAL}) {
             std::vector<double> point = middle_of(atlas);
             point[d] = bad;
             try {
@@ -75,7 +75,7 @@ TEST(AtlasReader, OutsideIsRefusedByEachAxis) {
         }
         // Rounding at an end is none.
         std::vector<double> point = middle_of(atlas);
-        point[d] = axis.range.to + 1e-12 * width;
+        point[d] = axis.to + 1e-12 * width;
         EXPECT_NO_THROW(reader.go_to(point)) << axis.key;
     }
     EXPECT_THROW(reader.go_to(std::array{.1, .2}), std::invalid_argument);

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "atlas/atlas.h"
+#include "atlas/contact_maps.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_forms.h"
+#include "theory/rolling/mapped_ratcheting.h"
 #include "theory/rolling/mapped_shakedown.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -196,15 +198,56 @@ double thesis_on_layer(const Point& p) {
                                         thesis_mapping(p));
 }
 
+// f, nu
+TEST(AtlasFormulas, StaticShift) {
+    const Table table("sphere_half_space_static", quantities::static_shift_ratio);
+    table.check({"u_stat, Cattaneo and Mindlin", {1, 1}, [](const Point& p) {
+                     return theory::static_shift_ratio(p[0]);
+                 }});
+}
+
+// w, excess of the limit, angle, nu
+theory::MappedRolling ratcheting_of(const Point& p) {
+    const double limit = theory::shakedown_limit(p[0]);
+    return {p[0], limit + p[1] * (1 - limit), p[2], p[3]};
+}
+
+double thesis_increment(const Point& p) {
+    const auto point = ratcheting_of(p);
+    const double along =
+        theory::thesis_increment_parallel(point.amplitude_ratio, point.tangential_ratio);
+    const double across =
+        theory::thesis_increment_perpendicular(point.amplitude_ratio, point.tangential_ratio);
+    const double share = std::pow(std::sin(p[2]), 2);
+    return along * (1 - share) + across * share;
+}
+
+TEST(AtlasFormulas, Ratcheting) {
+    const Table table("sphere_half_space_ratcheting", quantities::shift_increment_ratio);
+    table.check({"Delta u, half-space", {10, 1.5}, [](const Point& p) {
+                     return theory::half_space_shift_increment_ratio(ratcheting_of(p));
+                 }});
+    table.check({"Delta u, thesis", {60, 20}, thesis_increment});
+    table.check({"Delta u, MDR", {200, 60}, [](const Point& p) {
+                     const auto point = ratcheting_of(p);
+                     return atlas::mdr_shift_increment_ratio(point.amplitude_ratio,
+                                                             point.tangential_ratio)
+                         .value;
+                 }});
+}
+
+// f, b/D_c, nu, mu
+TEST(AtlasFormulas, StaticLayer) {
+    const Table table("sphere_layer_static", quantities::static_shift_ratio);
+    table.check({"u_stat, layer", {8.5, .55}, [](const Point& p) {
+                     return theory::layer_static_shift_ratio({p[1], p[2]}, p[0]);
+                 }});
+    table.check({"u_stat, layer, by the half-space's form", {26, 1.8}, [](const Point& p) {
+                     return theory::static_shift_ratio(p[0]);
+                 }});
+}
+
 TEST(AtlasFormulas, RolledLayer) {
-    const Table at_rest("sphere_layer", quantities::static_shift_ratio);
-    at_rest.check({"u_stat, layer", {8.5, .55}, [](const Point& p) {
-                       const auto [layer, point, friction] = rolled_of(p);
-                       return theory::layer_static_shift_ratio(layer, point.tangential_ratio);
-                   }});
-    at_rest.check({"u_stat, layer, by the half-space's form", {26, 1.8}, [](const Point& p) {
-                       return theory::static_shift_ratio(rolled_of(p).point.tangential_ratio);
-                   }});
     const Table settled("sphere_layer", quantities::settled_shift_ratio);
     settled.check({"u_sd, layer", {14, .61}, settled_on_layer});
     settled.check({"u_sd, layer, by the half-space's form", {28, 2.5}, half_space_on_layer});
