@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -30,7 +31,6 @@ class ShippedMaps {
     double least_amplitude() const { return atlas_.axes.front().from; }
     /// From the least to the largest.
     std::pair<double, double> loads() const { return {atlas_.axes[1].from, atlas_.axes[1].to}; }
-    double kept(const char* key) const { return atlas_.kept_value(key); }
     void go_to(std::span<const double> coordinates) { reader_.go_to(coordinates); }
     Value read(const Quantity& q) const {
         const Map& map = *atlas_.find(q);
@@ -52,20 +52,21 @@ class ShippedMaps {
     Reader reader_;
 };
 
+/// A shipped atlas' name as a template argument.
+struct Name {
+    template <std::size_t n>
+    constexpr Name(const char (&letters)[n]) {
+        std::ranges::copy(letters, text);
+    }
+    char text[40] = {};
+};
+
 /// One reader of each atlas and thread.
-template <int place>
+template <Name name>
 ShippedMaps& maps_of() {
-    static constexpr const char* names[] = {
-        "sphere_half_space_static", "sphere_half_space",        "sphere_half_space_ratcheting",
-        "sphere_layer_static",      "sphere_layer_pressed",     "sphere_layer",
-        "sphere_layer_ratcheting",  "sphere_springs_ratcheting"};
-    thread_local ShippedMaps maps(names[place]);
+    thread_local ShippedMaps maps(name.text);
     return maps;
 }
-constexpr auto half_space_static_maps = maps_of<0>, half_space_maps = maps_of<1>,
-               half_space_ratcheting_maps = maps_of<2>, layer_static_maps = maps_of<3>,
-               pressed_layer_maps = maps_of<4>, layer_maps = maps_of<5>,
-               layer_ratcheting_maps = maps_of<6>, springs_ratcheting_maps = maps_of<7>;
 
 /// Undefined out of range, where the atlas refuses w.
 double half_space_limit(double w) {
@@ -73,7 +74,7 @@ double half_space_limit(double w) {
 }
 
 Value on_half_space(const Quantity& q, double w, double f, double angle, double poisson) {
-    return half_space_maps().read_at(
+    return maps_of<"sphere_half_space">().read_at(
         q, std::array{w, f / half_space_limit(w), folded_angle(angle), poisson});
 }
 
@@ -92,7 +93,7 @@ double mdr_load(double w, double u) {
 Value on_layer(const Quantity& q, double w, double f, double angle, const BondedLayer& l) {
     const Value limit = layer_shakedown_limit(w, l.thickness_ratio, l.poisson);
     const double fraction = f / limit.value;
-    return layer_maps().read_at_load(
+    return maps_of<"sphere_layer">().read_at_load(
         q, {w, fraction, folded_angle(angle), l.thickness_ratio, l.poisson, l.friction_coefficient},
         fraction * limit.error / limit.value);
 }
@@ -100,7 +101,8 @@ Value on_layer(const Quantity& q, double w, double f, double angle, const Bonded
 }  // namespace
 
 Value static_shift_ratio(double f, double poisson) {
-    return half_space_static_maps().read_at(quantities::static_shift_ratio, std::array{f, poisson});
+    return maps_of<"sphere_half_space_static">().read_at(quantities::static_shift_ratio,
+                                                         std::array{f, poisson});
 }
 
 Value settled_shift_ratio(double w, double f, double angle, double poisson) {
@@ -112,14 +114,14 @@ Value mapping_parameter(double w, double f, double angle, double poisson) {
 }
 
 Value shift_increment_ratio(double w, double f, double angle, double poisson) {
-    return half_space_ratcheting_maps().read_at(
+    return maps_of<"sphere_half_space_ratcheting">().read_at(
         quantities::shift_increment_ratio,
         std::array{w, excess_of(f, half_space_limit(w)), folded_angle(angle), poisson});
 }
 
 Value mdr_shift_increment_ratio(double w, double f) {
-    return springs_ratcheting_maps().read_at(quantities::shift_increment_ratio,
-                                             std::array{w, excess_of(f, half_space_limit(w))});
+    return maps_of<"sphere_springs_ratcheting">().read_at(
+        quantities::shift_increment_ratio, std::array{w, excess_of(f, half_space_limit(w))});
 }
 
 Value settled_shift_of_mdr(double mdr_shift, double w, double angle, double poisson) {
@@ -129,7 +131,7 @@ Value settled_shift_of_mdr(double mdr_shift, double w, double angle, double pois
 Value shift_increment_of_mdr(double mdr_increment, double w, double angle, double poisson) {
     const double limit = half_space_limit(w);
     const auto load = [&](double excess) { return limit + excess * (1 - limit); };
-    const auto [least, most] = half_space_ratcheting_maps().loads();
+    const auto [least, most] = maps_of<"sphere_half_space_ratcheting">().loads();
     const auto difference = [&](double excess) {
         return mdr_shift_increment_ratio(w, load(excess)).value - mdr_increment;
     };
@@ -141,7 +143,7 @@ Value shift_increment_of_mdr(double mdr_increment, double w, double angle, doubl
 }
 
 Value static_shift_ratio(double f, const BondedLayer& l) {
-    return layer_static_maps().read_at(
+    return maps_of<"sphere_layer_static">().read_at(
         quantities::static_shift_ratio,
         std::array{f, l.thickness_ratio, l.poisson, l.friction_coefficient});
 }
@@ -154,30 +156,17 @@ Value mapping_parameter(double w, double f, double angle, const BondedLayer& l) 
     return on_layer(quantities::kappa, w, f, angle, l);
 }
 
-Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& l) {
-    ShippedMaps& maps = layer_ratcheting_maps();
-    if (std::abs(l.poisson - maps.kept("substrate.poisson")) > 1e-9)
-        throw OutsideDomain(fmt::format("substrate.poisson = {:.6g}: atlas {} is about {:.6g}",
-                                        l.poisson, "sphere_layer_ratcheting",
-                                        maps.kept("substrate.poisson")));
-    const Value limit = layer_shakedown_limit(w, l.thickness_ratio, l.poisson);
-    return maps.read_at_load(quantities::shift_increment_ratio,
-                             {w, excess_of(f, limit.value), folded_angle(angle), l.thickness_ratio,
-                              l.friction_coefficient},
-                             limit.error / (1 - limit.value));
-}
-
 Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& l) {
     return settled_shift_ratio(w, mdr_load(w, mdr_shift), angle, l);
 }
 
 Value layer_shakedown_limit(double w, double thickness_ratio, double poisson) {
-    return pressed_layer_maps().read_at(quantities::limit_tangential_ratio,
-                                        std::array{w, thickness_ratio, poisson});
+    return maps_of<"sphere_layer_pressed">().read_at(quantities::limit_tangential_ratio,
+                                                     std::array{w, thickness_ratio, poisson});
 }
 
 PressedRatios pressed_layer_ratios(double thickness_ratio, double poisson) {
-    ShippedMaps& maps = pressed_layer_maps();
+    ShippedMaps& maps = maps_of<"sphere_layer_pressed">();
     maps.go_to(std::array{maps.least_amplitude(), thickness_ratio, poisson});
     return {.contact_radius = maps.read(quantities::contact_radius),
             .indentation = maps.read(quantities::indentation),

@@ -56,8 +56,6 @@ struct BondedLayer {
 Value static_shift_ratio(double f, const BondedLayer& layer);
 Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& layer);
 Value mapping_parameter(double w, double f, double angle, const BondedLayer& layer);
-/// The layer incompressible (atlas sphere_layer_ratcheting).
-Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& layer);
 /// u_sd of the layer, all over its own scales, where MDR settles at `mdr_shift`.
 Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& layer);
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "atlas/predictable.h"
 #include "atlas/pressed_layer.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
@@ -30,8 +31,6 @@ namespace quantities = comparisons::quantities;
 /// What the maps of a paraboloid miss of a sphere, over (a/R)^2: U_stat of the rig's exact sphere
 /// is 0.14 % above that of its paraboloid at a/R = 0.11.
 constexpr double sphere_share = 0.12;
-/// Compliance of an indenter over that of the layer below which it counts as rigid.
-constexpr double rigid_share = 1e-3;
 /// Of a key that an atlas keeps.
 constexpr double rounding = 1e-9;
 
@@ -56,32 +55,6 @@ Value operator/(const Value& a, const Value& b) {
 /// Between the lines of load and rolling, in [0, pi/2].
 double angle_of(const Case& c) {
     return c.rolling ? folded_angle(c.rolling->angle) : 0;
-}
-
-/// What no atlas is about; empty if nothing is in the way.
-std::string what_is_not_mapped(const Case& c) {
-    if (!contact::is_hertz_round(c)) return "bodies other than smooth paraboloids and spheres";
-    if (c.tractive_rolling) return "rolling on";
-    if (c.relaxation) return "relaxing substrates";
-    if (c.law != Case::Law::linear) return "finite strains";
-    if (!comparisons::constant_loads(c)) return "oscillating loads";
-    if (c.friction_coefficient <= 0) return "contacts without friction";
-    return "";
-}
-
-std::string what_layer_is_not_mapped(const Case& c) {
-    const auto& [thickness, ratio, base, width, depth, lower, ground] = c.layer;
-    if (!thickness) return "a half-space as a layer";
-    if (base != Case::Base::bonded || !lower.empty())
-        return "layers that are not bonded to a rigid base";
-    if (width || depth) return "layers of finite width or depth";
-    if (!c.contact.coupling) return "layers without coupling of normal and tangential contact";
-    if (c.load.press != Case::Press::friction || c.load.press_steps < 20)
-        return "layers that are not pressed with friction in 20 steps or more";
-    if (const auto& indenter = c.indenter.material)
-        if (indenter->plane_compliance() > rigid_share * c.substrate.plane_compliance())
-            return "indenters on a layer that are not rigid";
-    return "";
 }
 
 /// Where a contact lies in the maps of what rolling does.
@@ -301,17 +274,6 @@ class Predictor {
     Value unit_shift_{};
 };
 
-/// Why no atlas is about the case by this model; empty if one is.
-std::string what_is_not_mapped(const Case& c, const std::string& model) {
-    if (const std::string what = what_is_not_mapped(c); !what.empty()) return what;
-    if (model == "bem-layer") return what_layer_is_not_mapped(c);
-    if (model == "bem" && comparisons::couples(c, model))
-        return "half-spaces that couple normal and tangential contact (set contact.coupling = "
-               "false, or give a layer)";
-    if (model == "bem" || model == "mdr") return "";
-    return "what " + model + " computes";
-}
-
 }  // namespace
 
 const Prediction::Entry* Prediction::find(const Quantity& q) const {
@@ -340,21 +302,6 @@ Prediction predict(const Case& c, const std::string& model) {
     Predictor predictor(c, model);
     if (model == "mdr") return predictor.of_springs();
     return model == "bem" ? predictor.of_half_space() : predictor.of_layer();
-}
-
-std::vector<std::string> predictable_models(const Case& c) {
-    std::vector<std::string> models;
-    std::string what;
-    for (const char* model : {"mdr", "bem", "bem-layer"}) {
-        const std::string here = what_is_not_mapped(c, model);
-        if (here.empty())
-            models.emplace_back(model);
-        else if (what.empty())
-            what = here;
-    }
-    if (models.empty())
-        throw contact::InputError("no atlas is about " + what + "; tricontact run computes it");
-    return models;
 }
 
 comparisons::Results results_of(const Prediction& prediction) {

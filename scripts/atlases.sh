@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the shipped atlases again from their studies in atlas/studies, checks each by 300 random points and puts it
-# into atlas/data: minutes for a half-space, an hour for a layer, on two cores. What was computed before is found in
+# into atlas/data: minutes for a half-space, an hour for a layer and for ratcheting, on two cores. What was computed before is found in
 # results/atlases.
 # usage: atlases.sh [NAME]...   (all)
 set -euo pipefail

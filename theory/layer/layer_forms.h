@@ -55,7 +55,7 @@ double layer_shakedown_limit(const LayerForm& layer, double w);
 // layer's own scales. Exact for thick layers without coupling of normal and tangential contact.
 
 /// u_stat = U_stat/U_max at f = F_T/(mu F_N) in [0, 1], u_H = 1 - (1 - f)^(2/3). Against the
-/// coupled contact of the atlas `sphere_layer` (mu from 0.4, nu from 0.3): 8.5 %, 0.55 %.
+/// coupled contact of the atlas `sphere_layer_static` (mu from 0.25, nu from 0.3): 14 %, 0.7 %.
 double layer_static_shift_ratio(const LayerForm& layer, double f);
 
 /// What coupling of normal and tangential contact takes of the friction: K = C13/(C11 mu), the
@@ -65,8 +65,8 @@ double layer_coupling(const LayerForm& layer, double friction);
 
 /// u_sd = U_sd/U_max with u_H = `half_space_settled_shift_ratio`, times 1 + K^2 w with
 /// K = `layer_coupling`. Empty beyond the limit `layer_shakedown_limit`. nu is the layer's, not the
-/// point's. Against the same atlas (w <= 0.6, loads from 0.05 to 0.8 of the limit, pressed with
-/// friction): 14 %, 0.6 %; the largest errors are those of strong coupling and large w.
+/// point's. Against the atlas `sphere_layer` (w <= 0.48, loads from 0.05 to 0.9 of the limit, mu from
+/// 0.5, pressed with friction): 11 %, 0.55 %; the largest errors are those of strong coupling and large w.
 std::optional<double> layer_settled_shift_ratio(const LayerForm& layer, const MappedRolling& point,
                                                 double friction);
 

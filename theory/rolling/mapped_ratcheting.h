@@ -13,7 +13,7 @@ namespace tricontact::theory {
 // (1964) 338), to which each way between turning points comes near where f is large; the other
 // numbers are fitted to the atlas sphere_half_space_ratcheting. Range: w in [0, 0.85], f above the
 // limit; the atlas begins at w = 0.1 and ends at 0.95 of the way from the limit to 1. There the
-// formula is off by 9.5 % at most, 1.5 % in the median.
+// formula is off by 9.5 % at most, 1.6 % in the median.
 
 /// eta; std::domain_error at or below the limit, and out of range.
 double half_space_ratcheting_slope(const MappedRolling& point);

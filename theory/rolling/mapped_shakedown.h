@@ -33,12 +33,12 @@ void check(const MappedRolling& point);
 
 /// kappa = 3/2 - [3/2 - (3/pi)(1 - n)] (1 - w)^0.42 [1 - phi (1 - 0.06 w)]^(0.19 + 0.05 w),
 /// phi = f/f_T,lim; the same at phi = 1 for larger loads. Its u_sd differs from the atlas of
-/// boundary elements (w >= 0.02, 0.02 <= phi <= 0.99) by 1.7 % at most, 0.17 % in the median; kappa
+/// boundary elements (w >= 0.02, 0.02 <= phi <= 0.99) by 1.3 % at most, 0.17 % in the median; kappa
 /// by 7.1 % and 0.3 %. At phi = 1 u_sd is up to 3.4 % too low.
 double half_space_mapping(const MappedRolling& point);
 
 /// For the back of an envelope: 3/2 - [3/2 - (3/pi)(1 - n)] (1 - w)^0.43 (1 - phi)^0.18. u_sd
-/// within 1.8 % for phi <= 0.9, 0.16 % in the median; towards phi = 1 it tends to MDR's, too high.
+/// within 1.9 % for phi <= 0.9, 0.17 % in the median; towards phi = 1 it tends to MDR's, too high.
 double simple_half_space_mapping(const MappedRolling& point);
 
 /// u_sd = U_sd/U_max in [0, 1 - w^2] by `half_space_mapping`; empty beyond the limit (ratcheting).
