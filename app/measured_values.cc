@@ -92,14 +92,19 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
 std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
     std::vector<double> shifts;
     for (const double force : forces) {
-        c.load.set_tangential_ratio(force / (c.friction_coefficient * *c.load.normal_force));
+        // Below the maps' least load the shift goes on as that of the half-space.
+        constexpr double least_load = .02;
+        const double f = force / (c.friction_coefficient * *c.load.normal_force);
+        const double read = std::max(f, least_load);
+        c.load.set_tangential_ratio(read);
         const atlas::Prediction p = atlas::predict(c, atlas::predictable_models(c).back());
         const auto* shift = p.find(comparisons::quantities::static_shift);
         if (!shift)
             throw contact::InputError(
                 "models: atlas: " + (p.gaps.empty() ? "no static shift" : p.gaps.front()) +
                 "; take bem-layer");
-        shifts.push_back(shift->value.value);
+        shifts.push_back(shift->value.value * theory::static_shift_ratio(f) /
+                         theory::static_shift_ratio(read));
     }
     return shifts;
 }

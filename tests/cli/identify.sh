@@ -32,6 +32,15 @@ holds "$(number "['models']['half-space']['young_over_reference']") > 1.2" "the 
 holds "$(number "['models']['layer']['young_Pa']['change_by_standard_errors_of_inputs']['load.normal_force']") < 0" \
     "more force at the same shift is a stiffer hold, so a softer substrate"
 
+# By the maps: what the coupled runs of the data came from, within the maps' errors, in a second; the smallest force lies
+# below their least load.
+sed 's/^models = .*/models = ["half-space", "atlas"]/' shift.toml >mapped.toml
+"$program" identify mapped.toml --output out --quiet >text || complain "by the maps: $(cat text)"
+young=$(number "['models']['atlas']['young_Pa']['value']")
+friction=$(number "['models']['atlas']['friction_coefficient']['value']")
+holds "4.18e6 < $young && $young < 4.29e6" "E of the maps: $young"
+holds "0.558 < $friction && $friction < 0.578" "mu of the maps: $friction"
+
 # 3. Small forces tell no friction, and the report says so.
 {
     echo "tangential_force [N], shift [um], shift_error [um]"
