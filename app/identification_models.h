@@ -16,8 +16,8 @@ double* number_of(const io::CaseKey& key, contact::Case& c);
 std::vector<double> static_shifts(const std::string& model, const contact::Case& rig,
                                   const std::vector<double>& forces, int threads);
 
-/// What one of the models of an identification ("half-space", "layer", "atlas", "bem-layer", "fem") says
-/// about a measurement on the rig, one value [SI] for each of those `given`; E and mu are the
+/// What one of the models of an identification ("half-space", "layer", "atlas", "bem-layer", "fem")
+/// says about a measurement on the rig, one value [SI] for each of those `given`; E and mu are the
 /// rig's. Throws InputError, NotConverged.
 std::vector<double> measured_values(const std::string& model,
                                     experiments::IdentificationInput::Measurement measurement,

@@ -39,8 +39,9 @@ std::optional<double> extrapolated_value(const Atlas& atlas, const comparisons::
 Map fit_map(const Atlas& atlas, const comparisons::Quantity& q, const std::vector<Sample>& samples);
 
 /// Cuts the axes of amplitude and load so that no sample inside lacks one of the maps' quantities,
-/// each time at the end that costs the fewest samples: a contact that ratchets has no settled shift,
-/// and none is told next to it. Leaves the axes as they are if it would cost more than a fifth of the samples.
+/// each time at the end that costs the fewest samples: a contact that ratchets has no settled
+/// shift, and none is told next to it. Leaves the axes as they are if it would cost more than a
+/// fifth of the samples.
 void cut_domain(Atlas& atlas, const std::vector<Sample>& samples);
 
 /// The error that 95 % of the bars at the samples stay below: over the value, of a map that is none
