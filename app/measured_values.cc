@@ -3,6 +3,7 @@
 #include "app/case_run.h"
 #include "app/identification_models.h"
 #include "atlas/prediction.h"
+#include "atlas/shipped.h"
 #include "comparisons/half_space/layer.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/load_path.h"
@@ -88,16 +89,17 @@ std::vector<Pressed> presses(const std::string& model, const Case& rig,
     return all;
 }
 
-/// Of the most complete maps that are about the rig. Throws InputError where they do not reach.
+/// Of the maps of the layer. Throws InputError where they are not about the rig, or do not reach.
 std::vector<double> mapped_shifts(Case c, const std::vector<double>& forces) {
+    const atlas::Atlas& maps = atlas::shipped("sphere_layer_static");
     std::vector<double> shifts;
     for (const double force : forces) {
         // Below the maps' least load the shift goes on as that of the half-space.
-        constexpr double least_load = .02;
+        const double least_load = maps.axis("load.tangential_ratio")->from;
         const double f = force / (c.friction_coefficient * *c.load.normal_force);
         const double read = std::max(f, least_load);
         c.load.set_tangential_ratio(read);
-        const atlas::Prediction p = atlas::predict(c, atlas::predictable_models(c).back());
+        const atlas::Prediction p = atlas::predict(c, "bem-layer");
         const auto* shift = p.find(comparisons::quantities::static_shift);
         if (!shift)
             throw contact::InputError(
