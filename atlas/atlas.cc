@@ -57,6 +57,12 @@ double Atlas::kept_value(std::string_view key) const {
     return value && **value ? ***value : contact::undefined;
 }
 
+bool is_inside(const std::vector<Axis>& axes, std::span<const double> coordinates) {
+    for (std::size_t d = 0; d < axes.size(); ++d)
+        if (!axes[d].is_inside(coordinates[d])) return false;
+    return true;
+}
+
 std::vector<double> unit_coordinates(const Atlas& atlas, std::span<const double> coordinates) {
     std::vector<double> unit;
     for (std::size_t d = 0; d < atlas.axes.size(); ++d)

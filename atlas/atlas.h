@@ -80,6 +80,9 @@ struct Atlas {
     double kept_value(std::string_view key) const;
 };
 
+/// Whether the maps say something at one coordinate per axis.
+bool is_inside(const std::vector<Axis>& axes, std::span<const double> coordinates);
+
 /// The point of [-1, 1]^n of one coordinate per axis, which are taken into the domain.
 std::vector<double> unit_coordinates(const Atlas& atlas, std::span<const double> coordinates);
 

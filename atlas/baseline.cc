@@ -25,10 +25,6 @@ using Point = Baseline::Point;
 // but for one without a step.
 constexpr double largest_amplitude = .85, least_thickness = .25, least_friction = .4;
 
-double inside(double value, double from, double to) {
-    return std::clamp(value, from, to);
-}
-
 constexpr const char* cattaneo = "u_stat of Cattaneo and Mindlin";
 constexpr const char* line_static = "u_stat of a line contact";
 constexpr const char* line_settled = "u_sd of a line contact";
@@ -109,7 +105,7 @@ void Baseline::add_round(Point& p, std::span<const double> values) const {
     const theory::MappedRolling own{.amplitude_ratio = std::min(p.w, largest_amplitude),
                                     .tangential_ratio = p.f,
                                     .angle = angle_.at(values),
-                                    .poisson = inside(poisson_.at(values), 0, .5)};
+                                    .poisson = std::clamp(poisson_.at(values), 0., .5)};
     p.u_stat = theory::static_shift_ratio(p.f);
     if (p.f >= p.limit) {
         p.excess = p.w - theory::amplitude_limit(p.f);
@@ -123,7 +119,7 @@ void Baseline::add_round(Point& p, std::span<const double> values) const {
 void Baseline::add_layer(Point& p, std::span<const double> values) const {
     const theory::LayerForm layer{
         .thickness_ratio = std::max(thickness_.at(values), least_thickness),
-        .poisson = inside(poisson_.at(values), 0, .5)};
+        .poisson = std::clamp(poisson_.at(values), 0., .5)};
     const double w = std::min(p.w, largest_amplitude);
     if (p.f >= p.limit) p.excess = p.w - theory::amplitude_limit(p.f);
     const double limit = theory::layer_shakedown_limit(layer, w);

@@ -30,20 +30,26 @@ struct Table {
     std::vector<double> points, values, corrections;
 };
 
+/// What the coarser runs say is missing to the finest one's fitted value.
+double correction(const Atlas& atlas, const Quantity& q, const Sample& sample, double finest,
+                  bool is_logarithmic) {
+    double sum = 0;
+    for (const Sample::Coarser& one : sample.coarser)
+        if (const auto coarser = fitted_value(atlas, q, sample, one.results, is_logarithmic))
+            sum += one.factor * (finest - *coarser);
+    return sum;
+}
+
 Table table_of(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& samples,
                bool is_logarithmic) {
     Table table;
     for (const Sample& sample : samples) {
         const auto finest = fitted_value(atlas, q, sample, sample.finest, is_logarithmic);
         if (!finest) continue;
-        double correction = 0;
-        for (const Sample::Coarser& one : sample.coarser)
-            if (const auto coarser = fitted_value(atlas, q, sample, one.results, is_logarithmic))
-                correction += one.factor * (*finest - *coarser);
         const std::vector<double> x = unit_coordinates(atlas, sample.coordinates);
         table.points.insert(table.points.end(), x.begin(), x.end());
         table.values.push_back(*finest);
-        table.corrections.push_back(correction);
+        table.corrections.push_back(correction(atlas, q, sample, *finest, is_logarithmic));
     }
     return table;
 }
@@ -76,10 +82,7 @@ std::optional<double> extrapolated_value(const Atlas& atlas, const Quantity& q,
                                          const Sample& sample) {
     auto value = fitted_value(atlas, q, sample, sample.finest, false);
     if (!value) return {};
-    const double finest = *value;
-    for (const Sample::Coarser& one : sample.coarser)
-        if (const auto coarser = fitted_value(atlas, q, sample, one.results, false))
-            *value += one.factor * (finest - *coarser);
+    *value += correction(atlas, q, sample, *value, false);
     return *q.unit ? *value : *value * atlas.baseline.of(q, atlas.baseline.at(sample.coordinates));
 }
 
@@ -113,14 +116,9 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
         (is_whole ? defined : undefined).push_back(&sample);
     }
     std::vector<Axis> axes = atlas.axes;
-    const auto is_inside = [&](const Sample* sample) {
-        for (std::size_t d = 0; d < axes.size(); ++d)
-            if (!axes[d].is_inside(sample->coordinates[d])) return false;
-        return true;
-    };
     const std::size_t n_defined = defined.size();
     for (const Sample* bad : undefined) {
-        if (!is_inside(bad)) continue;
+        if (!is_inside(axes, bad->coordinates)) continue;
         std::size_t most_kept = 0;
         std::vector<Axis> best = axes;
         for (std::size_t d = 0; d < axes.size(); ++d) {
@@ -142,7 +140,8 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
             }
         }
         axes = best;
-        std::erase_if(defined, [&](const Sample* one) { return !is_inside(one); });
+        std::erase_if(defined,
+                      [&](const Sample* one) { return !is_inside(axes, one->coordinates); });
     }
     if (static_cast<double>(defined.size()) >= (1 - most_lost) * static_cast<double>(n_defined))
         atlas.axes = axes;

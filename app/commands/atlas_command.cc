@@ -167,12 +167,6 @@ class AtlasBuild {
         options_.write("points.csv", table);
     }
 
-    static bool is_inside(const Atlas& atlas, const Sample& sample) {
-        for (std::size_t d = 0; d < atlas.axes.size(); ++d)
-            if (!atlas.axes[d].is_inside(sample.coordinates[d])) return false;
-        return true;
-    }
-
     std::vector<std::string> check_headings(const Atlas& atlas) const {
         std::vector<std::string> headings;
         for (const atlas::Axis& axis : atlas.axes) headings.push_back(axis.key);
@@ -187,8 +181,7 @@ class AtlasBuild {
         std::size_t n_covered = 0;
         for (const Sample& sample : samples) {
             const auto computed = atlas::extrapolated_value(atlas, *map.quantity, sample);
-            if (!computed) continue;
-            if (!is_inside(atlas, sample)) continue;
+            if (!computed || !atlas::is_inside(atlas.axes, sample.coordinates)) continue;
             reader.go_to(sample.coordinates);
             const auto [value, error] = reader.read(map);
             if (std::isnan(value)) continue;  // not said

@@ -57,7 +57,7 @@ inline constexpr double coupling_tangential_ratio = 0.56;
 using StaticShift = std::function<double(const Rig& rig, bool coupled)>;
 
 /// What rolling makes of the static shift of the rig's sphere by its least amplitude, along a load
-/// of half the layer's limit of shakedown: U_sd/U_stat. Empty where nobody knows.
+/// of half the layer's limit of shakedown: U_sd/U_stat. Empty if unknown.
 struct Growth {
     double amplitude = 0;         ///< W [m]
     double tangential_ratio = 0;  ///< F_T/(mu F_N)

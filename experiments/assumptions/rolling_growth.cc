@@ -33,8 +33,7 @@ Assumption growth_by_rolling(const Rig& rig, const RolledGrowth& growth) {
          Criterion::Relation::at_most, accepted_difference, accepted_reason});
     a.consequence = fmt::format(
         "Rolled by {} along F_T = {} mu F_N, half the layer's limit of shakedown, the shift "
-        "settles "
-        "at {} times the static one on the layer and {} times on a half-space.",
+        "settles at {} times the static one on the layer and {} times on a half-space.",
         quantity(found->amplitude, "m", 3), significant(found->tangential_ratio, 3),
         significant(found->layer.value, 4), significant(found->half_space.value, 4));
     return a;
