@@ -29,8 +29,8 @@ constexpr const char* cattaneo = "u_stat of Cattaneo and Mindlin";
 constexpr const char* line_static = "u_stat of a line contact";
 constexpr const char* line_settled = "u_sd of a line contact";
 constexpr const char* limit_of_hertz = "f_T,lim of Hertz' pressure";
-constexpr const char* excess = "w - w_lim";
-constexpr const char* line_excess = "(w - w_lim)/lambda";
+constexpr const char* beyond_limit = "w - w_lim";
+constexpr const char* line_beyond_limit = "(w - w_lim)/lambda";
 
 }  // namespace
 
@@ -51,7 +51,7 @@ const Baseline::Formula Baseline::formulas[] = {
      {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz}},
     {&quantities::shift_increment_ratio,
      &Point::excess,
-     {excess, excess, excess, line_excess, line_excess}}};
+     {beyond_limit, beyond_limit, beyond_limit, line_beyond_limit, line_beyond_limit}}};
 
 Baseline::Baseline(const Case& base, const std::string& model,
                    const std::vector<std::string>& keys) {

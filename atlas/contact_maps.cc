@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "atlas/prediction.h"
+#include "atlas/map_coordinates.h"
 #include "atlas/shipped.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/root.h"
@@ -76,11 +76,6 @@ double half_space_limit(double w) {
 Value on_half_space(const Quantity& q, double w, double f, double angle, double poisson) {
     return maps_of<"sphere_half_space">().read_at(
         q, std::array{w, f / half_space_limit(w), folded_angle(angle), poisson});
-}
-
-/// Of f beyond the limit: its share of the way to 1; negative below, where no atlas is.
-double excess_of(double f, double limit) {
-    return (f - limit) / (1 - limit);
 }
 
 /// MDR's load at its settled shift.

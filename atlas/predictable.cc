@@ -15,7 +15,8 @@ constexpr double rigid_share = 1e-3;
 
 /// What no atlas is about; empty if nothing is in the way.
 std::string what_is_not_mapped(const Case& c) {
-    if (!contact::is_hertz_round(c)) return "bodies other than smooth paraboloids and spheres";
+    if (!contact::is_hertz_round(c) && !c.is_line_contact())
+        return "bodies other than smooth paraboloids, spheres and cylinders";
     if (c.tractive_rolling) return "rolling on";
     if (c.relaxation) return "relaxing substrates";
     if (c.law != Case::Law::linear) return "finite strains";
@@ -47,6 +48,7 @@ std::string what_is_not_mapped(const Case& c, const std::string& model) {
     if (model == "bem" && comparisons::couples(c, model))
         return "half-spaces that couple normal and tangential contact (set contact.coupling = "
                "false, or give a layer)";
+    if (model == "mdr" && c.is_line_contact()) return "line contacts by MDR";
     if (model == "bem" || model == "mdr") return "";
     return "what " + model + " computes";
 }

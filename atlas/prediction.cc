@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "atlas/map_coordinates.h"
 #include "atlas/predictable.h"
 #include "atlas/pressed_layer.h"
 #include "atlas/shipped.h"
@@ -27,12 +28,6 @@ using comparisons::Quantity;
 using contact::Case;
 using contact::State;
 namespace quantities = comparisons::quantities;
-
-/// What the maps of a paraboloid miss of a sphere, over (a/R)^2: U_stat of the rig's exact sphere
-/// is 0.14 % above that of its paraboloid at a/R = 0.11.
-constexpr double sphere_share = 0.12;
-/// Of a key that an atlas keeps.
-constexpr double rounding = 1e-9;
 
 constexpr const char *angle_key = "rolling.angle", *poisson_key = "substrate.poisson",
                      *thickness_key = "substrate.thickness_ratio",
@@ -65,22 +60,6 @@ struct Place {
     std::map<std::string, double> rest;    ///< of the keys other than amplitude and load
 };
 
-/// The coordinates of a place in an atlas, the first of them given. Throws OutsideDomain if a key
-/// that the atlas keeps has another value there.
-std::vector<double> coordinates_in(const Atlas& atlas, std::vector<double> first,
-                                   const std::map<std::string, double>& rest) {
-    for (const auto& [key, value] : rest) {
-        if (atlas.axis(key) || key == angle_key) continue;
-        const double kept = atlas.kept_value(key);
-        if (std::abs(value - kept) > rounding)
-            throw OutsideDomain(
-                fmt::format("{} = {:.6g}: atlas {} is about {:.6g}", key, value, atlas.name, kept));
-    }
-    for (std::size_t d = first.size(); d < atlas.axes.size(); ++d)
-        first.push_back(rest.at(atlas.axes[d].key));
-    return first;
-}
-
 /// A prediction as it grows.
 class Predictor {
   public:
@@ -95,14 +74,14 @@ class Predictor {
             set(quantities::kappa, exact(theory::mdr_mapping));
         }
         if (p_.state == State::ratcheting) {
-            const double limit = *r.limit_tangential_ratio;
-            const double excess = (r.tangential_ratio - limit) / (1 - limit);
+            const double excess = excess_of(r.tangential_ratio, *r.limit_tangential_ratio);
             add_maps("sphere_springs_ratcheting", {{r.amplitude_ratio, excess}, {}}, {});
         }
         return finish();
     }
 
     Prediction of_half_space() {
+        if (c_.is_line_contact()) return of_line();
         const comparisons::Reference r = on_half_space("Hertz' closed forms");
         add_maps({.atlas = "sphere_half_space",
                   .w = exact(c_.rolling ? r.amplitude_ratio : 0),
@@ -122,8 +101,26 @@ class Predictor {
     }
 
   private:
+    /// Its settled shift has a closed form; what ratcheting adds to it, divided by lambda, has a map.
+    Prediction of_line() {
+        const comparisons::Reference r = on_half_space("closed forms of the line contact");
+        if (r.static_shift_ratio > 0)
+            set(quantities::static_shift_ratio, exact(r.static_shift_ratio));
+        if (r.shakedown_shift_ratio)
+            set(quantities::settled_shift_ratio, exact(*r.shakedown_shift_ratio));
+        if (r.stick_ratio) set(quantities::stick_ratio, exact(*r.stick_ratio));
+        if (p_.state == State::ratcheting) {
+            const std::string name = "cylinder_half_space_ratcheting";
+            const double excess = excess_of(r.tangential_ratio, *r.limit_tangential_ratio);
+            scale_ = line_lambda(shipped(name).kept) / line_lambda(c_);
+            add_maps(name, {{r.amplitude_ratio, excess}, {}}, {});
+        }
+        return finish();
+    }
+
     void add_layer() {
-        const Atlas& pressed = shipped("sphere_layer_pressed");
+        const std::string name = c_.is_line_contact() ? "cylinder_layer" : "sphere_layer";
+        const Atlas& pressed = shipped(name + "_pressed");
         p_.rests_on.push_back(pressed.name);
         const PressedLayer layer(c_, pressed);
         const auto scale = [&](const Quantity& q, double of_hertz) {
@@ -136,7 +133,7 @@ class Predictor {
         scale(quantities::peak_pressure, hertz.peak_pressure);
         unit_shift_ = scale(quantities::unit_shift, hertz.unit_shift);
 
-        Place place{.atlas = "sphere_layer",
+        Place place{.atlas = name,
                     .w = exact(0),
                     .f = {},
                     .limit = [&](double w) { return layer.limit(exact(w)); },
@@ -210,7 +207,7 @@ class Predictor {
         const Value limit = place.limit(place.w.value);
         const bool ratchets = place.f.value > limit.value;
         const Value load = ratchets
-                               ? Value{(place.f.value - limit.value) / (1 - limit.value),
+                               ? Value{excess_of(place.f.value, limit.value),
                                        std::hypot(place.f.error, limit.error) / (1 - limit.value)}
                                : place.f / limit;
         const bool is_inside =
@@ -248,7 +245,7 @@ class Predictor {
 
     void add(const Map& map, const Value& value) {
         if (std::isfinite(value.value))
-            set(*map.quantity, with_sphere(value));
+            set(*map.quantity, with_sphere(value * exact(scale_)));
         else
             p_.gaps.push_back(std::string(map.quantity->key) +
                               ": its error bar there is longer than the atlas allows");
@@ -272,6 +269,7 @@ class Predictor {
     const Case& c_;
     Prediction p_;
     Value unit_shift_{};
+    double scale_ = 1;  // of what the maps say, on another length than theirs
 };
 
 }  // namespace
@@ -279,21 +277,6 @@ class Predictor {
 const Prediction::Entry* Prediction::find(const Quantity& q) const {
     const auto found = std::ranges::find(entries, &q, &Entry::quantity);
     return found == entries.end() ? nullptr : &*found;
-}
-
-double folded_angle(double angle) {
-    return std::acos(std::abs(std::cos(angle)));
-}
-
-double common_poisson(const Case& c) {
-    const contact::MaterialPair pair = c.materials();
-    return pair.nu_over_g() / (pair.one_minus_nu_over_g() + pair.nu_over_g());
-}
-
-double shape_error(const Case& c) {
-    if (c.indenter.shape != Case::Shape::sphere) return 0;
-    const double slope = half_space_scales(c).contact_radius / c.indenter.radius;
-    return sphere_share * slope * slope;
 }
 
 Prediction predict(const Case& c, const std::string& model) {

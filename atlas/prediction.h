@@ -35,14 +35,6 @@ Prediction predict(const contact::Case& c, const std::string& model);
 /// there is none.
 std::vector<std::string> predictable_models(const contact::Case& c);
 
-/// The angle between two lines, in [0, pi/2], of an angle in any quadrant [rad].
-double folded_angle(double angle);
-/// Poisson's ratio of two half-spaces together: that of one body with their ratio of tangential to
-/// normal compliance.
-double common_poisson(const contact::Case& c);
-/// What an exact sphere adds to the bars of maps of paraboloids, as a share; 0 for others.
-double shape_error(const contact::Case& c);
-
 /// Values as results of a run, without their bars.
 comparisons::Results results_of(const Prediction& prediction);
 

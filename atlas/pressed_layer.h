@@ -14,6 +14,9 @@ class PressedLayer {
     /// Pressed to a depth, its force is that of the maps. The atlas stays with the caller.
     PressedLayer(const contact::Case& c, const Atlas& atlas);
 
+    /// Of the half-space at the same force; of a line contact, whose indentation and shift grow
+    /// with the logarithm of its length, with the length over half width that the maps were
+    /// computed at.
     const contact::HalfSpaceScales& hertz() const { return hertz_; }
     double thickness_ratio() const { return thickness_ratio_; }  ///< b over Hertz' contact diameter
     /// Of a quantity with a unit, over that of the half-space.
@@ -23,6 +26,7 @@ class PressedLayer {
 
   private:
     double least_amplitude() const { return atlas_.axes.front().from; }
+    const Axis& thickness_axis() const;
     void place(const contact::Case& c);
     void find_force(const contact::Case& c);
 

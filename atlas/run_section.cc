@@ -81,9 +81,9 @@ report::Figure figure_of(const Case& c, const Prediction& here) {
             .title = "Where the case lies",
             .caption = fmt::format(
                 "Settled shift u_sd = U_sd/U_max of {} over amplitude and load, at the direction, "
-                "Poisson's ratio, friction and thickness of the case, from the shipped maps; "
+                "Poisson's ratio, friction and thickness of the case, from {}; "
                 "without colour where they do not reach. Above the limit contacts ratchet.",
-                model),
+                model, fmt::join(here.rests_on, ", ")),
             .x = {.label = "w = W/a", .low = 0, .high = largest_amplitude},
             .y = {.label = "f_T = F_T/(mu F_N)", .low = 0, .high = 1},
             .curves = {limit, point},

@@ -46,7 +46,16 @@ std::string json_text(const Case& c, const std::vector<Prediction>& predictions)
            '\n';
 }
 
+/// The page is about spheres.
+bool has_page(const Case& c) {
+    return !c.is_line_contact();
+}
+
 void write_files(const PredictOptions& options, const Case& c, const std::string& json) {
+    if (!has_page(c)) {
+        options.fill({{json_name}}, [&] { options.write(json_name, json); });
+        return;
+    }
     std::string command = "tricontact predict " + options.file;
     for (const std::string& one : options.overrides) command += fmt::format(" --set \"{}\"", one);
     options.fill({{page_name, json_name}}, [&] {
@@ -75,7 +84,10 @@ void predict_case(const PredictOptions& options) {
         for (const Prediction& p : predictions) std::cout << text_of(p);
     if (options.output.empty()) return;
     write_files(options, c, json);
-    if (!options.json) std::cout << "page: " << options.output << '/' << page_name << '\n';
+    if (options.json) return;
+    std::cout << (has_page(c) ? "page: " + options.output + '/' + page_name
+                              : std::string("no page: it is about spheres"))
+              << '\n';
 }
 
 }  // namespace
@@ -85,7 +97,7 @@ Command predict_command() {
                                     predict_case)
         .on_case()
         .models("Models (those that an atlas is about)")
-        .output("Folder for atlas.html, a page to play with, and prediction.json")
+        .output("Folder for prediction.json and, of spheres, atlas.html, a page to play with")
         .flag("--json", &PredictOptions::json, "As JSON, keys as in summary.json");
 }
 

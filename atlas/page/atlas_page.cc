@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "atlas/atlas_file.h"
+#include "atlas/map_coordinates.h"
 #include "atlas/page/atlas_page_templates.h"
 #include "atlas/prediction.h"
 #include "atlas/shipped.h"
@@ -79,6 +80,14 @@ Json place_json(const Case& c) {
             {"equal_load", c.load.is_by_limit() ? "share" : "F_T"}};
 }
 
+/// The page is about spheres.
+std::vector<std::string_view> shown_names() {
+    std::vector<std::string_view> names;
+    for (const std::string_view name : shipped_names())
+        if (name.starts_with("sphere_")) names.push_back(name);
+    return names;
+}
+
 /// Without texts and digests.
 Json maps_json(const Atlas& atlas) {
     Json json = Json::parse(write_atlas(atlas));
@@ -91,7 +100,7 @@ Json maps_json(const Atlas& atlas) {
 
 kainjow::mustache::data origins() {
     kainjow::mustache::data list{kainjow::mustache::data::type::list};
-    for (const std::string_view name : shipped_names()) {
+    for (const std::string_view name : shown_names()) {
         const Atlas& atlas = shipped(name);
         kainjow::mustache::data item{kainjow::mustache::data::type::object};
         item.set("title", atlas.title);
@@ -107,7 +116,7 @@ kainjow::mustache::data origins() {
 
 Json atlas_page_json(const AtlasPage& page) {
     Json atlases = Json::object();
-    for (const std::string_view name : shipped_names())
+    for (const std::string_view name : shown_names())
         atlases[std::string(name)] = maps_json(shipped(name));
     return {{"case", page.c ? place_json(*page.c) : Json()},
             {"shape_error", page.c ? shape_error(*page.c) : 0},

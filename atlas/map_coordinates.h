@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "atlas/atlas.h"
+#include "contact/case.h"
+
+namespace tricontact::atlas {
+
+// A case in the coordinates of the shipped maps.
+
+/// The angle between two lines, in [0, pi/2], of an angle in any quadrant [rad].
+double folded_angle(double angle);
+/// Poisson's ratio of two half-spaces together: that of one body with their ratio of tangential to
+/// normal compliance.
+double common_poisson(const contact::Case& c);
+/// What an exact sphere adds to the bars of maps of paraboloids, as a share; 0 for others.
+double shape_error(const contact::Case& c);
+
+/// lambda of a line contact on the half-space: contact::line_shift_factor of its own length.
+double line_lambda(const contact::Case& c);
+
+/// Of a load f beyond the limit of shakedown: its share of the way to full sliding, f = 1; negative
+/// below the limit, where no atlas of ratcheting is.
+double excess_of(double f, double limit);
+
+/// The coordinates of a place in an atlas: the first of them given, the rest by their keys. Throws
+/// OutsideDomain if a key that the atlas keeps has another value there; but the angle, which is
+/// none of a contact at rest.
+std::vector<double> coordinates_in(const Atlas& atlas, std::vector<double> first,
+                                   const std::map<std::string, double>& rest);
+
+}  // namespace tricontact::atlas
