@@ -20,8 +20,10 @@ double unit_coordinate(const Axis& axis, double value) {
 }
 
 /// Of the quotient's fit, bar and correction there; `factor` is the closed form.
-Value whole_value(const Map& map, double fitted, double bar, double correction, double factor) {
-    const double error = std::hypot(bar, correction), quotient = fitted + correction;
+Value whole_value(const Atlas& atlas, const Map& map, double fitted, double bar, double correction,
+                  double factor) {
+    const double error = std::hypot(bar, atlas.safety_factor * correction);
+    const double quotient = fitted + correction;
     if (!map.is_logarithmic) return {factor * quotient, std::abs(factor) * error};
     const double value = factor * std::exp(quotient);
     return {value, std::abs(value) * std::expm1(error)};
@@ -30,7 +32,7 @@ Value whole_value(const Map& map, double fitted, double bar, double correction, 
 /// The same, if its bar is short enough.
 Value value_of(const Atlas& atlas, const Map& map, double fitted, double bar, double correction,
                double factor) {
-    Value v = whole_value(map, fitted, bar, correction, factor);
+    Value v = whole_value(atlas, map, fitted, bar, correction, factor);
     if (v.error > atlas.largest_error * std::abs(v.value)) v.value = contact::undefined;
     return v;
 }

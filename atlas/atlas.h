@@ -43,7 +43,8 @@ struct Map {
     /// Of what the finest runs gave, with its error from points left out of the fit.
     statistics::PolynomialFit fit;
     /// From the finest runs to no mesh and no steps, by Richardson's rule from the next coarser
-    /// ones; added to the fit, and its amount is the numerical error. No terms if nothing tells it.
+    /// ones; added to the fit. Atlas::safety_factor times its amount is the numerical error. No
+    /// terms if nothing tells it.
     statistics::SparsePolynomial correction;
     std::size_t n_points = 0;  ///< where the quantity is defined
 };
@@ -66,6 +67,7 @@ struct Atlas {
     std::string study;         ///< the text of its study
     std::string base;          ///< the resolved text of the case that the study varies
     double largest_error = 1;  ///< of a value over it: beyond it is outside the domain
+    double safety_factor = 1;  ///< what bars count of the correction for cells and steps
     std::size_t n_points = 0, n_failed = 0;  ///< of the study; points without results
     std::vector<Axis> axes;
     std::vector<Map> maps;

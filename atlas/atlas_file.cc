@@ -133,20 +133,22 @@ Json json_of(const Atlas& atlas) {
     Json axes = Json::array(), maps = Json::array();
     for (const Axis& axis : atlas.axes) axes.push_back(json_of(axis));
     for (const Map& map : atlas.maps) maps.push_back(json_of(atlas, map));
-    return {{"format", format_name},
-            {"name", atlas.name},
-            {"title", atlas.title},
-            {"model", atlas.model},
-            {"version", atlas.version},
-            {"numerics", atlas.numerics},
-            {"largest_error", atlas.largest_error},
-            {"points", atlas.n_points},
-            {"failed", atlas.n_failed},
-            {"results", atlas.digest},
-            {"study", atlas.study},
-            {"case", atlas.base},
-            {"axes", axes},
-            {"maps", maps}};
+    Json json{{"format", format_name},
+              {"name", atlas.name},
+              {"title", atlas.title},
+              {"model", atlas.model},
+              {"version", atlas.version},
+              {"numerics", atlas.numerics},
+              {"largest_error", atlas.largest_error}};
+    if (atlas.safety_factor != 1) json["safety_factor"] = atlas.safety_factor;
+    json.update(Json{{"points", atlas.n_points},
+                     {"failed", atlas.n_failed},
+                     {"results", atlas.digest},
+                     {"study", atlas.study},
+                     {"case", atlas.base},
+                     {"axes", axes},
+                     {"maps", maps}});
+    return json;
 }
 
 /// A digest of all else stands last.
@@ -170,6 +172,7 @@ Atlas atlas_of(const Json& json, const std::string& name) {
                 .study = json.at("study").get<std::string>(),
                 .base = json.at("case").get<std::string>(),
                 .largest_error = json.value("largest_error", 1.),
+                .safety_factor = json.value("safety_factor", 1.),
                 .n_points = json.at("points").get<std::size_t>(),
                 .n_failed = json.at("failed").get<std::size_t>()};
     std::vector<std::string> keys;

@@ -8,6 +8,7 @@
 #include "contact/special_values.h"
 #include "theory/cattaneo_mindlin.h"
 #include "theory/layer/layer_forms.h"
+#include "theory/layer/line_layer_forms.h"
 #include "theory/oscillating_cylinder.h"
 #include "theory/rolling/mapped_shakedown.h"
 #include "theory/rolling/oscillating_rolling.h"
@@ -139,8 +140,9 @@ void Baseline::add_layer(Point& p, std::span<const double> values) const {
 // On a layer the logarithm ends at its thickness.
 double Baseline::line_lambda(std::span<const double> values) const {
     if (body_ == Body::line) return lambda_;
-    const double reach = 2.4 * thickness_.at(values);  // over half the contact's width
-    return 1 + .5 * std::log1p(reach * reach);
+    return theory::line_layer_shift_factor(
+        {.thickness_ratio = std::max(thickness_.at(values), least_thickness),
+         .poisson = std::clamp(poisson_.at(values), 0., .5)});
 }
 
 void Baseline::add_line(Point& p, double lambda) const {

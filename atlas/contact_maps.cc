@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "atlas/map_coordinates.h"
-#include "atlas/shipped.h"
+#include "atlas/shipped_maps.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/root.h"
 #include "contact/special_values.h"
@@ -23,51 +23,6 @@ namespace {
 using comparisons::Quantity;
 namespace quantities = comparisons::quantities;
 
-/// A shipped atlas with a reader, for one thread.
-class ShippedMaps {
-  public:
-    explicit ShippedMaps(const char* name) : atlas_(shipped(name)), reader_(atlas_) {}
-
-    double least_amplitude() const { return atlas_.axes.front().from; }
-    /// From the least to the largest.
-    std::pair<double, double> loads() const { return {atlas_.axes[1].from, atlas_.axes[1].to}; }
-    void go_to(std::span<const double> coordinates) { reader_.go_to(coordinates); }
-    Value read(const Quantity& q) const {
-        const Map& map = *atlas_.find(q);
-        return said(atlas_, map, reader_.read(map));
-    }
-    Value read_at(const Quantity& q, std::span<const double> coordinates) {
-        go_to(coordinates);
-        return read(q);
-    }
-    /// The second coordinate, the load, has an error.
-    Value read_at_load(const Quantity& q, std::vector<double> coordinates, double load_error) {
-        const Map& map = *atlas_.find(q);
-        const std::array errors{0., load_error};
-        return said(atlas_, map, reader_.read_with_errors(map, std::move(coordinates), errors));
-    }
-
-  private:
-    const Atlas& atlas_;
-    Reader reader_;
-};
-
-/// A shipped atlas' name as a template argument.
-struct Name {
-    template <std::size_t n>
-    constexpr Name(const char (&letters)[n]) {
-        std::ranges::copy(letters, text);
-    }
-    char text[40] = {};
-};
-
-/// One reader of each atlas and thread.
-template <Name name>
-ShippedMaps& maps_of() {
-    thread_local ShippedMaps maps(name.text);
-    return maps;
-}
-
 /// Undefined out of range, where the atlas refuses w.
 double half_space_limit(double w) {
     return w >= 0 && w <= 1 ? theory::shakedown_limit(w) : contact::undefined;
@@ -76,6 +31,20 @@ double half_space_limit(double w) {
 Value on_half_space(const Quantity& q, double w, double f, double angle, double poisson) {
     return maps_of<"sphere_half_space">().read_at(
         q, std::array{w, f / half_space_limit(w), folded_angle(angle), poisson});
+}
+
+/// The same beyond the limit, of which `f` has the share of the way to 1. The atlas of ratcheting
+/// is about one Poisson's ratio.
+Value increment_on_layer(double w, double f, double angle, const BondedLayer& l) {
+    const Value limit = layer_shakedown_limit(w, l.thickness_ratio, l.poisson);
+    ShippedMaps& maps = maps_of<"sphere_layer_ratcheting">();
+    return maps.read_at_load(quantities::shift_increment_ratio,
+                             coordinates_in(maps.atlas(), {w, excess_of(f, limit.value)},
+                                            {{"rolling.angle", folded_angle(angle)},
+                                             {"substrate.thickness_ratio", l.thickness_ratio},
+                                             {"substrate.poisson", l.poisson},
+                                             {"friction.coefficient", l.friction_coefficient}}),
+                             limit.error / (1 - limit.value));
 }
 
 /// MDR's load at its settled shift.
@@ -149,6 +118,10 @@ Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& l
 
 Value mapping_parameter(double w, double f, double angle, const BondedLayer& l) {
     return on_layer(quantities::kappa, w, f, angle, l);
+}
+
+Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& l) {
+    return increment_on_layer(w, f, angle, l);
 }
 
 Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& l) {

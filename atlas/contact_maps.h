@@ -56,6 +56,8 @@ struct BondedLayer {
 Value static_shift_ratio(double f, const BondedLayer& layer);
 Value settled_shift_ratio(double w, double f, double angle, const BondedLayer& layer);
 Value mapping_parameter(double w, double f, double angle, const BondedLayer& layer);
+/// Delta u of an incompressible layer, nu = 1/2 (atlas sphere_layer_ratcheting); f above its limit.
+Value shift_increment_ratio(double w, double f, double angle, const BondedLayer& layer);
 /// u_sd of the layer, all over its own scales, where MDR settles at `mdr_shift`.
 Value settled_shift_of_mdr(double mdr_shift, double w, double angle, const BondedLayer& layer);
 

@@ -159,7 +159,7 @@ double typical_error(const Map& map, const std::vector<Sample>& samples, const A
         if (!value) continue;
         chebyshev.set_point(unit_coordinates(atlas, sample.coordinates));
         errors.push_back(std::hypot(statistics::error_bar(map.fit, chebyshev),
-                                    chebyshev.evaluate(map.correction)));
+                                    atlas.safety_factor * chebyshev.evaluate(map.correction)));
         squares += *value * *value;
     }
     const auto n = static_cast<double>(errors.size());

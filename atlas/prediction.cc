@@ -101,7 +101,8 @@ class Predictor {
     }
 
   private:
-    /// Its settled shift has a closed form; what ratcheting adds to it, divided by lambda, has a map.
+    /// Its settled shift has a closed form; what ratcheting adds to it, divided by lambda, has a
+    /// map.
     Prediction of_line() {
         const comparisons::Reference r = on_half_space("closed forms of the line contact");
         if (r.static_shift_ratio > 0)

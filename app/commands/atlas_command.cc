@@ -113,6 +113,7 @@ class AtlasBuild {
         Atlas atlas = plan_.frame(io::read_input_file(options_.file, "study file"));
         atlas.name = std::filesystem::path(options_.file).stem().string();
         atlas.largest_error = study_.atlas->largest_error;
+        atlas.safety_factor = study_.atlas->safety_factor;
         atlas.n_points = n_points;
         atlas.n_failed = n_points - samples.size();
         std::string all;

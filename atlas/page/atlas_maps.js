@@ -83,6 +83,7 @@ class Reader {
     constructor(atlas) {
         this.axes = atlas.axes;
         this.largest_error = atlas.largest_error ?? 1;
+        this.safety_factor = atlas.safety_factor ?? 1;
         this.maps = new Map(atlas.maps.map(map => [map.quantity, map]));
         for (const map of atlas.maps)
             if (!(map.over in closed_forms)) throw new Error(`${map.quantity}: no closed form "${map.over}"`);
@@ -126,7 +127,7 @@ class Reader {
         const [fitted, log_error, correction] = slices.map(part => sum_of(part, rows));
         const form = closed_forms[map.over](this.point(coordinates));
         const factor = Number.isFinite(form) ? form : 1;
-        const error = Math.hypot(map.error_factor * Math.exp(log_error), correction);
+        const error = Math.hypot(map.error_factor * Math.exp(log_error), this.safety_factor * correction);
         const quotient = fitted + correction;
         if (!map.logarithmic) return this.said({value: factor * quotient, error: Math.abs(factor) * error});
         const value = factor * Math.exp(quotient);

@@ -31,6 +31,9 @@ const std::vector<PlacedKey<Study>>& own_keys() {
         {number_key("atlas.largest_error", {0, 1, false, true}, "0.02",
                     "error of a value beyond which the maps do not say it",
                     {.default_value = "0.1"})},
+        {number_key("atlas.safety_factor", {1, 10, true, true}, "3",
+                    "what bars count of the correction for cells and steps",
+                    {.default_value = "1"})},
         {list_of(choice_key("atlas.quantities", {}, R"(["kappa"])",
                             "results that are mapped, by their keys", {.required = true}))}};
     return keys;
@@ -95,6 +98,7 @@ Study::Atlas read_atlas(const Document& document) {
     read_or_default(*keys.find("atlas.points"), &atlas.points, document, keys);
     read_or_default(*keys.find("atlas.error"), &atlas.error, document, keys);
     read_or_default(*keys.find("atlas.largest_error"), &atlas.largest_error, document, keys);
+    read_or_default(*keys.find("atlas.safety_factor"), &atlas.safety_factor, document, keys);
     read_or_default(*keys.find("atlas.quantities"), &atlas.quantities, document, keys);
     return atlas;
 }
@@ -125,12 +129,14 @@ void read_sampling(const Document& document, Study& study) {
 Study parse_study(std::string_view text, const std::string& name, const KeyList& machine_keys) {
     const Document document = parse_document(text, name, is_nested_section);
     require_kind(FileKind::study, document);
-    check_names(document, own_key_list(),
-                {.sections = {"set", "vary"},
-                 .is_open = is_nested_section,
-                 .remedy = "known are title, case, models, levels, latin_hypercube.points, "
-                           "latin_hypercube.seed, atlas.points, atlas.error, atlas.largest_error, "
-                           "atlas.quantities; keys of the case stand in [set] or [vary]"});
+    check_names(
+        document, own_key_list(),
+        {.sections = {"set", "vary"},
+         .is_open = is_nested_section,
+         .remedy =
+             "known are title, case, models, levels, latin_hypercube.points, "
+             "latin_hypercube.seed, atlas.points, atlas.error, atlas.largest_error, "
+             "atlas.safety_factor, atlas.quantities; keys of the case stand in [set] or [vary]"});
     Study study;
     study.name = name;
     read_given(own_keys(), study, document);

@@ -48,9 +48,10 @@ struct Study {
     };
     /// Maps over the sampled ranges, see atlas/.
     struct Atlas {
-        int points = 0;                       ///< at most
-        double error = 0;                     ///< that ends it earlier, over the values
-        double largest_error = 0;             ///< beyond which a value is not said, over it
+        int points = 0;            ///< at most
+        double error = 0;          ///< that ends it earlier, over the values
+        double largest_error = 0;  ///< beyond which a value is not said, over it
+        double safety_factor = 1;  ///< what bars count of the correction for cells and steps
         std::vector<std::string> quantities;  ///< keys of results that are mapped
     };
 

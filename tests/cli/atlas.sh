@@ -113,6 +113,34 @@ grep -q 'settled shift' ratchets && complain "a settled shift while ratcheting: 
     --models bem-layer >gap || complain "predict of a layer beyond the maps"
 grep -q 'not said: substrate.thickness_ratio' gap || complain "no gap of the thickness: $(cat gap)"
 
+# Line contacts: closed forms on the half-space; of the layer nothing knows the cylinder's length, and a depth is that
+# of its force.
+cylinder=$source_dir/examples/cases/rig_cylinder.toml
+own=(--set rolling.amplitude_ratio=0.26 --set rolling.amplitude_reference=model)
+"$program" predict "$cylinder" "${own[@]}" --json >short.json || complain "predict of a cylinder"
+"$program" predict "$cylinder" "${own[@]}" --set "indenter.length=160 mm" --set "load.normal_force=64.6 N" --json >long.json ||
+    complain "predict of a longer one"
+depth=$($python -c 'import json; print(json.load(open("short.json"))["models"]["bem-layer"]["indentation_m"])')
+"$program" predict "$cylinder" "${own[@]}" --set "load.indentation=$depth m" \
+    --models bem-layer --json >deep.json || complain "predict of a cylinder pressed to a depth"
+$python - <<'EOF' || complain "predictions of cylinders"
+import json, math
+short, long, deep = ({m: r for m, r in json.load(open(name + ".json"))["models"].items()} for name in ("short", "long", "deep"))
+assert set(short) == {"bem", "bem-layer"}, set(short)
+half_space = short["bem"]
+assert half_space["kappa"] is None if "kappa" in half_space else True
+assert abs(half_space["limit_tangential_ratio"] - 2 / math.pi * (math.acos(.26) - .26 * math.sqrt(1 - .26**2))) < 1e-12
+for key in "contact_radius_m", "peak_pressure_Pa", "indentation_m", "unit_shift_m", "static_shift_ratio", "settled_shift_ratio":
+    a, b = short["bem-layer"][key], long["bem-layer"][key]
+    assert abs(b / a - 1) < 1e-12, (key, a, b)
+# lambda of the half-space knows it.
+assert long["bem"]["unit_shift_m"] / half_space["unit_shift_m"] > 1.1
+assert abs(deep["bem-layer"]["normal_force_N"] / 32.3 - 1) < 1e-9, deep
+EOF
+"$program" predict "$cylinder" "${own[@]}" --output cylinder >said || complain "files of a cylinder"
+grep -q 'no page: it is about spheres' said || complain "a page of spheres for a cylinder: $(cat said)"
+[ "$(ls cylinder | tr '\n' ' ')" = "prediction.json " ] || complain "files of a cylinder: $(ls cylinder)"
+
 # 4. A sweep by the model atlas beside one by runs.
 cat >study.toml <<EOF
 case = "$rig"
@@ -132,8 +160,9 @@ for (_, run), (model, read) in zip(rows[::2], rows[1::2]):
 
 # 5. Refused.
 refused "is the study of an atlas; tricontact atlas computes it" sweep ../maps.toml
-refused "no atlas is about bodies other than smooth paraboloids and spheres" \
+refused "no atlas is about bodies other than smooth paraboloids, spheres and cylinders" \
     predict "$source_dir/examples/cases/body_cone.toml"
+refused "no atlas is about line contacts by MDR" predict "$cylinder" --models mdr
 refused "no atlas is about half-spaces that couple" predict "$rig" --set substrate.poisson=0.3 --set "models=[\"bem\"]" --models bem
 refused "atlas runs nothing" run "$rig" --models atlas
 sed 's/"kappa"/"kapa"/' maps.toml >bad.toml

@@ -23,11 +23,17 @@ for row in rows:
     assert abs(read / computed - 1) < allowed[row["quantity"]], row
 END
 done <<END
+cylinder_half_space_ratcheting 2
+cylinder_layer 6
+cylinder_layer_pressed 20
+cylinder_layer_ratcheting 1
+cylinder_layer_static 10
 sphere_half_space 6
 sphere_half_space_ratcheting 2
 sphere_half_space_static 6
 sphere_layer 3
 sphere_layer_pressed 20
+sphere_layer_ratcheting 1
 sphere_layer_static 6
 sphere_springs_ratcheting 10
 END

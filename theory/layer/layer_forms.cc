@@ -18,10 +18,8 @@ struct Constants {
 };
 
 Constants constants_of(const LayerForm& layer) {
-    if (!(layer.thickness_ratio >= .25))
-        throw std::domain_error("layer forms: b/D_c must be 0.25 or more");
+    check(layer);
     const double nu = layer.poisson;
-    if (!(nu >= 0 && nu <= .5)) throw std::domain_error("layer forms: nu must lie in [0, 1/2]");
     const double s = std::pow(nu / (1 - nu), 1.4);
     return {.chi = 1 / (2 * layer.thickness_ratio),
             .incompressibility = s,
@@ -38,6 +36,13 @@ double lifted(const LayerForm& layer, double u, double f) {
 }
 
 }  // namespace
+
+void check(const LayerForm& layer) {
+    if (!(layer.thickness_ratio >= .25))
+        throw std::domain_error("layer forms: b/D_c must be 0.25 or more");
+    if (!(layer.poisson >= 0 && layer.poisson <= .5))
+        throw std::domain_error("layer forms: nu must lie in [0, 1/2]");
+}
 
 double layer_radius_ratio(const LayerForm& layer) {
     const auto [chi, s, lift, tangential_lift, bending] = constants_of(layer);

@@ -26,6 +26,9 @@ struct LayerForm {
     double poisson = .5;
 };
 
+/// Throws std::domain_error out of range.
+void check(const LayerForm& layer);
+
 /// a/a_H = [1 + A chi^3/(1 + (1.35 + 0.25 s) chi^2)]^(-1/2): 0.5 %, 0.001 %.
 double layer_radius_ratio(const LayerForm& layer);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "theory/arguments.h"
+#include "theory/oscillating_cylinder.h"
 #include "theory/rolling/oscillating_rolling.h"
 
 namespace tricontact::theory {
@@ -22,6 +24,20 @@ double half_space_shift_increment_ratio(const MappedRolling& p) {
     check(p);
     const double excess = p.amplitude_ratio - amplitude_limit(p.tangential_ratio);
     return excess > 0 ? half_space_ratcheting_slope(p) * excess : 0;
+}
+
+double line_ratcheting_slope(double w, double f) {
+    check_unit_interval("ratcheting of a cylinder", "w = W/a", w);
+    const double w_lim = line_amplitude_limit(f);
+    if (!(w > w_lim))
+        throw std::domain_error("ratcheting of a cylinder: f must lie above the limit");
+    return line_steady_slope(f, 1) /
+           (1 - 1.02 * std::pow(w_lim, 1.44) + 1.55 * std::exp(-8.3 * w) * std::pow(w_lim / w, 3));
+}
+
+double line_shift_increment_ratio(double w, double f, double lambda) {
+    const double excess = w - line_amplitude_limit(f);
+    return excess > 0 ? line_ratcheting_slope(w, f) * excess / lambda : 0;
 }
 
 }  // namespace tricontact::theory

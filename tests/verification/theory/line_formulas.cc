@@ -1,0 +1,102 @@
+// The lines of cylinders in the table of docs/atlas-formulas.md.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "atlas/map_coordinates.h"
+#include "formula_table.h"
+#include "theory/layer/line_layer_forms.h"
+#include "theory/oscillating_cylinder.h"
+#include "theory/rolling/mapped_ratcheting.h"
+
+namespace tricontact::line_formulas_test {
+namespace {
+
+namespace quantities = comparisons::quantities;
+using namespace formula_table;
+using theory::LayerForm;
+
+/// lambda in the runs of an atlas on the half-space, at Poisson's ratio.
+double kept_lambda(const char* name, double poisson) {
+    contact::Case kept = atlas::shipped(name).kept;
+    kept.substrate.poisson = poisson;
+    return atlas::line_lambda(kept);
+}
+
+// w, excess of the limit
+double load_beyond(const Point& p, double limit) {
+    return limit + p[1] * (1 - limit);
+}
+
+TEST(AtlasFormulas, RatchetingCylinder) {
+    const char* name = "cylinder_half_space_ratcheting";
+    const double lambda = kept_lambda(name, .5);
+    const Table table(name, quantities::shift_increment_ratio);
+    const auto f = [](const Point& p) {
+        return load_beyond(p, theory::line_shakedown_limit(p[0]));
+    };
+    table.check({"Delta u, cylinder", {8.5, 1.9}, [=](const Point& p) {
+                     return theory::line_shift_increment_ratio(p[0], f(p), lambda);
+                 }});
+    table.check({"Delta u, cylinder, thesis", {100, 50}, [=](const Point& p) {
+                     return theory::thesis_line_increment(p[0], f(p));
+                 }});
+}
+
+// w, b/D_c, nu
+TEST(AtlasFormulas, PressedCylinderOnALayer) {
+    const char* name = "cylinder_layer_pressed";
+    const auto table = [&](const Quantity& q) { return Table(name, q); };
+    const auto of = [](double (*form)(const LayerForm&)) {
+        return [=](const Point& p) { return form({p[1], p[2]}); };
+    };
+    table(quantities::contact_radius)
+        .check({"a/a_H, cylinder", {.5, .01}, of(theory::line_layer_width_ratio)});
+    table(quantities::peak_pressure)
+        .check({"p0/p0_H, cylinder", {.6, .01}, of(theory::line_layer_pressure_ratio)});
+    // Of the atlas: over Hertz' values of its own length.
+    table(quantities::unit_shift)
+        .check({"lambda, cylinder", {1.1, .2}, [&](const Point& p) {
+                    return theory::line_layer_shift_factor({p[1], p[2]}) / kept_lambda(name, p[2]);
+                }});
+    const Table limit = table(quantities::limit_tangential_ratio);
+    limit.check({"f_T,lim, cylinder", {.3, .01}, [](const Point& p) {
+                     return theory::line_layer_shakedown_limit({p[1], p[2]}, p[0]);
+                 }});
+    limit.check({"f_T,lim of Hertz, cylinder", {20, .01}, [](const Point& p) {
+                     return theory::line_shakedown_limit(p[0]);
+                 }});
+}
+
+// f, b/D_c, nu, mu
+TEST(AtlasFormulas, StaticCylinderOnALayer) {
+    const Table table("cylinder_layer_static", quantities::static_shift_ratio);
+    table.check({"u_stat, cylinder on a layer", {14, .7}, [](const Point& p) {
+                     return theory::line_static_shift_ratio(
+                         p[0], theory::line_layer_shift_factor({p[1], p[2]}));
+                 }});
+}
+
+// w, phi, b/D_c, nu, mu
+TEST(AtlasFormulas, RolledCylinderOnALayer) {
+    const Table table("cylinder_layer", quantities::settled_shift_ratio);
+    table.check({"u_sd, cylinder on a layer", {11, .55}, [](const Point& p) {
+                     const double lambda = theory::line_layer_shift_factor({p[2], p[3]});
+                     const double f = p[1] * theory::line_shakedown_limit(p[0]);
+                     return theory::line_settled_shift_ratio(
+                         p[0], *theory::line_stick_half_width(p[0], f), lambda);
+                 }});
+}
+
+// w, excess, b/D_c, mu
+TEST(AtlasFormulas, RatchetingCylinderOnALayer) {
+    const Table table("cylinder_layer_ratcheting", quantities::shift_increment_ratio);
+    table.check({"Delta u, cylinder on a layer", {20, 5}, [](const Point& p) {
+                     const double f = load_beyond(p, theory::line_shakedown_limit(p[0]));
+                     return theory::line_shift_increment_ratio(
+                         p[0], f, theory::line_layer_shift_factor({p[2], .5}));
+                 }});
+}
+
+}  // namespace
+}  // namespace tricontact::line_formulas_test
