@@ -10,6 +10,7 @@
 #include "theory/layer/layer_forms.h"
 #include "theory/layer/line_layer_forms.h"
 #include "theory/oscillating_cylinder.h"
+#include "theory/rolling/mapped_ratcheting.h"
 #include "theory/rolling/mapped_shakedown.h"
 #include "theory/rolling/oscillating_rolling.h"
 
@@ -31,7 +32,8 @@ constexpr const char* line_static = "u_stat of a line contact";
 constexpr const char* line_settled = "u_sd of a line contact";
 constexpr const char* limit_of_hertz = "f_T,lim of Hertz' pressure";
 constexpr const char* beyond_limit = "w - w_lim";
-constexpr const char* line_beyond_limit = "(w - w_lim)/lambda";
+constexpr const char* increment = "Delta u of the formula";
+constexpr const char* slope = "eta of the formula";
 
 }  // namespace
 
@@ -51,8 +53,9 @@ const Baseline::Formula Baseline::formulas[] = {
      &Point::limit,
      {limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz, limit_of_hertz}},
     {&quantities::shift_increment_ratio,
-     &Point::excess,
-     {beyond_limit, beyond_limit, beyond_limit, line_beyond_limit, line_beyond_limit}}};
+     &Point::increment,
+     {beyond_limit, beyond_limit, increment, increment, increment}},
+    {&quantities::eta, &Point::slope, {nullptr, nullptr, slope, slope, slope}}};
 
 Baseline::Baseline(const Case& base, const std::string& model,
                    const std::vector<std::string>& keys) {
@@ -109,7 +112,7 @@ void Baseline::add_round(Point& p, std::span<const double> values) const {
                                     .poisson = std::clamp(poisson_.at(values), 0., .5)};
     p.u_stat = theory::static_shift_ratio(p.f);
     if (p.f >= p.limit) {
-        p.excess = p.w - theory::amplitude_limit(p.f);
+        p.increment = p.w - theory::amplitude_limit(p.f);
         return;
     }
     p.mapping = body_ == Body::springs ? theory::mdr_mapping : theory::half_space_mapping(own);
@@ -122,7 +125,14 @@ void Baseline::add_layer(Point& p, std::span<const double> values) const {
         .thickness_ratio = std::max(thickness_.at(values), least_thickness),
         .poisson = std::clamp(poisson_.at(values), 0., .5)};
     const double w = std::min(p.w, largest_amplitude);
-    if (p.f >= p.limit) p.excess = p.w - theory::amplitude_limit(p.f);
+    if (p.f > p.limit) {
+        const theory::MappedRolling own{.amplitude_ratio = w,
+                                        .tangential_ratio = p.f,
+                                        .angle = angle_.at(values),
+                                        .poisson = layer.poisson};
+        p.increment = theory::half_space_shift_increment_ratio(own);
+        p.slope = theory::half_space_ratcheting_slope(own);
+    }
     const double limit = theory::layer_shakedown_limit(layer, w);
     const double f = load_ratio(limit, load_.at(values));
     const double friction = std::max(friction_.at(values), least_friction);
@@ -147,8 +157,9 @@ double Baseline::line_lambda(std::span<const double> values) const {
 
 void Baseline::add_line(Point& p, double lambda) const {
     p.u_stat = theory::line_static_shift_ratio(p.f, lambda);
-    if (p.f >= p.limit) {
-        p.excess = (p.w - theory::line_amplitude_limit(p.f)) / lambda;
+    if (p.f > p.limit) {
+        p.increment = theory::line_shift_increment_ratio(p.w, p.f, lambda);
+        p.slope = theory::line_ratcheting_slope(p.w, p.f) / lambda;
     } else if (const auto stick = theory::line_stick_half_width(p.w, p.f)) {
         p.u_sd = theory::line_settled_shift_ratio(p.w, *stick, lambda);
     }
@@ -156,7 +167,7 @@ void Baseline::add_line(Point& p, double lambda) const {
 
 Baseline::Point Baseline::at(std::span<const double> values) const {
     constexpr double nan = contact::undefined;
-    Point p{nan, nan, nan, nan, nan, nan, nan};
+    Point p{nan, nan, nan, nan, nan, nan, nan, nan};
     if (body_ == Body::none) return p;
     p.w = w_.at(values);
     if (!(p.w >= 0 && p.w <= 1)) return p;

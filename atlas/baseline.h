@@ -22,7 +22,8 @@ class Baseline {
         double f = 0;      ///< F_T/(mu F_N)
         double limit = 0;  ///< f_T,lim
         double u_stat = 0, u_sd = 0, mapping = 0;
-        double excess = 0;  ///< w - w_lim, over lambda for a line contact
+        double increment = 0;  ///< what Delta u is a multiple of: w - w_lim, or a formula for it
+        double slope = 0;      ///< the formula over w - w_lim
     };
 
     /// None: all formulas are 1.

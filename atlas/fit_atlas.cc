@@ -66,6 +66,14 @@ statistics::PolynomialFit fit_of(const Table& table, const std::vector<double>& 
             .error_factor = 0};
 }
 
+/// Of the product of the ranges, what lies between the ends.
+double share_of_ranges(const std::vector<Axis>& axes) {
+    double share = 1;
+    for (const Axis& axis : axes)
+        share *= (axis.to - axis.from) / (axis.range.to - axis.range.from);
+    return share;
+}
+
 }  // namespace
 
 std::optional<double> fitted_value(const Atlas& atlas, const Quantity& q, const Sample& sample,
@@ -116,10 +124,9 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
         (is_whole ? defined : undefined).push_back(&sample);
     }
     std::vector<Axis> axes = atlas.axes;
-    const std::size_t n_defined = defined.size();
     for (const Sample* bad : undefined) {
         if (!is_inside(axes, bad->coordinates)) continue;
-        std::size_t most_kept = 0;
+        double most_kept = 0;
         std::vector<Axis> best = axes;
         for (std::size_t d = 0; d < axes.size(); ++d) {
             if (!axes[d].key.starts_with("load.") && axes[d].key != "rolling.amplitude_ratio")
@@ -132,19 +139,21 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
                     if (const double x = one->coordinates[d];
                         is_upper ? x < at - axes[d].tolerance() : x > at + axes[d].tolerance())
                         kept.push_back(x);
-                if (kept.size() <= most_kept) continue;
-                most_kept = kept.size();
-                best = axes;
-                (is_upper ? best[d].to : best[d].from) =
+                if (kept.empty()) continue;
+                std::vector<Axis> cut = axes;
+                (is_upper ? cut[d].to : cut[d].from) =
                     is_upper ? std::ranges::max(kept) : std::ranges::min(kept);
+                if (const double share = share_of_ranges(cut); share > most_kept) {
+                    most_kept = share;
+                    best = cut;
+                }
             }
         }
         axes = best;
         std::erase_if(defined,
                       [&](const Sample* one) { return !is_inside(axes, one->coordinates); });
     }
-    if (static_cast<double>(defined.size()) >= (1 - most_lost) * static_cast<double>(n_defined))
-        atlas.axes = axes;
+    if (share_of_ranges(axes) >= 1 - most_lost) atlas.axes = axes;
 }
 
 double typical_error(const Map& map, const std::vector<Sample>& samples, const Atlas& atlas) {

@@ -83,6 +83,15 @@ function lifted(p) {
     return {at_rest: lift_of(static_shift(f)), settled};
 }
 
+// eta of theory/rolling/mapped_ratcheting.h; NaN below the limit.
+function ratcheting_slope({w, f, angle, poisson}) {
+    const own = Math.min(w, largest_amplitude), w_lim = amplitude_limit(f);
+    if (!(own > w_lim)) return NaN;
+    const o = poisson / (2 - poisson) * Math.cos(2 * angle);
+    return 4 * (1 - Math.cbrt(1 - f)) * (1 - o / 2 - o * o / 8) /
+        (0.98 - 0.964 * w_lim + 1.4 * Math.exp(-8.8 * own) * (w_lim / own) ** 2);
+}
+
 const closed_forms = {
     "": () => 1,
     "u_stat of Cattaneo and Mindlin": p => static_shift(p.f),
@@ -92,6 +101,8 @@ const closed_forms = {
     "u_sd of a lifted contact": p => lifted(p).settled,
     "1/w": p => 1 / p.w,
     "f_T,lim of Hertz' pressure": p => p.limit,
+    "Delta u of the formula": p => ratcheting_slope(p) * (p.w - amplitude_limit(p.f)),
+    "eta of the formula": p => ratcheting_slope(p),
     "w - w_lim": p => p.f < p.limit ? NaN : p.w - amplitude_limit(p.f),
 };
 
