@@ -47,10 +47,10 @@ may_include app "${rooms[@]}"
 may_include python "${rooms[@]}"
 
 # Who looks for a unit reads thirty names at the most.
-while read -r folder; do
-    n=$(find "$folder" -maxdepth 1 \( -name '*.h' -o -name '*.cc' \) | sed 's/\.[^.]*$//' | sort -u | wc -l)
+while read -r n folder; do
     [ "$n" -le 30 ] || complain "$folder has $n units, more than 30"
-done < <(find "${rooms[@]}" tests -type d)
+done < <(find "${rooms[@]}" tests \( -name '*.h' -o -name '*.cc' \) | sed 's/\.[^.]*$//' | sort -u |
+    sed 's|/[^/]*$||' | sort | uniq -c)
 
 # only_in FOLDER PATTERN: a library's headers stay in one folder.
 only_in() {
@@ -77,22 +77,18 @@ done < <(find "${rooms[@]}" benchmarks tests \
 sources=$(dirname "$program")/app_numerics_digest.txt
 if [ -e "$sources" ]; then
     grep -qx 'contact/run.cc' "$sources" || complain "the digest of the numerics has no contact/run.cc"
-    while read -r file; do
-        while read -r header; do
-            grep -qxF "$header" "$sources" || complain "$file: $header is not in the digest of the numerics"
-            unit=${header%.h}.cc
-            [ ! -e "$unit" ] || grep -qxF "$unit" "$sources" ||
-                complain "$file: $unit is not in the digest of the numerics"
-        done < <(sed -n 's/^#include "\(comparisons\/.*\)"$/\1/p' "$file")
-    done < <(grep '^comparisons/' "$sources")
+    while read -r header; do
+        grep -qxF "$header" "$sources" || complain "$header is included, but not in the digest of the numerics"
+        unit=${header%.h}.cc
+        [ ! -e "$unit" ] || grep -qxF "$unit" "$sources" || complain "$unit is not in the digest of the numerics"
+    done < <(grep '^comparisons/' "$sources" | xargs sed -n 's/^#include "\(comparisons\/.*\)"$/\1/p' | sort -u)
 fi
 
 # Keys of results are declared once. Steps of a run, and arguments of Python's theory, have words of their own.
-while read -r key; do
-    found=$(grep -rnF --include='*.cc' --include='*.h' "\"$key\"" "${rooms[@]}" |
-        grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_checks.cc|python/)' || true)
-    [ -z "$found" ] || complain "a key of a result stands as a string: $found"
-done < <("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/\1/p' | grep -vE '^(cpu|wall)_s$')
+keys=$("$program" keys results | sed -n 's/^| `\([^`]*_[^`]*\)`.*/"\1"/p' | grep -vE '^"(cpu|wall)_s"$')
+found=$(grep -rnFf <(echo "$keys") --include='*.cc' --include='*.h' "${rooms[@]}" |
+    grep -vE '^(comparisons/quantities/|walking/|io/results/history_csv.cc|io/keys/key_checks.cc|python/)' || true)
+[ -z "$found" ] || complain "a key of a result stands as a string: $found"
 found=$(grep -rnE --include='*_json.cc' --include='*_output.cc' --include='*_csv.cc' --include='study_fit.cc' \
     --include='*_command.cc' '[{[]"(state|kappa|eta|periods|steps)"[],]' comparisons app || true)
 [ -z "$found" ] || complain "a key of a result stands as a string: $found"
@@ -107,13 +103,11 @@ found=$(grep -nE 'https?://' CMakeLists.txt ./*/CMakeLists.txt cmake/* scripts/*
 
 # Links [text](path#anchor) relative to their document.
 n=0
-for document in ./*.md docs/*.md docs/*/*.md benchmarks/*.md; do
-    while read -r target; do
-        n=$((n + 1))
-        [ -e "${document%/*}/$target" ] || complain "$document: no $target"
-    done < <(grep -oE '\]\([^)]+\)' "$document" | sed 's/^](//; s/)$//; s/#.*//' |
-        grep -vE '^(https?:|$)')
-done
+while IFS=: read -r document target; do
+    n=$((n + 1))
+    [ -e "${document%/*}/$target" ] || complain "$document: no $target"
+done < <(grep -oHE '\]\([^)]+\)' ./*.md docs/*.md docs/*/*.md benchmarks/*.md | sed 's/:](/:/; s/)$//; s/#.*//' |
+    grep -vE ':(https?:.*)?$')
 [ "$n" -ge 10 ] || complain "only $n links found"
 
 printf '%d failures\n' "$failures"
