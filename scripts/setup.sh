@@ -15,8 +15,10 @@ if ! command -v dpkg-query >/dev/null; then
     exit 2
 fi
 
+# Asked once for all: one question per package takes seconds.
+installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' | sed -n 's/ installed$//p')
 is_installed() {
-    [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+    [[ $'\n'$installed$'\n' == *$'\n'"$1"$'\n'* ]]
 }
 
 beside_paraview=
