@@ -16,21 +16,26 @@ refused_option() {
 }
 
 # 1. Every bad case states its message in its first line, from line and column on (" ... " stands for a
-#    path); run refuses it before it makes a folder. Their messages by check: tests/unit/io/case/bad_cases.cc.
+#    path); run refuses it before it makes a folder. tests/unit/io/case/bad_cases.cc reads all of them; here
+#    every eighth one is as good: what the reader throws reaches the shell by one way.
 for folder in bad bad_walk; do
     $python "$source_dir/tests/cli/bad_inputs.py" "$source_dir/tests/cli/$folder" "$work/$folder" ||
         complain "the table of $folder"
 done
+n=0
 for file in "$work"/bad/*.toml; do
+    [ $((n++ % 8)) -eq 0 ] || continue
     read -r expected <"$file"
     expected=${expected#'# expect: '}
     refused "$file${expected%% ... *}" run "$file" --output out
     [[ $message == *"${expected##* ... }"* ]] || complain "$file: $message"
 done
 for file in "$work"/bad_walk/*.toml; do
+    [ $((n++ % 8)) -eq 0 ] || continue
     read -r expected <"$file"
     refused "$file${expected#'# expect: '}" check "$file"
 done
+[ "$n" -gt 300 ] || complain "only $n bad inputs"
 
 # 2. Files that are no case.
 : >"$work/empty.toml"
