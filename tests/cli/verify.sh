@@ -9,9 +9,6 @@ cmp -s out short/verification.md || complain "verification.md is not what is pri
 grep -q '"passed": true' short/verification.json || complain "verification.json does not pass"
 grep -q '^bem, level 3$' err || complain "no progress: $(cat err)"
 
-"$program" verify --short --quiet >out 2>err || complain "a row fails quietly"
-[ -s err ] && complain "--quiet is not silent: $(cat err)"
-
 "$program" verify --briefly >out 2>err
 [ $? -eq 2 ] || complain "an unknown option is taken"
 
