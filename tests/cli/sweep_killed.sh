@@ -16,12 +16,12 @@ rolling.periods = 10
 rolling.run_all = true
 mdr.springs = 500
 [vary]
-rolling.amplitude_ratio = {from = 0.1, to = 0.5, points = 12}
+rolling.amplitude_ratio = {from = 0.1, to = 0.5, points = 6}
 load.tangential_force = ["1 N", "2 N", "3 N", "4 N", "4000 N"]
 rolling.increment = ["0.1 mm", "0.15 mm"]
 EOF
-n_points=120
-n_failed=24
+n_points=60
+n_failed=12
 
 sweep() {
     "$program" sweep "$work/study.toml" "$@"
