@@ -8,7 +8,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/prepare.bash"
 run() {
     local name=$1
     shift
-    "$program" run "$@" --models mdr --quiet --no-report --set mdr.springs=500 --output "$name" ||
+    "$program" run "$@" --models mdr --quiet --no-report --set mdr.springs=200 --output "$name" ||
         complain "run $name: $*"
 }
 

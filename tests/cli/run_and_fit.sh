@@ -26,11 +26,11 @@ angle = "30 deg"
 periods = 30
 steps_per_quarter = 2
 [bem]
-cells_per_radius = 6
+cells_per_radius = 5
 [fem]
-size = "1.2 mm"
+size = "1.8 mm"
 [mdr]
-springs = 500
+springs = 200
 END
 "$program" list | grep -q '^  fem ' || sed -i 's/, "fem"//; /^\[fem\]/,/^size/d' case.toml
 # The first point settles, the second one ratchets.
