@@ -55,9 +55,9 @@ commands=(
     "verification.json verify --short" ".tricontact limit ball.toml" "case.toml run ball.toml")
 ((has_fem)) && commands+=("mesh.msh mesh layer.toml")
 
-# state FOLDER: every name with its kind, the content of files.
+# state FOLDER: of every name with its kind, the content of files.
 state() {
-    (cd "$1" && find . -printf '%p %y %l\n' | sort && find . -type f -print0 | sort -z | xargs -0r cksum)
+    tar --create --sort=name --mtime=@0 --directory="$1" . | cksum
 }
 # stays TEXT ARGUMENTS...: refused with the text in one line, and the folder `out` stays as it was.
 stays() {
@@ -71,12 +71,15 @@ stays() {
     [ "$(state .)" == "$before" ] || complain "$*: something was written"
 }
 
-# 1. Links, named pipes, devices and files of others under the names of results; links to nowhere.
+# 1. Links, named pipes, devices and files of others under the names of results; links to nowhere. A link for each
+# command, the others in turn: all commands ask one function what stands in their way.
 echo precious >precious
+others=(dangling pipe device foreign)
+n=0
 for entry in "${commands[@]}"; do
     read -r name arguments <<<"$entry"
     # shellcheck disable=SC2086  # words of a command
-    for obstacle in link dangling pipe device foreign; do
+    for obstacle in link "${others[n++ % 4]}"; do
         mkdir out
         case $obstacle in
             link) ln -s ../precious "out/$name" ;;
