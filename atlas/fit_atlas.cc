@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/error.h"
 
@@ -116,6 +117,8 @@ Map fit_map(const Atlas& atlas, const Quantity& q, const std::vector<Sample>& sa
 
 void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
     constexpr double most_lost = .2;
+    // Rigs work near their limit of load; that of the amplitude is of the author's choice.
+    constexpr double load_weight = 2;
     std::vector<const Sample*> defined, undefined;
     for (const Sample& sample : samples) {
         const bool is_whole = std::ranges::all_of(atlas.maps, [&](const Map& map) {
@@ -126,11 +129,11 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
     std::vector<Axis> axes = atlas.axes;
     for (const Sample* bad : undefined) {
         if (!is_inside(axes, bad->coordinates)) continue;
-        double most_kept = 0;
+        double least_cost = std::numeric_limits<double>::infinity();
         std::vector<Axis> best = axes;
         for (std::size_t d = 0; d < axes.size(); ++d) {
-            if (!axes[d].key.starts_with("load.") && axes[d].key != "rolling.amplitude_ratio")
-                continue;
+            const bool is_load = axes[d].key.starts_with("load.");
+            if (!is_load && axes[d].key != "rolling.amplitude_ratio") continue;
             for (const bool is_upper : {true, false}) {
                 // The next sample inwards becomes the end.
                 const double at = bad->coordinates[d];
@@ -143,10 +146,11 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
                 std::vector<Axis> cut = axes;
                 (is_upper ? cut[d].to : cut[d].from) =
                     is_upper ? std::ranges::max(kept) : std::ranges::min(kept);
-                if (const double share = share_of_ranges(cut); share > most_kept) {
-                    most_kept = share;
-                    best = cut;
-                }
+                const double lost = share_of_ranges(axes) - share_of_ranges(cut);
+                const double cost = is_load ? load_weight * lost : lost;
+                if (cost >= least_cost) continue;
+                least_cost = cost;
+                best = cut;
             }
         }
         axes = best;

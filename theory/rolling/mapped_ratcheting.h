@@ -25,8 +25,8 @@ double half_space_shift_increment_ratio(const MappedRolling& point);
 // contact:
 //   lambda eta = 8 (1 - s)/[1 - 1.02 w_lim^1.44 + 1.55 exp(-8.3 w) (w_lim/w)^3],
 // with Carter's creepage in the numerator, line_steady_slope(), to which it tends at f = 1; the
-// others are fitted to the atlas cylinder_half_space_ratcheting. Same range; off by 8.5 % at most,
-// 1.9 % in the median.
+// others are fitted to the atlas cylinder_half_space_ratcheting. Same range; off by 8 % at most,
+// 2.1 % in the median.
 
 /// lambda eta; std::domain_error at or below the limit, and out of range.
 double line_ratcheting_slope(double w, double f);

@@ -44,15 +44,22 @@ TEST(CutDomain, NothingIsCutWhereAllIsDefined) {
 
 TEST(CutDomain, ACornerCostsOneEnd) {
     Atlas atlas = plane();
-    // Two rows of 21 columns lie above y = 0.93, three columns of 21 rows beyond x = 0.88.
-    cut_domain(atlas, samples_where([](double x, double y) { return x < .88 || y < .93; }));
+    // One row lies above y = 0.97, three columns beyond x = 0.88: 5 and 15 % of the square.
+    cut_domain(atlas, samples_where([](double x, double y) { return x < .88 || y < .97; }));
     EXPECT_EQ(atlas.axes[0].to, 1);
-    EXPECT_NEAR(atlas.axes[1].to, .9, 1e-12);
+    EXPECT_NEAR(atlas.axes[1].to, .95, 1e-12);
     EXPECT_EQ(atlas.axes[1].from, 0);
-    EXPECT_FALSE(atlas.axes[1].is_inside(.95));
-    EXPECT_TRUE(atlas.axes[1].is_inside(.9));
+    EXPECT_FALSE(atlas.axes[1].is_inside(.97));
+    EXPECT_TRUE(atlas.axes[1].is_inside(.95));
     // The coordinate that polynomials are about stays.
     EXPECT_EQ(atlas.axes[1].range.to, 1);
+}
+
+TEST(CutDomain, OfTwoCutsAlikeThatOfTheAmplitudeIsTaken) {
+    Atlas atlas = plane();
+    cut_domain(atlas, samples_where([](double x, double y) { return x < .88 || y < .88; }));
+    EXPECT_NEAR(atlas.axes[0].to, .85, 1e-12);
+    EXPECT_EQ(atlas.axes[1].to, 1);
 }
 
 TEST(CutDomain, AQuantityThatIsUndefinedInHalfTheDomainCutsNothing) {

@@ -19,8 +19,8 @@ constexpr BondedLayer thick_layer{
 TEST(LineMaps, OfAThickLayerAreThoseOfTheHalfSpaceWithItsOwnLogarithm) {
     const Value lambda = line_layer_shift_factor(thick, .5);
     const auto expect = [](const Value& read, double exact) {
-        // (a/b)^2 of the compliance is left.
-        EXPECT_NEAR(read.value, exact, read.error + 1e-3 * exact);
+        // (a/b)^2 of the compliance is left. Of fourteen bars of 95 % one may be too short.
+        EXPECT_NEAR(read.value, exact, 2 * read.error + 1e-3 * exact);
         EXPECT_LT(read.error, .02 * exact);
     };
     for (const double f : {.1, .4, .7, .95}) {

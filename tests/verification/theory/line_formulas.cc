@@ -35,10 +35,10 @@ TEST(AtlasFormulas, RatchetingCylinder) {
     const auto f = [](const Point& p) {
         return load_beyond(p, theory::line_shakedown_limit(p[0]));
     };
-    table.check({"Delta u, cylinder", {8.5, 1.9}, [=](const Point& p) {
+    table.check({"Delta u, cylinder", {8, 2.3}, [=](const Point& p) {
                      return theory::line_shift_increment_ratio(p[0], f(p), lambda);
                  }});
-    table.check({"Delta u, cylinder, thesis", {100, 50}, [=](const Point& p) {
+    table.check({"Delta u, cylinder, thesis", {70, 24}, [=](const Point& p) {
                      return theory::thesis_line_increment(p[0], f(p));
                  }});
 }
@@ -51,19 +51,19 @@ TEST(AtlasFormulas, PressedCylinderOnALayer) {
         return [=](const Point& p) { return form({p[1], p[2]}); };
     };
     table(quantities::contact_radius)
-        .check({"a/a_H, cylinder", {.5, .01}, of(theory::line_layer_width_ratio)});
+        .check({"a/a_H, cylinder", {.42, .018}, of(theory::line_layer_width_ratio)});
     table(quantities::peak_pressure)
-        .check({"p0/p0_H, cylinder", {.6, .01}, of(theory::line_layer_pressure_ratio)});
+        .check({"p0/p0_H, cylinder", {.4, .017}, of(theory::line_layer_pressure_ratio)});
     // Of the atlas: over Hertz' values of its own length.
     table(quantities::unit_shift)
-        .check({"lambda, cylinder", {1.1, .2}, [&](const Point& p) {
+        .check({"lambda, cylinder", {1.1, .27}, [&](const Point& p) {
                     return theory::line_layer_shift_factor({p[1], p[2]}) / kept_lambda(name, p[2]);
                 }});
     const Table limit = table(quantities::limit_tangential_ratio);
-    limit.check({"f_T,lim, cylinder", {.3, .01}, [](const Point& p) {
+    limit.check({"f_T,lim, cylinder", {.66, .009}, [](const Point& p) {
                      return theory::line_layer_shakedown_limit({p[1], p[2]}, p[0]);
                  }});
-    limit.check({"f_T,lim of Hertz, cylinder", {20, .01}, [](const Point& p) {
+    limit.check({"f_T,lim of Hertz, cylinder", {21, .017}, [](const Point& p) {
                      return theory::line_shakedown_limit(p[0]);
                  }});
 }
@@ -71,7 +71,7 @@ TEST(AtlasFormulas, PressedCylinderOnALayer) {
 // f, b/D_c, nu, mu
 TEST(AtlasFormulas, StaticCylinderOnALayer) {
     const Table table("cylinder_layer_static", quantities::static_shift_ratio);
-    table.check({"u_stat, cylinder on a layer", {14, .7}, [](const Point& p) {
+    table.check({"u_stat, cylinder on a layer", {21, .7}, [](const Point& p) {
                      return theory::line_static_shift_ratio(
                          p[0], theory::line_layer_shift_factor({p[1], p[2]}));
                  }});
@@ -80,7 +80,7 @@ TEST(AtlasFormulas, StaticCylinderOnALayer) {
 // w, phi, b/D_c, nu, mu
 TEST(AtlasFormulas, RolledCylinderOnALayer) {
     const Table table("cylinder_layer", quantities::settled_shift_ratio);
-    table.check({"u_sd, cylinder on a layer", {11, .55}, [](const Point& p) {
+    table.check({"u_sd, cylinder on a layer", {12, .82}, [](const Point& p) {
                      const double lambda = theory::line_layer_shift_factor({p[2], p[3]});
                      const double f = p[1] * theory::line_shakedown_limit(p[0]);
                      return theory::line_settled_shift_ratio(
