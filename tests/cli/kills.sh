@@ -42,6 +42,8 @@ if "$program" list | grep -q '^  fem '; then
         --output run_fem)
     commands+=(condense run_fem)
 fi
+# They take turns: of fewer kills the last ones do not get one (fem_faults.sh kills finite elements).
+[ "$kills" -ge "${#commands[@]}" ] || commands=("${commands[@]:0:kills}")
 
 milliseconds() { date +%s%3N; }
 # start NAME: in the background, not by way of a shell that would be killed in its place.
@@ -53,9 +55,9 @@ start() {
 # Its files with what they hold, but for those that differ between two calls that nobody disturbs: in
 # times. Of these only the names.
 contents() {
-    (cd "$1" && find . -type f | LC_ALL=C sort | while read -r file; do
-        if grep -qxF "$file" "../../$1.times"; then echo "$file"; else sha256sum "$file"; fi
-    done)
+    (cd "$1" && find . -type f | LC_ALL=C sort >../../names
+        grep -xFf "../../$1.times" ../../names
+        grep -vxFf "../../$1.times" ../../names | xargs -d '\n' -r sha256sum)
 }
 # Processes, other than this script, that were started in this folder.
 processes() {
