@@ -3,7 +3,7 @@
 # condensed layers - gives the same numbers as before, or an error, and never another number.
 # usage: corruption.sh PROGRAM SOURCE_DIR [FLIPS_EACH [SEED]]
 source "$(dirname -- "${BASH_SOURCE[0]}")/at_random.bash"
-flips=${3:-4}
+flips=${3:-3}
 
 # flip FILE: one bit of it, any; tells which.
 flip() {
