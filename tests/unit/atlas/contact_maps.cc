@@ -82,6 +82,25 @@ TEST(ContactMaps, HalfSpaceHasItsLimits) {
     EXPECT_LT(least, *theory::settled_shift_ratio(.3, .4));
 }
 
+TEST(ContactMaps, RatchetingOnAThickLayerIsThatOfTheHalfSpace) {
+    constexpr BondedLayer thick{.thickness_ratio = 40, .poisson = .5, .friction_coefficient = 1};
+    const double unit = pressed_layer_ratios(40, .5).unit_shift.value;
+    for (const double angle : {along, .7, across})
+        for (const double f : {.6, .8}) {
+            const Value layer = shift_increment_ratio(.5, f, angle, thick);
+            const Value half_space = shift_increment_ratio(.5, f, angle, .5);
+            // Lengths: U_max of the layer is 0.4 % less. Both ends of two domains, twice their
+            // bars.
+            EXPECT_NEAR(layer.value * unit, half_space.value, 2 * (layer.error + half_space.error))
+                << "f = " << f << ", angle " << angle;
+            EXPECT_LT(layer.error, .04 * layer.value);
+        }
+    EXPECT_EQ(refusal_of([] {
+                  shift_increment_ratio(.5, .8, along, {1, .4, 1});
+              }),
+              "substrate.poisson = 0.4: atlas sphere_layer_ratcheting is about 0.5");
+}
+
 TEST(ContactMaps, AnglesAreThoseOfTwoLines) {
     const double value = settled_shift_ratio(.3, .4, .5, .5).value;
     for (const double angle : {-.5, std::numbers::pi - .5, std::numbers::pi + .5})
