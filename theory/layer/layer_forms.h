@@ -69,7 +69,7 @@ double layer_coupling(const LayerForm& layer, double friction);
 /// u_sd = U_sd/U_max with u_H = `half_space_settled_shift_ratio`, times 1 + K^2 w with
 /// K = `layer_coupling`. Empty beyond the limit `layer_shakedown_limit`. nu is the layer's, not the
 /// point's. Against the atlas `sphere_layer` (w <= 0.48, loads from 0.05 to 0.9 of the limit, mu
-/// from 0.5, pressed with friction): 11 %, 0.55 %; the largest errors are those of strong coupling
+/// from 0.5, pressed with friction): 12 %, 0.55 %; the largest errors are those of strong coupling
 /// and large w.
 std::optional<double> layer_settled_shift_ratio(const LayerForm& layer, const MappedRolling& point,
                                                 double friction);

@@ -175,13 +175,22 @@ TEST(AtlasFormulas, StaticLayer) {
 
 TEST(AtlasFormulas, RolledLayer) {
     const Table settled("sphere_layer", quantities::settled_shift_ratio);
-    settled.check({"u_sd, layer", {11, .55}, settled_on_layer});
-    settled.check({"u_sd, layer, by the half-space's form", {21, 1.9}, half_space_on_layer});
-    settled.check({"u_sd, layer, thesis", {27, 3.1}, thesis_on_layer});
+    settled.check({"u_sd, layer", {12.5, .55}, settled_on_layer});
+    settled.check({"u_sd, layer, by the half-space's form", {22, 1.9}, half_space_on_layer});
+    settled.check({"u_sd, layer, thesis", {33, 3.1}, thesis_on_layer});
     const Table weak("sphere_layer", quantities::settled_shift_ratio, [](const Point& p) {
         return p[3] > .5 && std::abs(theory::layer_coupling({p[3], p[4]}, p[5])) < .3;
     });
     weak.check({"u_sd, layer, b > D_c/2, abs(K) < 0.3", {6.9, .41}, settled_on_layer});
+}
+
+// w, excess of the limit, angle, b/D_c, mu
+TEST(AtlasFormulas, RatchetingOnALayer) {
+    const Table table("sphere_layer_ratcheting", quantities::shift_increment_ratio);
+    table.check({"Delta u, layer, by the half-space's form", {60, 5.2}, [](const Point& p) {
+                     return theory::half_space_shift_increment_ratio(
+                         ratcheting_of({p[0], p[1], p[2], .5}));
+                 }});
 }
 
 }  // namespace
