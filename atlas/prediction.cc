@@ -291,7 +291,11 @@ Prediction predict(const Case& c, const std::string& model) {
 comparisons::Results results_of(const Prediction& prediction) {
     comparisons::Results results;
     results.model = prediction.model;
-    for (const auto& [quantity, value] : prediction.entries) results.set(*quantity, value.value);
+    for (const auto& [quantity, value] : prediction.entries) {
+        results.set(*quantity, value.value);
+        if (quantity == &quantities::settled_shift_ratio)
+            results.set(quantities::settled_shift_error_ratio, value.error);
+    }
     if (prediction.state != State::undecided) results.set(quantities::state, prediction.state);
     return results;
 }

@@ -35,7 +35,8 @@ Prediction predict(const contact::Case& c, const std::string& model);
 /// there is none.
 std::vector<std::string> predictable_models(const contact::Case& c);
 
-/// Values as results of a run, without their bars.
+/// Values as results of a run, without their bars but for that of the settled shift, which stands
+/// for what a run may still miss of it.
 comparisons::Results results_of(const Prediction& prediction);
 
 }  // namespace tricontact::atlas

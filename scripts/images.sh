@@ -23,7 +23,7 @@ picture() {
     --output "$root/results/predict_half_space" >/dev/null
 "$root/build/release/app/tricontact" predict "$root/examples/cases/rig_layer_parallel.toml" \
     --output "$root/results/predict_layer" >/dev/null
-picture atlas_half_space.png 1200,1100 "$root/results/predict_half_space/atlas.html"
-picture atlas_layer.png 1200,1200 "$root/results/predict_layer/atlas.html"
+picture atlas_half_space.png 1200,1560 "$root/results/predict_half_space/atlas.html"
+picture atlas_layer.png 1200,1560 "$root/results/predict_layer/atlas.html"
 picture report.png 1100,920 "$results/report.html"
 picture walking_map.png 1200,940 "$root/results/walking_map_full/map.html"

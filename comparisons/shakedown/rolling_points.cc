@@ -10,11 +10,14 @@ namespace tricontact::comparisons {
 
 namespace {
 
+/// Rolled, or read in an atlas, which has no run that ends.
 bool can_be_used(const RollingRun& run) {
+    const auto has = [&](const Quantity& q) { return run.results.number(q).has_value(); };
     const auto w = run.results.number(quantities::amplitude_ratio);
     const auto f = run.results.number(quantities::tangential_ratio);
     return w && f && in_unit_range(*w) && in_unit_range(*f) &&
-           run.results.number(quantities::final_shift_ratio);
+           (has(quantities::final_shift_ratio) || has(quantities::settled_shift_ratio) ||
+            has(quantities::shift_increment_ratio));
 }
 
 /// Depends on the steps to first order.
@@ -49,12 +52,14 @@ Computed over_levels(const Runs& runs, const Quantity& q) {
     return result;
 }
 
+/// Of what was read in an atlas, the bar takes this place, and cells are in it.
 void add_error_of_stopping(const Results& results, RollingPoint& p) {
     const double error = results.number(quantities::settled_shift_error_ratio).value_or(NAN);
     const double unit = results.number(quantities::unit_shift).value_or(NAN);
     for (const auto& [q, size] : {std::pair(&quantities::settled_shift_ratio, 1.),
                                   std::pair(&quantities::settled_shift, unit)})
-        if (const auto u = p.values.find(q); u != p.values.end()) u->second.error += error * size;
+        if (const auto u = p.values.find(q); u != p.values.end())
+            u->second.error = (p.model == "atlas" ? 0 : u->second.error) + error * size;
 }
 
 RollingPoint point_of(const Runs& runs) {

@@ -31,7 +31,7 @@ cylinder_layer_static 10
 sphere_half_space 6
 sphere_half_space_ratcheting 2
 sphere_half_space_static 6
-sphere_layer 3
+sphere_layer 6
 sphere_layer_pressed 20
 sphere_layer_ratcheting 1
 sphere_layer_static 6
