@@ -187,10 +187,10 @@ TEST(AtlasFormulas, RolledLayer) {
 // w, excess of the limit, angle, b/D_c, mu
 TEST(AtlasFormulas, RatchetingOnALayer) {
     const Table table("sphere_layer_ratcheting", quantities::shift_increment_ratio);
-    table.check({"Delta u, layer, by the half-space's form", {60, 5.2}, [](const Point& p) {
-                     return theory::half_space_shift_increment_ratio(
-                         ratcheting_of({p[0], p[1], p[2], .5}));
-                 }});
+    table.check(
+        {"Delta u, layer, by the half-space's form", {60, 5.2}, [](const Point& p) {
+             return theory::half_space_shift_increment_ratio(ratcheting_of({p[0], p[1], p[2], .5}));
+         }});
 }
 
 }  // namespace
