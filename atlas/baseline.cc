@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "atlas/map_coordinates.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/bodies/half_space_scales.h"
 #include "contact/special_values.h"
@@ -94,7 +95,7 @@ Baseline::Baseline(const Case& base, const std::string& model,
         thickness_ = source("substrate.thickness_ratio", *base.layer.thickness / (2 * radius));
     if (is_line) {
         body_ = has_layer ? Body::line_layer : Body::line;
-        lambda_ = contact::line_shift_factor(base.materials(), base.indenter.length / radius);
+        lambda_ = atlas::line_lambda(base);
     } else {
         body_ = has_layer ? Body::round_layer : model == "mdr" ? Body::springs : Body::round;
     }

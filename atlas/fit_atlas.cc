@@ -75,6 +75,20 @@ double share_of_ranges(const std::vector<Axis>& axes) {
     return share;
 }
 
+/// The next sample inwards of `at` becomes the end; none if there is none.
+std::optional<std::vector<Axis>> cut_off(std::vector<Axis> axes, std::size_t d, bool is_upper,
+                                         double at, const std::vector<const Sample*>& defined) {
+    std::vector<double> kept;
+    for (const Sample* one : defined)
+        if (const double x = one->coordinates[d];
+            is_upper ? x < at - axes[d].tolerance() : x > at + axes[d].tolerance())
+            kept.push_back(x);
+    if (kept.empty()) return {};
+    (is_upper ? axes[d].to : axes[d].from) =
+        is_upper ? std::ranges::max(kept) : std::ranges::min(kept);
+    return axes;
+}
+
 }  // namespace
 
 std::optional<double> fitted_value(const Atlas& atlas, const Quantity& q, const Sample& sample,
@@ -135,22 +149,13 @@ void cut_domain(Atlas& atlas, const std::vector<Sample>& samples) {
             const bool is_load = axes[d].key.starts_with("load.");
             if (!is_load && axes[d].key != "rolling.amplitude_ratio") continue;
             for (const bool is_upper : {true, false}) {
-                // The next sample inwards becomes the end.
-                const double at = bad->coordinates[d];
-                std::vector<double> kept;
-                for (const Sample* one : defined)
-                    if (const double x = one->coordinates[d];
-                        is_upper ? x < at - axes[d].tolerance() : x > at + axes[d].tolerance())
-                        kept.push_back(x);
-                if (kept.empty()) continue;
-                std::vector<Axis> cut = axes;
-                (is_upper ? cut[d].to : cut[d].from) =
-                    is_upper ? std::ranges::max(kept) : std::ranges::min(kept);
-                const double lost = share_of_ranges(axes) - share_of_ranges(cut);
+                const auto cut = cut_off(axes, d, is_upper, bad->coordinates[d], defined);
+                if (!cut) continue;
+                const double lost = share_of_ranges(axes) - share_of_ranges(*cut);
                 const double cost = is_load ? load_weight * lost : lost;
                 if (cost >= least_cost) continue;
                 least_cost = cost;
-                best = cut;
+                best = *cut;
             }
         }
         axes = best;

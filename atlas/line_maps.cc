@@ -41,9 +41,7 @@ Value line_layer_shift_factor(double thickness_ratio, double poisson) {
     ShippedMaps& maps = maps_of<"cylinder_layer_pressed">();
     const Value there = maps.read_at(quantities::unit_shift,
                                      std::array{maps.least_amplitude(), thickness_ratio, poisson});
-    contact::Case on_half_space = maps.atlas().kept;
-    on_half_space.substrate.poisson = poisson;
-    const double lambda = line_lambda(on_half_space);
+    const double lambda = line_lambda(case_of_runs(maps.atlas(), poisson));
     return {there.value * lambda, there.error * lambda};
 }
 

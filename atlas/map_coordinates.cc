@@ -40,6 +40,12 @@ double line_lambda(const Case& c) {
                                       c.indenter.length / half_space_scales(c).contact_radius);
 }
 
+Case case_of_runs(const Atlas& atlas, double poisson) {
+    Case c = atlas.kept;
+    c.substrate.poisson = poisson;
+    return c;
+}
+
 double excess_of(double f, double limit) {
     return (f - limit) / (1 - limit);
 }

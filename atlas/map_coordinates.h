@@ -22,6 +22,9 @@ double shape_error(const contact::Case& c);
 /// lambda of a line contact on the half-space: contact::line_shift_factor of its own length.
 double line_lambda(const contact::Case& c);
 
+/// The case of an atlas' runs at another Poisson's ratio, with which scales of Hertz change.
+contact::Case case_of_runs(const Atlas& atlas, double poisson);
+
 /// Of a load f beyond the limit of shakedown: its share of the way to full sliding, f = 1; negative
 /// below the limit, where no atlas of ratcheting is.
 double excess_of(double f, double limit);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "atlas/map_coordinates.h"
 #include "comparisons/quantities/quantities.h"
 #include "contact/root.h"
 
@@ -12,10 +13,8 @@ namespace quantities = comparisons::quantities;
 
 namespace {
 
-/// Length over half width in the runs of an atlas: their half width follows Poisson's ratio.
-double length_ratio(contact::Case kept, double poisson) {
-    kept.substrate.poisson = poisson;
-    return kept.indenter.length / half_space_scales(kept).contact_radius;
+double length_ratio(const contact::Case& c) {
+    return c.indenter.length / half_space_scales(c).contact_radius;
 }
 
 /// Of the same load per length on another length.
@@ -43,7 +42,7 @@ const Axis& PressedLayer::thickness_axis() const {
 }
 
 void PressedLayer::place(const contact::Case& c) {
-    hertz_ = c.is_line_contact() ? scales_of_length(c, length_ratio(atlas_.kept, poisson_))
+    hertz_ = c.is_line_contact() ? scales_of_length(c, length_ratio(case_of_runs(atlas_, poisson_)))
                                  : half_space_scales(c);
     thickness_ratio_ = *c.layer.thickness / (2 * hertz_.contact_radius);
 }

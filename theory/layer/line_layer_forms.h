@@ -27,7 +27,7 @@ double line_layer_pressure_ratio(const LayerForm& layer);
 double line_layer_shift_factor(const LayerForm& layer);
 
 /// The same of d over 2 F_N/(pi E* L): 0.801 - 0.143 q - 0.471 q^2 + 1/2 ln[beta^2 + (0.34 -
-/// 0.021 s + 0.173 s^2) beta + 0.401 + 0.334 s + 0.093 s^2]: 1.3 %, 0.3 %.
+/// 0.021 s + 0.173 s^2) beta + 0.401 + 0.334 s + 0.093 s^2]: 1.1 %, 0.3 %.
 double line_layer_depth_factor(const LayerForm& layer);
 
 /// f_T,lim at w in [0, 0.85] over the layer's own half width: that of Hertz' pressure

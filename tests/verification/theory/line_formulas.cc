@@ -18,9 +18,7 @@ using theory::LayerForm;
 
 /// lambda in the runs of an atlas on the half-space, at Poisson's ratio.
 double kept_lambda(const char* name, double poisson) {
-    contact::Case kept = atlas::shipped(name).kept;
-    kept.substrate.poisson = poisson;
-    return atlas::line_lambda(kept);
+    return atlas::line_lambda(atlas::case_of_runs(atlas::shipped(name), poisson));
 }
 
 // w, excess of the limit
@@ -58,6 +56,15 @@ TEST(AtlasFormulas, PressedCylinderOnALayer) {
     table(quantities::unit_shift)
         .check({"lambda, cylinder", {1.1, .27}, [&](const Point& p) {
                     return theory::line_layer_shift_factor({p[1], p[2]}) / kept_lambda(name, p[2]);
+                }});
+    // d over 2 F_N/(pi E* L), which is U_max over mu lambda.
+    table(quantities::indentation)
+        .check({"d, cylinder", {1.1, .4}, [&](const Point& p) {
+                    const contact::Case c = atlas::case_of_runs(atlas::shipped(name), p[2]);
+                    const contact::HalfSpaceScales hertz = half_space_scales(c);
+                    const double unit =
+                        hertz.unit_shift / (c.friction_coefficient * kept_lambda(name, p[2]));
+                    return theory::line_layer_depth_factor({p[1], p[2]}) * unit / hertz.indentation;
                 }});
     const Table limit = table(quantities::limit_tangential_ratio);
     limit.check({"f_T,lim, cylinder", {.66, .009}, [](const Point& p) {
