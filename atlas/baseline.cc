@@ -95,7 +95,7 @@ Baseline::Baseline(const Case& base, const std::string& model,
         thickness_ = source("substrate.thickness_ratio", *base.layer.thickness / (2 * radius));
     if (is_line) {
         body_ = has_layer ? Body::line_layer : Body::line;
-        lambda_ = atlas::line_lambda(base);
+        lambda_ = contact::line_shift_factor(base);
     } else {
         body_ = has_layer ? Body::round_layer : model == "mdr" ? Body::springs : Body::round;
     }

@@ -33,7 +33,7 @@ Value line_shift_increment_ratio(double w, double f, double lambda) {
     ShippedMaps& maps = maps_of<"cylinder_half_space_ratcheting">();
     const Value there = maps.read_at(quantities::shift_increment_ratio,
                                      std::array{w, excess_of(f, half_space_line_limit(w))});
-    const double scale = line_lambda(maps.atlas().kept) / lambda;
+    const double scale = contact::line_shift_factor(maps.atlas().kept) / lambda;
     return {there.value * scale, there.error * scale};
 }
 
@@ -41,7 +41,7 @@ Value line_layer_shift_factor(double thickness_ratio, double poisson) {
     ShippedMaps& maps = maps_of<"cylinder_layer_pressed">();
     const Value there = maps.read_at(quantities::unit_shift,
                                      std::array{maps.least_amplitude(), thickness_ratio, poisson});
-    const double lambda = line_lambda(case_of_runs(maps.atlas(), poisson));
+    const double lambda = contact::line_shift_factor(case_of_runs(maps.atlas(), poisson));
     return {there.value * lambda, there.error * lambda};
 }
 

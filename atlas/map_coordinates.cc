@@ -35,11 +35,6 @@ double shape_error(const Case& c) {
     return sphere_share * slope * slope;
 }
 
-double line_lambda(const Case& c) {
-    return contact::line_shift_factor(c.materials(),
-                                      c.indenter.length / half_space_scales(c).contact_radius);
-}
-
 Case case_of_runs(const Atlas& atlas, double poisson) {
     Case c = atlas.kept;
     c.substrate.poisson = poisson;

@@ -19,9 +19,6 @@ double common_poisson(const contact::Case& c);
 /// What an exact sphere adds to the bars of maps of paraboloids, as a share; 0 for others.
 double shape_error(const contact::Case& c);
 
-/// lambda of a line contact on the half-space: contact::line_shift_factor of its own length.
-double line_lambda(const contact::Case& c);
-
 /// The case of an atlas' runs at another Poisson's ratio, with which scales of Hertz change.
 contact::Case case_of_runs(const Atlas& atlas, double poisson);
 

@@ -113,7 +113,8 @@ class Predictor {
         if (p_.state == State::ratcheting) {
             const std::string name = "cylinder_half_space_ratcheting";
             const double excess = excess_of(r.tangential_ratio, *r.limit_tangential_ratio);
-            scale_ = line_lambda(shipped(name).kept) / line_lambda(c_);
+            scale_ =
+                contact::line_shift_factor(shipped(name).kept) / contact::line_shift_factor(c_);
             add_maps(name, {{r.amplitude_ratio, excess}, {}}, {});
         }
         return finish();

@@ -62,8 +62,7 @@ std::optional<double> line_shift_factor(const FitOptions& options,
             if (!factor && &point == &points.front()) return {};
             options.refuse("line contacts are evaluated by themselves; take one indenter.shape");
         }
-        const double ratio = c.indenter.length / half_space_scales(c).contact_radius;
-        const double here = contact::line_shift_factor(c.materials(), ratio);
+        const double here = contact::line_shift_factor(c);
         if (factor && std::abs(here / *factor - 1) > rounding)
             options.refuse(
                 "of line contacts the shift depends on L/a and poisson; vary amplitude, F_T and "

@@ -38,8 +38,7 @@ namespace {
 /// Closed forms of the line contact in place of the point contact's.
 void add_line_contact(const contact::Case& c, Reference& r) {
     const double f = r.tangential_ratio, w = r.amplitude_ratio;
-    const double lambda =
-        contact::line_shift_factor(c.materials(), c.indenter.length / r.hertz.contact_radius);
+    const double lambda = contact::line_shift_factor(c);
     r.static_shift_ratio = theory::line_static_shift_ratio(f, lambda);
     if (!c.rolling) r.stick_ratio = theory::line_stick_half_width(0, f);
     if (!c.rolling || !constant_loads(c) || !in_unit_range(w)) return;

@@ -80,8 +80,7 @@ report::Figure displacement_figure(const contact::Case& c, const Histories& hist
                     histories[i].scales.unit_shift, figure);
     const Reference r = reference(c);
     if (figure.curves.empty() || !(r.stick_ratio > 0.)) return figure;
-    const double lambda =
-        contact::line_shift_factor(c.materials(), c.indenter.length / r.hertz.contact_radius);
+    const double lambda = contact::line_shift_factor(c);
     figure.curves.emplace_back(report::Curve{.name = "exact, half-space", .theory = true})
         .sample(-half_view, half_view, exact_points, [&](double x) {
             return theory::line_shakedown_displacement(x, r.amplitude_ratio, *r.stick_ratio,

@@ -185,6 +185,11 @@ double line_shift_factor(const MaterialPair& materials, double length_ratio) {
     return centre_factor(length_ratio) + materials.nu_over_g() / materials.one_minus_nu_over_g();
 }
 
+double line_shift_factor(const Case& c) {
+    return line_shift_factor(c.materials(),
+                             c.indenter.length / half_space_scales(c).contact_radius);
+}
+
 bool is_nominally_flat(const Case& c) {
     return c.indenter.shape == Case::Shape::flat || c.indenter.shape == Case::Shape::height_map;
 }

@@ -12,6 +12,9 @@ double line_half_width(double load, double radius, double effective_modulus);
 /// is nu/(1 - nu) for one: `length_ratio` is L/a.
 double line_shift_factor(const MaterialPair& materials, double length_ratio);
 
+/// The same of a case of a line contact, of its own L and a.
+double line_shift_factor(const Case& c);
+
 /// The shape has no curvature of its own: what a case says of a radius means nothing.
 bool is_nominally_flat(const Case& c);
 

@@ -44,7 +44,7 @@ struct Exact {
 
 Exact exact_of(const Case& c) {
     const double a = contact::half_space_scales(c).contact_radius;
-    const double lambda = contact::line_shift_factor(c.materials(), c.indenter.length / a);
+    const double lambda = contact::line_shift_factor(c);
     const double w = *c.rolling->amplitude_ratio;
     const double stick = theory::line_stick_half_width(w, *c.load.tangential_ratio).value();
     return {stick, theory::line_settled_shift_ratio(w, stick, lambda)};

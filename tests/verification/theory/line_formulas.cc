@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "atlas/map_coordinates.h"
+#include "contact/bodies/half_space_scales.h"
 #include "formula_table.h"
 #include "theory/layer/line_layer_forms.h"
 #include "theory/oscillating_cylinder.h"
@@ -18,7 +19,7 @@ using theory::LayerForm;
 
 /// lambda in the runs of an atlas on the half-space, at Poisson's ratio.
 double kept_lambda(const char* name, double poisson) {
-    return atlas::line_lambda(atlas::case_of_runs(atlas::shipped(name), poisson));
+    return contact::line_shift_factor(atlas::case_of_runs(atlas::shipped(name), poisson));
 }
 
 // w, excess of the limit
